@@ -1,5 +1,4 @@
 /**
- * Messages that aeroplanes add to the framework's own. Links to simulators and control laws stand
- * in packages of their own.
+ * Messages specific to aeroplanes. Links to simulators are in {@code link} and {@code protocol}.
  */
 package org.u2sa.flightgear;

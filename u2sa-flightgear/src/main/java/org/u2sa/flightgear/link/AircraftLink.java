@@ -3,29 +3,28 @@ package org.u2sa.flightgear.link;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * All that the {@link Simulator} service knows of a simulated aircraft: FlightGear, the stand-in
- * that speaks its protocol, and the embedded one look alike.
+ * The {@link Simulator} service's connection to a simulated aircraft: FlightGear, the stand-in that
+ * speaks its protocol, or the embedded one.
  */
 public interface AircraftLink extends AutoCloseable {
   /**
-   * The newest reading; returns at once. A lost aircraft is no exception: its last reading is
-   * returned as not connected.
+   * Returns the newest reading without blocking. If the aircraft is lost, returns its last reading
+   * as not connected instead of throwing.
    *
-   * @param nowMicros time of the run's clock [µs], to which an aircraft that is simulated in
-   *     lockstep is brought
+   * @param nowMicros the run's clock [µs]; an aircraft in lockstep is advanced to this time
    */
   AircraftReading read(long nowMicros);
 
   /**
-   * Sets the controls; they hold until set again. Returns at once; what cannot be sent is lost, and
-   * {@link #trouble} says so.
+   * Sets the controls, which hold until set again. Does not block. Controls that cannot be sent are
+   * dropped and reported by {@link #trouble}.
    */
   void write(ControlInputs controls);
 
-  /** What has gone wrong or right since the last call, for the log; empty if nothing. */
+  /** Faults and recoveries since the last call, for the log; empty if none. */
   String trouble();
 
-  /** Ends the connection; the controls were set neutral before, if that was wanted. */
+  /** Closes the connection. Does not neutralise the controls. */
   @Override
   void close();
 }

@@ -11,8 +11,8 @@ import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * The embedded Cessna 172 in this process: each reading brings it to the time of the run, so it
- * moves in lockstep.
+ * The embedded Cessna 172 in this process. Each reading advances it to the run's time, so it moves
+ * in lockstep.
  */
 public final class EmbeddedAircraft implements AircraftLink {
   private final Cessna172 aircraft;
@@ -20,13 +20,13 @@ public final class EmbeddedAircraft implements AircraftLink {
   private VehicleTruth seen; // null before the first reading
   private long sequence;
 
-  /** Links to an aircraft that nobody else steps. */
+  /** Links to an aircraft that no other object advances. */
   public EmbeddedAircraft(Cessna172 aircraft) {
     this.aircraft = aircraft;
     run = new VehicleRun(aircraft);
   }
 
-  /** The aircraft, to be looked at only. */
+  /** The aircraft, for reading only. */
   Cessna172 aircraft() {
     return aircraft;
   }
@@ -54,7 +54,7 @@ public final class EmbeddedAircraft implements AircraftLink {
     // Nothing is open: the aircraft is an object of this process.
   }
 
-  /** The state as a reading. */
+  /** Converts the simulated motion to a reading. */
   static AircraftReading reading(AircraftMotion state, long sequence, long measuredAtMicros) {
     Point euler =
         new Attitude(state.rollRad(), state.pitchRad(), state.headingRad())

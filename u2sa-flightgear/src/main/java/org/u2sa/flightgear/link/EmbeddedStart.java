@@ -6,14 +6,14 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.aircraft.RunwayStart;
 
-/** Where the aircraft stands when a mission begins. */
+/** Starting position of the embedded aircraft. */
 public final class EmbeddedStart {
   private EmbeddedStart() {}
 
   /**
-   * The mission's home.
+   * Returns the mission's home as a runway position.
    *
-   * @throws BadInputException if it has none, or not all that an aircraft needs
+   * @throws BadInputException if the mission has no home, or the home lacks a coordinate or heading
    */
   public static RunwayStart of(Mission mission) {
     Home home = mission.home().orElseThrow(() -> lacks(mission, "a <home>"));

@@ -3,21 +3,21 @@ package org.u2sa.flightgear.link;
 import java.util.OptionalInt;
 
 /**
- * Where FlightGear and this program meet. {@code scripts/flightgear/start} uses 5501 (out), 5502
- * (in) and 5503 (properties).
+ * Addresses and ports of the connection to FlightGear. {@code scripts/flightgear/start} uses 5501
+ * (out), 5502 (in) and 5503 (properties).
  *
  * @param host where FlightGear runs
  * @param inPort FlightGear listens here for controls [1…65535]
- * @param propertyPort FlightGear's property server, by which a cut link is repaired; empty if there
- *     is none
- * @param bindHost address on which this program listens for FlightGear's lines; "127.0.0.1" lets
- *     only this machine in
+ * @param propertyPort port of FlightGear's property server, used to repair a cut link; empty if
+ *     absent
+ * @param bindHost address on which this program listens for FlightGear's lines; "127.0.0.1" accepts
+ *     connections from this machine only
  * @param outPort port on which it listens [0…65535]; 0 takes a free one
- * @param rateHz lines a second that FlightGear is asked for when the link is repaired [1/s]
+ * @param rateHz line rate requested from FlightGear when the link is repaired [Hz]
  */
 public record FlightGearAddress(
     String host, int inPort, OptionalInt propertyPort, String bindHost, int outPort, int rateHz) {
-  /** Lines a second of {@code scripts/flightgear/start}. */
+  /** Line rate of {@code scripts/flightgear/start} [Hz]. */
   public static final int USUAL_RATE_HZ = 20;
 
   /**
@@ -31,10 +31,10 @@ public record FlightGearAddress(
   }
 
   /**
-   * FlightGear on a host, at given ports. Listens for this machine only if the host is 127.0.0.1 or
+   * Returns the address of FlightGear on a host. Listens on loopback if the host is 127.0.0.1 or
    * localhost, otherwise on all addresses.
    *
-   * @param propertyPort 0 is none
+   * @param propertyPort 0 for none
    */
   public static FlightGearAddress of(String host, int outPort, int inPort, int propertyPort) {
     boolean here = host.equals("127.0.0.1") || host.equals("localhost");

@@ -4,26 +4,28 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * FlightGear, or the stand-in, over its generic protocol: two TCP connections, one each way (thesis
- * 4.5.2.1). It listens from the constructor on, so FlightGear is started after it: FlightGear
- * connects once and never again.
+ * Link to FlightGear, or to its stand-in, over the generic protocol: one TCP connection in each
+ * direction (thesis 4.5.2.1). The constructor opens the listening port. Start FlightGear after it,
+ * because FlightGear connects only once.
  *
- * <p>A reading's {@code measuredAtMicros} follows FlightGear's own time, so that time steps are
- * those of the flight; it is never later than the arrival, keeps its age if the network stalled,
- * grows with each reading, and follows the run's clock where FlightGear loses time or runs faster
- * (then a second between readings is several of flight). No new readings come while FlightGear is
- * paused. So {@code now − measuredAtMicros} is the age of the information and never negative.
+ * <p>A reading's {@code measuredAtMicros} follows FlightGear's own time, so time steps are those of
+ * the flight. It is never later than the arrival, keeps its age after a network stall, increases
+ * with each reading, and follows the run's clock if FlightGear loses time or runs faster than real
+ * time (one second between readings is then several seconds of flight). There are no new readings
+ * while FlightGear is paused. {@code now − measuredAtMicros} is therefore the age of the reading
+ * and never negative.
  *
- * <p>A reading is connected while whole, plausible lines come: false 1 s after the last one, and at
- * once when FlightGear closes. A link that was cut comes back by itself: controls are reconnected
- * with growing pauses; lines, which FlightGear never reconnects, over its property server if a port
- * is given. FlightGear keeps the last controls meanwhile. For real time only: it never waits for a
- * simulated clock.
+ * <p>A reading counts as connected while complete, plausible lines arrive. It becomes disconnected
+ * 1 s after the last line, or immediately when FlightGear closes the connection. A cut link
+ * recovers automatically: the control connection reconnects with exponential back-off; the output
+ * connection, which FlightGear never reopens itself, is restored through the property server if a
+ * port is given. FlightGear holds the last controls meanwhile. For real time only: the link never
+ * waits for a simulated clock.
  *
- * <p>While FlightGear starts its engine, throttle and mixture are kept where the engine survives,
- * whatever is written.
+ * <p>While FlightGear starts its engine, throttle and mixture are limited to values that keep the
+ * engine running, whatever is written.
  *
- * <p>Safe for several threads. The link's own thread is a daemon and ends with {@link #close}.
+ * <p>Thread-safe. The link's own thread is a daemon and ends with {@link #close}.
  */
 public final class FlightGearLink implements AircraftLink {
   private static final long END_MS = 2_000;
@@ -32,7 +34,7 @@ public final class FlightGearLink implements AircraftLink {
   private final FlightGearThread thread;
 
   /**
-   * Begins to listen.
+   * Opens the listening port.
    *
    * @param clock the run's clock, in real time
    * @throws org.u2sa.interfaces.communication.CommunicationException if the out-port is taken; the
@@ -46,9 +48,9 @@ public final class FlightGearLink implements AircraftLink {
   }
 
   /**
-   * Begins to listen.
+   * Opens the listening port.
    *
-   * @param propertyPort 0 is none
+   * @param propertyPort 0 for none
    * @throws org.u2sa.interfaces.communication.CommunicationException if the out-port is taken; the
    *     message says what to do
    */
@@ -56,12 +58,12 @@ public final class FlightGearLink implements AircraftLink {
     this(FlightGearAddress.of(host, outPort, inPort, propertyPort), clock);
   }
 
-  /** The port on which it listens for FlightGear. */
+  /** The port on which this link listens for FlightGear. */
   public int outPort() {
     return thread.port();
   }
 
-  /** How many lines of FlightGear were refused as malformed. */
+  /** Number of malformed lines refused. */
   public long refusedLines() {
     return troubles.refusedLines();
   }
@@ -84,8 +86,8 @@ public final class FlightGearLink implements AircraftLink {
   }
 
   /**
-   * Ends the connections, after the controls that were written last have been sent. Takes at most
-   * some tenths of a second.
+   * Closes the connections after sending the controls written last. Takes at most some tenths of a
+   * second.
    */
   @Override
   public void close() {
@@ -93,8 +95,7 @@ public final class FlightGearLink implements AircraftLink {
     try {
       thread.join(END_MS);
     } catch (InterruptedException e) {
-      Thread.currentThread()
-          .interrupt(); // the thread ends by itself; an interrupt asks not to wait
+      Thread.currentThread().interrupt(); // the thread ends without being waited for
     }
   }
 }

@@ -9,9 +9,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * The one thread of a {@link FlightGearLink}: reads FlightGear's lines at once, always, since
- * FlightGear freezes if nobody does; sends the newest controls; notices what is lost and sees to
- * its repair.
+ * The thread of a {@link FlightGearLink}. It reads FlightGear's lines without delay, because
+ * FlightGear freezes if nobody reads, sends the newest controls, and detects and repairs lost
+ * connections.
  */
 final class FlightGearThread extends Thread {
   private static final long TURN_MS = 50;
@@ -19,7 +19,8 @@ final class FlightGearThread extends Thread {
   private static final long DEAF_MICROS = 1_500_000;
   private static final long LAST_LINE_MICROS = 500_000;
   private static final long GONE_MICROS = 300_000;
-  private static final long NEVER_CAME_MICROS = 1_500_000; // FlightGear comes 1.4 s after its start
+  private static final long NEVER_CAME_MICROS =
+      1_500_000; // FlightGear connects 1.4 s after its start
   private static final long MUTE_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   private final Clock clock;
@@ -31,15 +32,15 @@ final class FlightGearThread extends Thread {
   private final AtomicReference<ControlInputs> wanted = new AtomicReference<>();
   private volatile Seen seen = new Seen(AircraftReading.none(), false, 0);
   private volatile boolean closing;
-  private volatile boolean there; // somebody is connected and not mute
+  private volatile boolean there; // a peer is connected and sends lines
   private ControlInputs latest;
   private long sentMicros;
   private long heardCount;
-  private long heardMicros; // FlightGear told back a new count, or could not be expected to
+  private long heardMicros; // last time FlightGear echoed a new count, or could not be expected to
   private boolean deaf;
-  private long peerMicros; // somebody was connected
+  private long peerMicros; // last time a peer was connected
 
-  /** What a reader gets. */
+  /** Snapshot for readers. */
   record Seen(AircraftReading reading, boolean alive, long lastLineMicros) {}
 
   FlightGearThread(FlightGearAddress address, Clock clock, Troubles troubles) {
@@ -84,7 +85,7 @@ final class FlightGearThread extends Thread {
     selector.wakeup();
   }
 
-  /** Sends what is wanted still and ends. */
+  /** Sends pending controls, then ends. */
   void end() {
     closing = true;
     selector.wakeup();
@@ -101,7 +102,7 @@ final class FlightGearThread extends Thread {
         turn();
       }
     } catch (IOException
-        | RuntimeException e) { // the service must hear of it; it goes on without an aircraft
+        | RuntimeException e) { // reported to the service, which continues without an aircraft
       troubles.event("the link to FlightGear ended by an error: " + e);
     } finally {
       seen = new Seen(seen.reading(), false, seen.lastLineMicros());
@@ -168,8 +169,8 @@ final class FlightGearThread extends Thread {
   }
 
   /**
-   * FlightGear accepts connections to a dead in channel and ignores them: only the count that it
-   * tells back shows that it listens.
+   * FlightGear accepts connections to a dead input channel and ignores their data. Only the echoed
+   * count shows that it is listening.
    */
   private void listenForEcho(boolean flying, long now) {
     boolean heard = out.count() != heardCount;

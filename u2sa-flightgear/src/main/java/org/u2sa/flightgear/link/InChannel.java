@@ -13,9 +13,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * Where controls go to FlightGear. It connects only when there is something to send and closes only
- * after a whole line, since FlightGear's channel dies of anything else; of several controls the
- * newest is sent. Belongs to the link's thread.
+ * Connection that carries controls to FlightGear. It connects only when there is something to send
+ * and closes only after a complete line, because anything else kills FlightGear's channel. Only the
+ * newest controls are sent. Confined to the link's thread.
  */
 final class InChannel {
   static final long SPACING_MICROS = 20_000; // FlightGear reads at 20 to 60 Hz
@@ -45,7 +45,7 @@ final class InChannel {
     this.troubles = troubles;
   }
 
-  /** Connects if it is time to. */
+  /** Connects if a connection is due. */
   void connect(Selector selector, long nowMicros) {
     if (channel != null || nowMicros < retryMicros) {
       return;
@@ -60,12 +60,12 @@ final class InChannel {
       if (open) {
         opened();
       }
-    } catch (IOException | RuntimeException e) { // a host that cannot be resolved is no IOException
+    } catch (IOException | RuntimeException e) { // an unresolvable host is not an IOException
       failed(e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage());
     }
   }
 
-  /** Takes what the selector found. */
+  /** Handles a ready selection key. */
   void ready(SelectionKey selected) {
     try {
       if (selected.isConnectable() && channel.finishConnect()) {
@@ -86,17 +86,16 @@ final class InChannel {
 
   private void opened() {
     key.interestOps(SelectionKey.OP_READ);
-    pending =
-        ByteBuffer.allocate(0); // the rest of a line belongs to the connection it was begun on
+    pending = ByteBuffer.allocate(0); // discard the rest of a line begun on the previous connection
     sinceMicros = clock.micros();
     sentMicros = sinceMicros - SPACING_MICROS;
   }
 
   /**
-   * Sends controls, unless the line before is still on its way or went less than {@link
+   * Sends controls, unless the previous line is still being written or was sent less than {@link
    * #SPACING_MICROS} ago.
    *
-   * @return whether they are on their way
+   * @return whether they are being sent
    */
   boolean send(ControlInputs controls, long nowMicros) {
     if (!isFree() || nowMicros - sentMicros < SPACING_MICROS) {
@@ -132,7 +131,7 @@ final class InChannel {
     }
   }
 
-  /** Gives up what takes too long. */
+  /** Times out connections and writes. */
   void tick(long nowMicros) {
     if (channel == null || nowMicros - sinceMicros < PATIENCE_MICROS) {
       return;
@@ -140,7 +139,7 @@ final class InChannel {
     if (!open) {
       failed("no answer");
     } else if (pending.hasRemaining() && !stuck) {
-      stuck = true; // not closed: FlightGear would never listen again after half a line
+      stuck = true; // left open: FlightGear would never listen again after half a line
       troubles.event("FlightGear does not read its controls");
     }
   }
@@ -162,7 +161,7 @@ final class InChannel {
     pauseMicros = Math.min(LONGEST_PAUSE_MICROS, 2 * pauseMicros);
   }
 
-  /** Closes the connection; {@link #connect} makes another one when asked. */
+  /** Closes the connection; {@link #connect} opens another. */
   void drop() {
     retryMicros = 0;
     if (channel != null) {
@@ -178,12 +177,12 @@ final class InChannel {
     return open && !pending.hasRemaining();
   }
 
-  /** Whether a line is on its way. */
+  /** Whether a line is being written. */
   boolean isBusy() {
     return open && pending.hasRemaining();
   }
 
-  /** When the next line may go [µs]. */
+  /** Earliest time of the next line [µs]. */
   long nextMicros() {
     return sentMicros + SPACING_MICROS;
   }

@@ -79,10 +79,10 @@ final class LinkConfiguration {
   }
 
   /**
-   * Opens it.
+   * Opens the link.
    *
-   * @throws BadInputException if an embedded aircraft's Simulator is restarted or replaced: the
-   *     aircraft ended with it, and a new one would start another flight
+   * @throws BadInputException if the Simulator of an embedded aircraft is restarted or replaced:
+   *     the aircraft ends with its Simulator, and a new one would start another flight
    */
   AircraftLink open() {
     Variables now = settings.get();

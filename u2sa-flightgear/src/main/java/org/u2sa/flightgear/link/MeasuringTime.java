@@ -3,23 +3,23 @@ package org.u2sa.flightgear.link;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * When a line was measured, by the run's clock: an anchor (arrival of one line) plus FlightGear's
+ * Measurement time of a line on the run's clock: an anchor (arrival of one line) plus FlightGear's
  * own time since then, so that steps between readings are steps of the flight, not of the network.
  * Three rules keep the age of a reading right:
  *
  * <ul>
  *   <li>Never later than the arrival. A line that comes sooner than expected (less delay than the
  *       anchor's, or FlightGear runs faster than the run's clock) becomes the anchor.
- *   <li>A line that comes late keeps its early time: after a stall of the network the lines that
- *       had piled up are as old as they are. Only if all lines of {@link #WINDOW_MICROS} were late
- *       by more than {@link #LATE_MICROS} has FlightGear itself lost time, and the anchor moves by
- *       what the least late one was late.
- *   <li>A line with FlightGear's time unchanged is no new measurement (FlightGear is paused); the
- *       anchor moves along.
+ *   <li>A line that arrives late keeps its early time, because lines that piled up during a network
+ *       stall are old. Only if all lines within {@link #WINDOW_MICROS} were late by more than
+ *       {@link #LATE_MICROS} has FlightGear itself lost time; the anchor then moves by the smallest
+ *       lateness.
+ *   <li>A line with FlightGear's time unchanged is not a new measurement (FlightGear is paused);
+ *       the anchor moves with it.
  * </ul>
  *
- * With FlightGear at n times real speed, times are therefore those of arrival, and a second between
- * readings is n seconds of flight. Belongs to one thread.
+ * With FlightGear at n times real time, measurement times are therefore arrival times, and one
+ * second between readings is n seconds of flight. Confined to one thread.
  */
 final class MeasuringTime {
   static final long LATE_MICROS = 30_000;
@@ -34,11 +34,11 @@ final class MeasuringTime {
   private long leastLateMicros; // of the window's lines
 
   /**
-   * Takes a line.
+   * Records a line.
    *
    * @param elapsedS FlightGear's time [s]
    * @param arrivalMicros run's clock [µs]
-   * @return whether it is a new measurement; its time is then {@link #micros()}
+   * @return whether it is a new measurement, whose time is then {@link #micros()}
    */
   boolean take(double elapsedS, long arrivalMicros) {
     boolean paused = anchored && elapsedS == lastS;
@@ -52,7 +52,7 @@ final class MeasuringTime {
     return !paused;
   }
 
-  /** When the newest measurement was made [µs]; grows with each. */
+  /** Time of the newest measurement [µs]; strictly increasing. */
   long micros() {
     return lastMicros;
   }

@@ -20,9 +20,9 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Where FlightGear's lines come in. We listen; the first peer to send a good line while no other
- * does is FlightGear, so neither a stray connection nor a dead one keeps the real one out. Belongs
- * to the link's thread.
+ * Server side of FlightGear's output. The first peer to send a valid line while no other does is
+ * taken to be FlightGear, so neither a stray nor a dead connection blocks the real one. Confined to
+ * the link's thread.
  */
 final class OutChannel {
   static final long SILENCE_MICROS = Clock.MICROS_PER_SECOND;
@@ -54,7 +54,7 @@ final class OutChannel {
       try {
         server.setOption(
             StandardSocketOptions.SO_REUSEADDR,
-            true); // a run that just ended holds the port for a minute otherwise
+            true); // otherwise the port stays in TIME_WAIT for a minute after a run
         server.bind(new InetSocketAddress(address.bindHost(), address.outPort()));
         server.configureBlocking(false);
         server.register(selector, SelectionKey.OP_ACCEPT);
@@ -63,7 +63,7 @@ final class OutChannel {
         server.close();
         throw e;
       }
-    } catch (IOException | RuntimeException e) { // a host that cannot be resolved is no IOException
+    } catch (IOException | RuntimeException e) { // an unresolvable host is not an IOException
       throw new CommunicationException(
           "cannot listen for FlightGear on "
               + address.bindHost()
@@ -189,8 +189,8 @@ final class OutChannel {
   }
 
   /**
-   * The newest reading; empty while FlightGear is gone or silent, or its flight model does not run
-   * yet.
+   * The newest reading; empty while FlightGear is disconnected or silent, or before its flight
+   * model runs.
    */
   Optional<AircraftReading> reading() {
     return flightGear != null && !silent && newest.sequence() > 0

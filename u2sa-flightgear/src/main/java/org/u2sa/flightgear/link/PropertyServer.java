@@ -34,15 +34,15 @@ final class PropertyServer implements AutoCloseable {
     }
   }
 
-  /** Address of this side, as FlightGear can reach it. */
+  /** Local address at which FlightGear can reach this program. */
   String ownAddress() {
     return socket.getLocalAddress().getHostAddress();
   }
 
   /**
-   * A property's value; empty if there is none.
+   * Returns the value of a property; empty if unset.
    *
-   * @throws IOException if FlightGear says nothing
+   * @throws IOException if FlightGear does not answer
    */
   String get(String path) throws IOException {
     say("get " + path);
@@ -58,10 +58,10 @@ final class PropertyServer implements AutoCloseable {
   }
 
   /**
-   * Runs a command.
+   * Runs a FlightGear command.
    *
-   * @return whether FlightGear says that it was done
-   * @throws IOException if it says nothing
+   * @return whether FlightGear reports success
+   * @throws IOException if FlightGear does not answer
    */
   boolean run(String command) throws IOException {
     say("run " + command);

@@ -8,7 +8,8 @@ import org.u2sa.flightgear.protocol.OutLine;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * FlightGear's lines as readings and back: axes and zero points; units are the protocol's concern.
+ * Converts FlightGear's lines to readings and back: axes and zero points. The protocol converts
+ * units.
  */
 final class Readings {
   private static final double FULL_CIRCLE = 2.0 * Math.PI;
@@ -45,7 +46,7 @@ final class Readings {
     return new AircraftReading(true, sequence, measuredAtMicros, state);
   }
 
-  /** What FlightGear would say of an aircraft. */
+  /** The line FlightGear would send for an aircraft. */
   static OutLine line(AircraftState state, double elapsedS, boolean primer, long count) {
     Map<OutField, Double> values = new EnumMap<>(OutField.class);
     values.put(OutField.ELAPSED, elapsedS);

@@ -8,9 +8,9 @@ import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Brings FlightGear's channels back over its property server: takes the dead one away and adds one
- * like it. FlightGear runs such commands only while its lines are read, so they are sent from a
- * thread of their own. Belongs to the link's thread.
+ * Restores FlightGear's channels through its property server: removes the dead channel and adds an
+ * identical one. FlightGear runs such commands only while its lines are read, so a separate thread
+ * sends them. Confined to the link's thread.
  */
 final class Repair {
   private static final long SHORTEST_PAUSE_MICROS = Clock.MICROS_PER_SECOND;
@@ -22,7 +22,7 @@ final class Repair {
   private final Channel out = new Channel("out", "generic-1", ProtocolFiles.OUT);
   private final Channel in = new Channel("in", "generic-2", ProtocolFiles.IN);
   private CompletableFuture<String>
-      work; // its result: what went wrong, or empty; null if none is under way
+      work; // its result: the error, or empty; null if no repair is running
   private long nextMicros;
   private long pauseMicros = SHORTEST_PAUSE_MICROS;
   private boolean failing;
@@ -34,11 +34,11 @@ final class Repair {
   }
 
   /**
-   * Asks FlightGear to connect to us. Before the first connection no channel is taken away, since
-   * it may be another program's.
+   * Asks FlightGear to connect to this program. Before the first connection no channel is removed,
+   * because it may belong to another program.
    *
-   * @param needed asked, by another thread, when FlightGear answers: it may have connected
-   *     meanwhile
+   * @param needed evaluated on another thread when FlightGear answers, because FlightGear may have
+   *     connected in the meantime
    */
   void out(int port, boolean hadOne, long nowMicros, BooleanSupplier needed) {
     if (isDue(nowMicros)) {
@@ -46,7 +46,7 @@ final class Repair {
     }
   }
 
-  /** Asks FlightGear to listen to us again. */
+  /** Asks FlightGear to listen again. */
   void in(long nowMicros) {
     if (isDue(nowMicros)) {
       start(in, address.inPort(), true, nowMicros, () -> true);
@@ -79,7 +79,7 @@ final class Repair {
           } catch (IOException e) {
             begun.complete(e.getMessage());
           } finally {
-            begun.complete("an error in this program"); // without effect if it is complete
+            begun.complete("an error in this program"); // no effect if already complete
           }
         };
     Thread thread = new Thread(repair, "flightgear-repair");
@@ -95,12 +95,12 @@ final class Repair {
     return everywhere ? server.ownAddress() : address.bindHost();
   }
 
-  /** Whether FlightGear is being asked just now. */
+  /** Whether a repair is running. */
   boolean isBusy() {
     return work != null;
   }
 
-  /** Says how the last attempt went; failures once only. */
+  /** Reports the result of the last attempt; repeated failures are reported once. */
   void tick(long nowMicros) {
     if (work == null || !work.isDone()) {
       return;
@@ -125,12 +125,12 @@ final class Repair {
   }
 
   /**
-   * One of FlightGear's channels; touched by one repair at a time, and repairs happen one after the
-   * other. The name of what we add is always the same, so that another process finds it again: a
-   * channel that nobody can name keeps its port for ever.
+   * One of FlightGear's channels. Used by one repair at a time. The name of an added channel is
+   * fixed, so that another process can remove it: a channel whose name is unknown holds its port
+   * for the life of FlightGear.
    */
   private static final class Channel {
-    private static final int RATE = 3; // place in a configuration
+    private static final int RATE = 3; // index in a configuration
 
     private final String direction;
     private final String protocol;
@@ -145,7 +145,7 @@ final class Repair {
       ours = "u2sa-" + direction;
     }
 
-    /** What FlightGear has this channel for: as it was started, or as we added it last. */
+    /** Configuration of this channel: as FlightGear was started, or as added last. */
     private String askConfig(PropertyServer server) throws IOException {
       for (String each : List.of(ours, name)) {
         String config = server.get("/io/channels/" + each + "/config");
@@ -157,8 +157,8 @@ final class Repair {
     }
 
     /**
-     * Takes away what a process before us added, and, if wanted, what is there now. FlightGear
-     * refuses what is gone already.
+     * Removes a channel added by an earlier process and, if requested, the present one. FlightGear
+     * refuses to remove a channel that does not exist.
      */
     private void remove(PropertyServer server, boolean present) throws IOException {
       server.run("remove-io-channel name=" + ours);

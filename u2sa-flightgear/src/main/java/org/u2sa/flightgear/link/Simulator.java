@@ -21,15 +21,15 @@ import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * Joins a simulated Cessna 172 to the system (thesis 4.5.2.1): publishes what it measures and
- * passes commands on. In: actuation, emergency-stop, arming-state. Out: sensed-state, truth, and
+ * Connects a simulated Cessna 172 to the system (thesis 4.5.2.1): publishes its measurements and
+ * forwards commands. In: actuation, emergency-stop, arming-state. Out: sensed-state, truth, and
  * actuators.
  *
- * <p>While the aircraft is lost its controls are announced as lost, too.
+ * <p>While the aircraft is lost, its controls are announced as lost.
  *
- * <p>Commands that nobody renews expire, and the controls go neutral: the aircraft goes on, or
- * glides, at the speed that it is trimmed for, with its wings where they are. At an emergency stop,
- * and while it is not armed, the brakes are on, too.
+ * <p>Commands that are not renewed expire and the controls return to neutral: the aircraft flies or
+ * glides at its trim speed and keeps its bank angle. The brakes are applied during an emergency
+ * stop and while disarmed.
  */
 public final class Simulator extends ProprioceptiveSensor implements ActuatorOwner {
   private static final double POLLS_PER_S = 100.0;
@@ -46,15 +46,15 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
   private final boolean sensesMotion;
   private final AircraftLink link;
   private final CommandedActuators commands;
-  private long published; // sequence of the reading published last
+  private long published; // sequence number of the last published reading
   private boolean connected;
 
-  /** Opens the link that the configuration names. */
+  /** Opens the configured link. */
   public Simulator(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a link that is open already. */
+  /** Uses the given open link. */
   Simulator(ServiceContext context, AircraftLink link) {
     this(context, Optional.of(link));
   }
@@ -68,7 +68,7 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
     registerPublisher(FlightChannels.TRUTH);
   }
 
-  /** The controls, with what moving each does to the aircraft. */
+  /** The controls and their effect on the aircraft. */
   private static final Map<String, String> CONTROLS =
       Map.of(
           "AILERON", "rolls to the right",
@@ -82,7 +82,7 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
 
   private static final Set<String> BOTH_WAYS = Set.of("AILERON", "ELEVATOR", "RUDDER");
 
-  /** The aircraft itself, if it is embedded in this process; for whoever runs on its clock. */
+  /** The aircraft, if embedded in this process; for programs that run on its clock. */
   public Optional<Cessna172> embedded() {
     return link instanceof EmbeddedAircraft here ? Optional.of(here.aircraft()) : Optional.empty();
   }
@@ -139,13 +139,13 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
   }
 
   private ControlInputs controls() {
-    double brakes = commands.mayMove() ? 0.0 : 1.0; // what may not move must not roll either
+    double brakes = commands.mayMove() ? 0.0 : 1.0; // a disarmed aircraft must not roll
     return new ControlInputs(
         fraction("AILERON", 0.0),
         fraction("ELEVATOR", AircraftActuator.TRIMMED_ELEVATOR_PERCENT / FULL_PERCENT),
         fraction("RUDDER", 0.0),
         fraction("THROTTLE", 0.0),
-        fraction("MIXTURE", RICH), // a lean mixture would stop the engine for good
+        fraction("MIXTURE", RICH), // a lean mixture would stop the engine permanently
         fraction("FLAPS", 0.0),
         fraction("LEFT BRAKE", brakes),
         fraction("RIGHT BRAKE", brakes));
@@ -161,7 +161,7 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
     return state;
   }
 
-  /** What wheels, engine and radio altimeter say; nothing that one could navigate by. */
+  /** Readings of wheels, engine and radio altimeter; nothing usable for navigation. */
   private AircraftState airframe(AircraftReading reading) {
     AircraftState whole = reading.state();
     AircraftState state = new AircraftState();
@@ -185,7 +185,7 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
     commands.takeOver(state);
   }
 
-  /** The aircraft keeps its controls until the successor has joined it. */
+  /** Leaves the controls as they are until the successor takes over. */
   @Override
   protected void releaseToSuccessor() {
     link.close();

@@ -7,23 +7,20 @@ import java.nio.channels.ServerSocketChannel;
 import org.u2sa.flightgear.protocol.InLine;
 import org.u2sa.flightgear.protocol.OutLine;
 
-/**
- * One of the stand-in's input and output channels, worked on in each of its frames, as FlightGear
- * does.
- */
+/** One of the stand-in's input or output channels, processed once a frame as in FlightGear. */
 interface StandInChannel extends Closeable {
   /**
-   * Works one frame.
+   * Processes one frame.
    *
-   * @param told the last commands received
-   * @param line the line of this frame
-   * @return the commands received now
-   * @throws IOException if the channel is lost for good
+   * @param told commands received last
+   * @param line output line of this frame
+   * @return commands received in this frame
+   * @throws IOException if the channel is permanently lost
    */
   InLine work(InLine told, OutLine line) throws IOException;
 
   /**
-   * A port that does not block.
+   * Opens a non-blocking listening port.
    *
    * @throws IOException if the port is taken
    */

@@ -8,28 +8,28 @@ import org.u2sa.flightgear.protocol.OutLine;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 
 /**
- * What the stand-in's property server can do: its readings, its speed-up, and FlightGear's commands
- * for channels.
+ * Properties and commands of the stand-in's property server: readings, speed-up, and FlightGear's
+ * channel commands.
  */
 final class StandInCommands {
   private static final String SPEED_UP = "/sim/speed-up";
   private static final int CONFIG_PARTS = 8; // generic,socket,out,20,127.0.0.1,5501,tcp,u2sa-out
 
   private final StandInFlightGear standIn;
-  private final Map<String, String> configs = new HashMap<>(); // of channels by path
+  private final Map<String, String> configs = new HashMap<>(); // channel configurations by path
 
   StandInCommands(StandInFlightGear standIn) {
     this.standIn = standIn;
   }
 
-  /** Notes how a channel was opened, to be asked for. */
+  /** Records how a channel was opened, for later queries. */
   void noteConfig(String name, String direction, String host, int port, String protocol) {
     configs.put(
         "/io/channels/" + name + "/config",
         "generic,socket," + direction + ",20," + host + "," + port + ",tcp," + protocol);
   }
 
-  /** A property's value as text; empty if there is none. */
+  /** Returns the value of a property as text; empty if unset. */
   String get(String path) {
     OutLine said = standIn.said();
     for (OutField field : OutField.values()) {
@@ -49,7 +49,7 @@ final class StandInCommands {
     }
   }
 
-  /** Runs a command with its arguments, "name=value" each. @return whether it was done */
+  /** Runs a command with arguments "name=value". @return whether it succeeded */
   boolean run(String command, List<String> arguments) {
     Map<String, String> values = new HashMap<>();
     for (String argument : arguments) {

@@ -13,9 +13,9 @@ import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * Plays FlightGear for a {@link FlightGearLink}: the same protocol, the same start, the same ways
- * to lose a connection, but the Cessna of u2sa-sim. Like FlightGear it does everything in frames of
- * one thread, so it freezes while its lines are not read.
+ * Stands in for FlightGear: the same protocol, start-up and connection failures, with the Cessna of
+ * u2sa-sim. Like FlightGear it runs everything in the frames of one thread, so it freezes while its
+ * lines are not read.
  */
 public final class StandInFlightGear implements AutoCloseable {
   private static final long END_MS = 2_000;
@@ -29,7 +29,7 @@ public final class StandInFlightGear implements AutoCloseable {
   private final StandInProperties properties;
   private final StandInCommands commands = new StandInCommands(this);
   private final Map<String, StandInChannel> channels =
-      new LinkedHashMap<>(); // by FlightGear's names; touched by its thread only
+      new LinkedHashMap<>(); // by FlightGear's names; confined to its thread
   private volatile InLine told = InLine.nothing();
   private volatile OutLine said = OutLine.of(Map.of(OutField.ALTITUDE, BEFORE_FLIGHT_ALTITUDE_M));
   private volatile String trouble = "";
@@ -39,12 +39,12 @@ public final class StandInFlightGear implements AutoCloseable {
   private Thread thread;
 
   /**
-   * Listens for controls and for a repair.
+   * Listens for controls and property commands.
    *
-   * @param aircraft stands or flies where it shall start; nobody else steps it
-   * @param host own address
-   * @param inPort 0 takes a free one
-   * @param propertyPort 0 takes a free one
+   * @param aircraft at its initial state; no other object may advance it
+   * @param host local address
+   * @param inPort 0 for a free port
+   * @param propertyPort 0 for a free port
    * @throws IOException if a port is taken
    */
   public StandInFlightGear(
@@ -69,34 +69,34 @@ public final class StandInFlightGear implements AutoCloseable {
     }
   }
 
-  /** Where it takes controls. */
+  /** Port for controls. */
   public int inPort() {
     return input.port();
   }
 
-  /** Where its property server is. */
+  /** Port of the property server. */
   public int propertyPort() {
     return properties.port();
   }
 
-  /** What it was told last. */
+  /** Commands received last. */
   public InLine told() {
     return told;
   }
 
-  /** What it said last. */
+  /** Line sent last. */
   public OutLine said() {
     return said;
   }
 
-  /** What has gone wrong last; empty if nothing. */
+  /** Last error; empty if none. */
   public String trouble() {
     return trouble;
   }
 
   /**
-   * Begins to fly and connects, once. If nobody listens there it flies on without lines, as
-   * FlightGear does.
+   * Starts the flight and connects once. If nobody listens, the flight continues without output, as
+   * in FlightGear.
    */
   public void start(String peerHost, int outPort) {
     thread = new Thread(() -> run(peerHost, outPort), "stand-in-flightgear");
@@ -118,7 +118,7 @@ public final class StandInFlightGear implements AutoCloseable {
         due =
             Math.max(
                 due + periodMicros,
-                clock.micros() - periodMicros); // what it missed while frozen is lost
+                clock.micros() - periodMicros); // frames missed while frozen are skipped
         waiter.await(due);
       }
     } catch (IOException e) {
@@ -168,7 +168,7 @@ public final class StandInFlightGear implements AutoCloseable {
             told.count());
   }
 
-  /** Adds a channel; for its own thread. @return whether it could be opened */
+  /** Adds a channel; on its own thread only. @return whether it could be opened */
   boolean add(String name, Opening opening) {
     try {
       channels.put(name, opening.open());
@@ -179,7 +179,7 @@ public final class StandInFlightGear implements AutoCloseable {
     }
   }
 
-  /** Takes a channel away; for its own thread. @return whether it was there */
+  /** Removes a channel; on its own thread only. @return whether it existed */
   boolean remove(String name) {
     StandInChannel channel = channels.remove(name);
     if (channel != null) {
@@ -196,7 +196,7 @@ public final class StandInFlightGear implements AutoCloseable {
     return speedUp;
   }
 
-  /** Simulated seconds in a second of wall time; 0 pauses the flight. */
+  /** Sets the simulated seconds per second of wall time; 0 pauses the flight. */
   void speedUp(double newSpeedUp) {
     speedUp = newSpeedUp;
   }
@@ -223,7 +223,7 @@ public final class StandInFlightGear implements AutoCloseable {
       closed(properties);
       return;
     }
-    thread.interrupt(); // it may hang in a write to a peer that does not read
+    thread.interrupt(); // it may be blocked writing to a peer that does not read
     try {
       thread.join(END_MS);
     } catch (InterruptedException e) {

@@ -12,8 +12,9 @@ import org.u2sa.flightgear.protocol.MalformedLineException;
 import org.u2sa.flightgear.protocol.OutLine;
 
 /**
- * The stand-in's ear. As FlightGear it serves one client at a time, and after one that closed in
- * mid-line, without a word or by a reset it accepts connections and ignores them for ever.
+ * Input channel of the stand-in. Like FlightGear it serves one client at a time. After a client
+ * that closed in mid-line, without sending anything, or by a reset, it accepts connections but
+ * ignores them permanently.
  */
 final class StandInInput implements StandInChannel {
   private final ServerSocketChannel server;
@@ -73,7 +74,7 @@ final class StandInInput implements StandInChannel {
         buffer.flip();
         lines.feed(buffer, this::take, start -> take(start));
       }
-    } catch (IOException reset) { // what FlightGear does then, the stand-in does
+    } catch (IOException reset) { // handled as in FlightGear
       hangUp(true);
     }
   }

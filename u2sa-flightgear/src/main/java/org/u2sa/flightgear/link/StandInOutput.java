@@ -9,8 +9,8 @@ import org.u2sa.flightgear.protocol.InLine;
 import org.u2sa.flightgear.protocol.OutLine;
 
 /**
- * The stand-in's lines. As FlightGear it connects once, never again, and freezes as a whole while
- * the peer does not read.
+ * Output channel of the stand-in. Like FlightGear it connects only once, and the whole program
+ * freezes while the peer does not read.
  */
 final class StandInOutput implements StandInChannel {
   private static final int PATIENCE_MS = 2_000;
@@ -18,7 +18,7 @@ final class StandInOutput implements StandInChannel {
   private final SocketChannel channel = SocketChannel.open();
 
   /**
-   * @throws IOException if nobody listens; then there is no such channel
+   * @throws IOException if nobody listens; the channel then does not exist
    */
   StandInOutput(String host, int port) throws IOException {
     try {

@@ -12,7 +12,7 @@ import java.util.List;
 import org.u2sa.flightgear.protocol.LineSplitter;
 
 /**
- * The stand-in's property server: as much of FlightGear's as {@link Repair} and {@code
+ * Property server of the stand-in: the part of FlightGear's that {@link Repair} and {@code
  * scripts/flightgear/property} use.
  */
 final class StandInProperties implements Closeable {
@@ -31,7 +31,7 @@ final class StandInProperties implements Closeable {
     return server.socket().getLocalPort();
   }
 
-  /** Answers what has been asked since the last frame. */
+  /** Answers requests received since the last frame. */
   void work(StandInCommands simulator) throws IOException {
     for (SocketChannel next = server.accept(); next != null; next = server.accept()) {
       next.configureBlocking(false);
@@ -61,7 +61,7 @@ final class StandInProperties implements Closeable {
         client.channel.write(ByteBuffer.wrap(answer.getBytes(StandardCharsets.ISO_8859_1)));
       }
       return true;
-    } catch (IOException gone) { // a client that reset its connection is like one that closed it
+    } catch (IOException gone) { // a reset counts as a close
       return false;
     }
   }

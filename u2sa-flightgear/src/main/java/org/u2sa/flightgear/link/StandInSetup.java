@@ -1,13 +1,14 @@
 package org.u2sa.flightgear.link;
 
 /**
- * How a {@link StandInFlightGear} behaves.
+ * Timing of a {@link StandInFlightGear}.
  *
- * @param rateHz lines a second of wall time [1/s, 1…1000]
- * @param speedUp simulated seconds in a second of wall time [0.01…100]
- * @param loadingS wall time of lines from before the flight model runs [s, at least 0]
- * @param primerS simulated time in which the engine is being started [s, at least 0]; 0: it is as
- *     the aircraft has it
+ * @param rateHz lines per second of wall time [1/s, 1…1000]
+ * @param speedUp simulated seconds per second of wall time [0.01…100]
+ * @param loadingS wall time during which lines are sent before the flight model runs [s, at least
+ *     0]
+ * @param primerS simulated duration of the engine start [s, at least 0]; 0: the engine state is the
+ *     aircraft's
  */
 public record StandInSetup(double rateHz, double speedUp, double loadingS, double primerS) {
   /**
@@ -25,7 +26,7 @@ public record StandInSetup(double rateHz, double speedUp, double loadingS, doubl
     return new StandInSetup(20.0, 1.0, 2.5, 7.5);
   }
 
-  /** Lines come at once and the engine is as the aircraft has it. */
+  /** Lines start immediately and the engine state is the aircraft's. */
   public static StandInSetup ready(double rateHz, double speedUp) {
     return new StandInSetup(rateHz, speedUp, 0.0, 0.0);
   }

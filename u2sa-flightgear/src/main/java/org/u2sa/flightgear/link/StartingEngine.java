@@ -3,8 +3,8 @@ package org.u2sa.flightgear.link;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * What FlightGear's c172p bears while its primer works, about 7 s: throttle 0.1…0.5 and a rich
- * mixture, or the engine dies for good.
+ * Control limits of FlightGear's c172p while its primer works, about 7 s: throttle 0.1…0.5 and rich
+ * mixture; outside them the engine stops permanently.
  */
 final class StartingEngine {
   static final double LOWEST_THROTTLE = 0.1;
@@ -14,14 +14,14 @@ final class StartingEngine {
 
   private StartingEngine() {}
 
-  /** The nearest controls that the engine survives. */
+  /** Limits controls to values that keep the engine running. */
   static ControlInputs safe(ControlInputs wanted) {
     double throttle =
         Math.max(LOWEST_THROTTLE + MARGIN, Math.min(HIGHEST_THROTTLE - MARGIN, wanted.throttle()));
     return wanted.withThrottle(throttle).withMixture(1.0);
   }
 
-  /** Whether the engine survives these controls. */
+  /** Whether these controls keep the engine running. */
   static boolean survives(ControlInputs controls) {
     return controls.throttle() >= LOWEST_THROTTLE
         && controls.throttle() <= HIGHEST_THROTTLE

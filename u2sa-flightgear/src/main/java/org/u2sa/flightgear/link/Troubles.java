@@ -7,8 +7,8 @@ import java.util.Deque;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * What to report about the link: each event once, refused lines at most once in {@link
- * #PAUSE_MICROS}. Safe for several threads.
+ * Collects link events for the log: each event once, refused lines at most once per {@link
+ * #PAUSE_MICROS}. Thread-safe.
  */
 final class Troubles {
   static final long PAUSE_MICROS = 5 * Clock.MICROS_PER_SECOND;
@@ -28,12 +28,12 @@ final class Troubles {
 
   synchronized void event(String what) {
     if (events.size() == MOST_KEPT) {
-      events.removeFirst(); // nobody asks: the newest are worth more
+      events.removeFirst(); // nobody reads the events: keep the newest
     }
     events.addLast(what);
   }
 
-  /** Closes what is given up anyway; a failure is only reported. */
+  /** Closes a resource; a failure is only reported. */
   void close(Closeable thing) {
     try {
       thing.close();
@@ -48,12 +48,12 @@ final class Troubles {
     refusedWhy = why;
   }
 
-  /** How many lines were refused so far. */
+  /** Number of lines refused so far. */
   synchronized long refusedLines() {
     return refused;
   }
 
-  /** What has not been said yet; empty if nothing. */
+  /** Unreported events; empty if none. */
   synchronized String take() {
     long now = clock.micros();
     if (refusedUnsaid > 0 && now - refusedSaidMicros >= PAUSE_MICROS) {

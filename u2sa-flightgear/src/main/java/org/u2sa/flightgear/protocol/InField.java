@@ -4,7 +4,7 @@ import java.util.function.ToDoubleFunction;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * What FlightGear is told, in the order of a line. Signs are FlightGear's, and those of {@link
+ * Fields sent to FlightGear, in line order. Signs are those of FlightGear and {@link
  * ControlInputs}.
  */
 public enum InField {

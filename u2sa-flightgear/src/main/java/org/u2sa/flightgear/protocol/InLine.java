@@ -5,13 +5,13 @@ import java.util.Locale;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * What FlightGear was told last: the controls and the number of the line that set them.
+ * A line sent to FlightGear: the controls and the line number.
  *
- * <p>{@link ControlInputs} holds finite numbers inside their ranges only, so a line made of them
- * cannot carry the "nan" that poisons FlightGear's flight model for ever.
+ * <p>{@link ControlInputs} holds only finite numbers within their ranges, so a line cannot carry a
+ * "nan", which would corrupt FlightGear's flight model permanently.
  *
  * @param controls all controls
- * @param count number of the line, 0…{@value #LAST_COUNT}; FlightGear tells it back
+ * @param count number of the line, 0…{@value #LAST_COUNT}; FlightGear echoes it
  */
 public record InLine(ControlInputs controls, long count) {
   /** Highest number of a line; after it comes 1. */
@@ -50,10 +50,10 @@ public record InLine(ControlInputs controls, long count) {
   }
 
   /**
-   * What is set after a line, as FlightGear reads it: a line that is shorter sets its fields only,
-   * text that is no number counts as 0, fields beyond the last are ignored.
+   * Parses a line as FlightGear does: a shorter line sets only its own fields, text that is not a
+   * number counts as 0, and extra fields are ignored.
    *
-   * @throws MalformedLineException if a field says "nan" or "inf": FlightGear would take it and
+   * @throws MalformedLineException if a field is "nan" or "inf": FlightGear would accept it and
    *     never recover
    */
   public InLine after(String line) throws MalformedLineException {

@@ -5,8 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 
 /**
- * Makes lines of the bytes of one connection, however they were cut into packets. A line that is
- * too long is reported once and skipped to its end, so memory is bounded. Belongs to one thread.
+ * Splits the byte stream of one connection into lines. A line that is too long is reported once and
+ * skipped to its end, so memory is bounded. Confined to one thread.
  */
 public final class LineSplitter {
   /** Longest line taken [bytes]; U2SA's own are below 500. */
@@ -17,11 +17,11 @@ public final class LineSplitter {
   private boolean skipping;
 
   /**
-   * Takes all bytes that remain in a buffer.
+   * Consumes all remaining bytes of a buffer.
    *
-   * @param lines gets each whole line without its end ("\n" or "\r\n"); bytes beyond ASCII come as
-   *     characters that no number has
-   * @param tooLong gets the beginning of each line that is too long
+   * @param lines receives each complete line without its end ("\n" or "\r\n"); non-ASCII bytes
+   *     become characters that are invalid in numbers
+   * @param tooLong receives the beginning of each line that is too long
    */
   public void feed(ByteBuffer bytes, Consumer<String> lines, Consumer<String> tooLong) {
     while (bytes.hasRemaining()) {

@@ -1,8 +1,7 @@
 package org.u2sa.flightgear.protocol;
 
 /**
- * A line that is not what the protocol says. The message names the field, the value and what was
- * expected.
+ * A line that violates the protocol. The message names the field, the value and the expectation.
  */
 public final class MalformedLineException extends Exception {
   private static final long serialVersionUID = 1L;

@@ -1,7 +1,7 @@
 package org.u2sa.flightgear.protocol;
 
 /**
- * What FlightGear tells, in the order of a line. Values of an {@link OutLine} are in SI units and
+ * Fields sent by FlightGear, in line order. Values of an {@link OutLine} are in SI units and
  * radians, longitude and latitude in degrees; axes and signs are FlightGear's, as measured with its
  * c172p (docs/flightgear.md).
  */

@@ -9,14 +9,13 @@ import java.util.Map;
 /** One line that FlightGear sent: a value of each {@link OutField}, in U2SA's units. */
 public final class OutLine {
   /**
-   * What {@link OutField#HEIGHT} says of a Cessna 172 that stands on its wheels: 4.05 ft [m].
+   * Value of {@link OutField#HEIGHT} for a Cessna 172 standing on its wheels: 4.05 ft [m].
    * Measured, as is the reference point's height above the runway's own elevation, 4.38 ft at PHNL
    * and 4.43 ft at BIKF (docs/flightgear.md).
    */
   public static final double STANDING_M = Unit.FOOT.toUsed(4.05);
 
-  private static final double LOWEST_ALTITUDE_FT =
-      -1_000.0; // before the flight model runs it is −9999
+  private static final double LOWEST_ALTITUDE_FT = -1_000.0; // −9999 before the flight model runs
   private static final OutField[] FIELDS = OutField.values();
 
   private final double[] onTheLine;
@@ -28,8 +27,8 @@ public final class OutLine {
   /**
    * Reads a line without its line end.
    *
-   * @throws MalformedLineException if a field is missing, too much, not a finite number or
-   *     impossible; nothing is taken from such a line
+   * @throws MalformedLineException if a field is missing, extra, not a finite number or impossible;
+   *     the whole line is then rejected
    */
   public static OutLine parse(String line) throws MalformedLineException {
     List<String> parts = PropertyNumbers.split(line);
@@ -54,10 +53,10 @@ public final class OutLine {
   }
 
   /**
-   * A line of the given values.
+   * Formats a line.
    *
-   * @param values of fields, in U2SA's units; those left out are 0
-   * @throws IllegalArgumentException if one is not finite
+   * @param values in U2SA's units; omitted fields are 0
+   * @throws IllegalArgumentException if a value is not finite
    */
   public static OutLine of(Map<OutField, Double> values) {
     double[] onTheLine = new double[FIELDS.length];

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Text of a line as numbers; stricter than {@link Double#parseDouble}, which takes "1d", " 1 ",
- * "NaN" and "0x1p3" too.
+ * Parses the numbers of a line; stricter than {@link Double#parseDouble}, which also accepts "1d",
+ * " 1 ", "NaN" and "0x1p3".
  */
 final class PropertyNumbers {
   private static final int SHOWN = 24;

@@ -6,12 +6,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * The two files by which FlightGear knows the protocol, written from {@link OutField} and {@link
- * InField}.
+ * The two XML files that define the protocol for FlightGear, generated from {@link OutField} and
+ * {@link InField}.
  */
 public final class ProtocolFiles {
   /**
-   * Name of the protocol that FlightGear sends: its last argument of {@code
+   * Name of the protocol that FlightGear sends: the last argument of {@code
    * --generic=socket,out,…}.
    */
   public static final String OUT = "u2sa-out";
@@ -42,8 +42,8 @@ public final class ProtocolFiles {
   }
 
   /**
-   * Writes both files to the directory {@code Protocol} of a data directory, which is made if it is
-   * not there. FlightGear finds them with {@code --data=DIR}.
+   * Writes both files to the directory {@code Protocol} of a data directory, creating it if absent.
+   * FlightGear finds them with {@code --data=DIR}.
    *
    * @throws IOException if they cannot be written; the message names the file
    */
