@@ -5,23 +5,23 @@ import static org.u2sa.sim.aircraft.Airframe.SPAN_M;
 import static org.u2sa.sim.aircraft.Airframe.WING_AREA_M2;
 
 /**
- * Forces and moments of the air on the Cessna 172, power aside.
+ * Aerodynamic forces and moments of the Cessna 172, power effects excluded.
  *
  * <p>Stability and control derivatives: Roskam, Airplane Flight Dynamics and Automatic Flight
  * Controls, part I, appendix B, airplane A (four-seat light aircraft), in the form documented for
  * the Cessna 172 by Peden (LaRCsim data of FlightGear 0.7, 1999): stability axes, per radian,
- * rudder sign turned so that positive yaws right. Drag: Loftin, Quest for Performance, NASA SP-468,
- * table of the Cessna Skyhawk: zero-lift drag 0.0319, best lift-to-drag ratio 11.6. Stall: sigmoid
- * blend into a flat plate, Beard and McLain, Small Unmanned Aircraft, eq. 4.9, placed so that the
- * handbook's stall speeds come out (172P: 51 KCAS flaps up, 46 KCAS flaps 30°); the plate's normal
- * force goes with 2 sin α, as their eq. 4.10 (2 sin² α) takes more lift than such wings lose.
- * Ground effect: McCormick, Aerodynamics, Aeronautics, and Flight Mechanics, eq. 5.86. Air that
- * flows along the span lifts nothing: wing and tailplane feel the part of the flow in the plane of
- * symmetry alone (R. T. Jones, NACA Report 863, 1947), which counts for an aircraft that stands
- * across the wind.
+ * rudder sign reversed so that positive yaws right. Drag: Loftin, Quest for Performance, NASA
+ * SP-468, table of the Cessna Skyhawk: zero-lift drag 0.0319, best lift-to-drag ratio 11.6. Stall:
+ * sigmoid blend into a flat plate, Beard and McLain, Small Unmanned Aircraft, eq. 4.9, placed to
+ * match the handbook's stall speeds (172P: 51 KCAS flaps up, 46 KCAS flaps 30°); the plate's normal
+ * force is 2 sin α, because their eq. 4.10 (2 sin² α) removes more lift than such wings lose.
+ * Ground effect: McCormick, Aerodynamics, Aeronautics, and Flight Mechanics, eq. 5.86. Spanwise
+ * flow produces no lift: wing and tailplane use only the flow in the plane of symmetry (R. T.
+ * Jones, NACA Report 863, 1947), which matters for an aircraft parked across the wind.
  */
 final class Aerodynamics {
-  private static final double CL_0 = 0.31; // body axes lie along the flow in the book's cruise
+  private static final double CL_0 =
+      0.31; // body axes are aligned with the flow in Roskam's cruise condition
   private static final double CL_ALPHA = 4.6;
   private static final double CL_Q = 3.9;
   private static final double CL_ELEVATOR = 0.43;
@@ -36,7 +36,7 @@ final class Aerodynamics {
   private static final double CY_P = -0.037;
   private static final double CY_R = 0.21;
   private static final double CY_RUDDER = -0.187;
-  private static final double CR_BETA = -0.089; // rolling moment, l in the books
+  private static final double CR_BETA = -0.089; // rolling moment, l in the literature
   private static final double CR_P = -0.47;
   private static final double CR_R = 0.096; // at CL 0.31
   private static final double CR_AILERON = 0.178;
@@ -47,16 +47,17 @@ final class Aerodynamics {
   private static final double CN_AILERON = -0.053;
   private static final double CN_RUDDER = 0.0657;
 
-  private static final double STALL_RAD = Math.toRadians(17.8); // middle of the break
+  private static final double STALL_RAD = Math.toRadians(17.8); // midpoint of the stall
   private static final double BREAK_SHARPNESS = 50.0; // Beard and McLain, table E.2
   private static final double PLATE_NORMAL = 2.0; // normal force of the separated wing, per sine
   private static final double STALL_NOSE_DROP = -0.10; // the wing's centre of pressure moves aft
-  private static final double AUTOROTATION = 0.10; // roll damping turns to this past the stall …
-  private static final double ROLL_DAMPING_2 = -1.5; // … and is bounded by the rate's square
+  private static final double AUTOROTATION = 0.10; // roll damping becomes this beyond the stall …
+  private static final double ROLL_DAMPING_2 =
+      -1.5; // … and is limited by a term quadratic in roll rate
 
   /**
-   * Flaps 0…30°: lift at equal angle of attack, so that 46 KCAS comes out; drag and moment by
-   * McCormick, chapters 3 and 4.
+   * Flaps 0…30°: lift increment at constant angle of attack, chosen to give 46 KCAS; drag and
+   * moment from McCormick, chapters 3 and 4.
    */
   private static final Table FLAP_LIFT =
       new Table(0.0, 0.0, 1.0 / 3, 0.15, 2.0 / 3, 0.25, 1.0, 0.30);
@@ -67,16 +68,15 @@ final class Aerodynamics {
       new Table(0.0, 0.0, 1.0 / 3, -0.020, 2.0 / 3, -0.030, 1.0, -0.035);
 
   /**
-   * Ground-adjusted tabs: fly straight hands off at 75 % power and 1800 Pa, where slipstream and
-   * torque would turn the aircraft left.
+   * Ground-adjustable tabs: straight hands-off flight at 75 % power and 1800 Pa, offsetting the
+   * left-turning tendency of slipstream and torque.
    */
   private static final double CR_RIGGING = 0.00099;
 
   private static final double CN_RIGGING = 0.00031;
   private static final double WING_ABOVE_CG_M = 0.9;
 
-  // body forces [N] and moments [N m], and what makes the pitching moment of angle-of-attack rate
-  // [N m s]
+  // body forces [N], moments [N m], and pitching moment per angle-of-attack rate [N m s]
   double forceX;
   double forceY;
   double forceZ;
@@ -92,7 +92,7 @@ final class Aerodynamics {
   private double elevator;
   private double rudder;
 
-  /** Takes the surfaces for the coming step. */
+  /** Sets the surface deflections for the next step. */
   void set(ControlInputs inputs, double flapPosition) {
     flapLift = FLAP_LIFT.at(flapPosition);
     flapDrag = FLAP_DRAG.at(flapPosition);
@@ -105,9 +105,9 @@ final class Aerodynamics {
 
   /**
    * @param u velocity through the air, body axes [m/s]
-   * @param p rotation against the air [rad/s]
+   * @param p roll rate relative to the air [rad/s]
    * @param slipstreamPa dynamic pressure that the propeller adds at the tail
-   * @param heightM of the centre of gravity above ground
+   * @param heightM height of the centre of gravity above ground
    */
   void compute(
       double u,
@@ -134,13 +134,13 @@ final class Aerodynamics {
     double cosAlpha = plane < 0.01 ? 1.0 : u / plane;
     double sinBeta = v * perSpeed;
     double alpha = plane < 0.01 ? 0.0 : StrictMath.atan2(w, u);
-    double qs = 0.5 * density * speed2 * WING_AREA_M2; // of all the air: fuselage and fin
-    double qsWing = 0.5 * density * plane2 * WING_AREA_M2; // of the air across the span
+    double qs = 0.5 * density * speed2 * WING_AREA_M2; // of the total flow: fuselage and fin
+    double qsWing = 0.5 * density * plane2 * WING_AREA_M2; // of the chordwise flow
     double tail = qsWing + slipstreamPa * WING_AREA_M2;
     double fin = qs + slipstreamPa * WING_AREA_M2;
     double rate = 0.25 * density * speed * WING_AREA_M2; // q S / (2 V)
 
-    double roll = p * cosAlpha + r * sinAlpha; // the book's axes: forward along the flow
+    double roll = p * cosAlpha + r * sinAlpha; // stability axes: x along the flow
     double yaw = r * cosAlpha - p * sinAlpha;
 
     double stall = stallFraction(alpha);
@@ -159,12 +159,12 @@ final class Aerodynamics {
             + fin * CY_RUDDER * rudder
             + rate * SPAN_M * (CY_P * roll + CY_R * yaw);
     forceX = lift * sinAlpha - drag * u * perSpeed;
-    forceY = side; // the book counts what drag does sideways into this derivative
+    forceY = side; // this derivative includes the lateral component of drag
     forceZ = -lift * cosAlpha - drag * w * perSpeed;
 
     double liftBounded = Math.min(1.6, Math.max(0.0, wingLift));
-    // Yaw speeds up one wing: rolling moment grows with lift (Etkin, Dynamics of Flight, section
-    // 5.8), the fin's part stays.
+    // Yaw rate speeds up one wing, so the rolling moment grows with lift (Etkin, Dynamics of
+    // Flight, section 5.8); the fin's contribution is constant.
     double rollOfYaw = CR_R * (0.75 + 0.25 * liftBounded / CL_0);
     double rollDamping = (1.0 - stall) * CR_P + stall * AUTOROTATION;
     double helix = roll * SPAN_M * 0.5 * perSpeed;
@@ -194,7 +194,7 @@ final class Aerodynamics {
     alphaRateMoment = rate * CHORD_M * CHORD_M * CM_ALPHA_RATE;
   }
 
-  /** How far the wing is stalled, 0…1. */
+  /** Degree of stall, 0 (attached) … 1 (fully separated). */
   static double stallFraction(double alpha) {
     double up = StrictMath.exp(-BREAK_SHARPNESS * (alpha - STALL_RAD));
     double down = StrictMath.exp(BREAK_SHARPNESS * (alpha + STALL_RAD));

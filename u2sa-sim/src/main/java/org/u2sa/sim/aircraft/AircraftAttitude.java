@@ -1,8 +1,6 @@
 package org.u2sa.sim.aircraft;
 
-/**
- * Body (forward, right, down) against north, east, down: the rotation matrix of a unit quaternion.
- */
+/** Attitude from body (forward, right, down) to NED: the rotation matrix of a unit quaternion. */
 final class AircraftAttitude {
   double xn;
   double xe;
@@ -15,8 +13,8 @@ final class AircraftAttitude {
   double zd;
 
   /**
-   * Takes a quaternion body → NED, scalar first, of any length but 0 (Stevens and Lewis, 2nd ed.,
-   * eq. 1.3-33).
+   * Sets the attitude from a quaternion body → NED, scalar first, of any non-zero length (Stevens
+   * and Lewis, 2nd ed., eq. 1.3-33).
    */
   void set(double q0, double q1, double q2, double q3) {
     double scale = 2.0 / (q0 * q0 + q1 * q1 + q2 * q2 + q3 * q3);

@@ -1,14 +1,14 @@
 package org.u2sa.sim.aircraft;
 
 /**
- * The true state of the aircraft.
+ * Ground-truth state of the aircraft.
  *
  * @param timeS simulated time since the start [s]
  * @param longitudeDeg WGS-84, east positive [°, −180…180]
  * @param latitudeDeg WGS-84, geodetic, north positive [°]
  * @param altitudeM centre of gravity above mean sea level [m]
- * @param heightAboveGroundM how far the aircraft is above where it would stand on its wheels [m]:
- *     about 0 on the ground
+ * @param heightAboveGroundM height above the parked position on its wheels [m], about 0 on the
+ *     ground
  * @param rollRad right wing down positive [rad, −π…π]
  * @param pitchRad nose up positive [rad, −π/2…π/2]
  * @param headingRad true heading of the nose [rad, 0…2π)
@@ -19,13 +19,13 @@ package org.u2sa.sim.aircraft;
  * @param velocityEastMps over ground [m/s]
  * @param velocityDownMps [m/s]
  * @param trueAirspeedMps [m/s]
- * @param calibratedAirspeedMps what an ideal airspeed indicator shows [m/s]
+ * @param calibratedAirspeedMps reading of an ideal airspeed indicator [m/s]
  * @param angleOfAttackRad [rad]
- * @param sideslipRad positive if the air comes from the right [rad]
- * @param engineRpm revolutions of engine and propeller [1/min]
+ * @param sideslipRad positive for airflow from the right [rad]
+ * @param engineRpm speed of engine and propeller [1/min]
  * @param weightOnWheels whether a main wheel carries load
- * @param crashed whether the aircraft hit the ground too hard or with anything but its wheels; then
- *     it stays as it is
+ * @param crashed whether the aircraft hit the ground too hard or with anything but its wheels; its
+ *     state is then frozen
  * @param stalled whether the wing is past its stall angle in flight
  * @param loadFactor specific force upwards along the body axis [g]: 1 in level flight and at rest
  */

@@ -1,10 +1,10 @@
 package org.u2sa.sim.aircraft;
 
 /**
- * Mass and measures of the Cessna 172P at its maximum take-off mass of 2400 lb (Cessna Model 172P
+ * Mass and dimensions of the Cessna 172P at its maximum take-off mass of 2400 lb (Cessna Model 172P
  * Pilot's Operating Handbook, 1982, sections 1 and 6). Moments of inertia: Roskam, Airplane Flight
- * Dynamics and Automatic Flight Controls, part I, appendix B, airplane A. Fuel burnt is not taken
- * off: an hour's flight would lose 2 % of the mass.
+ * Dynamics and Automatic Flight Controls, part I, appendix B, airplane A. Fuel burn is ignored: an
+ * hour of flight uses 2 % of the mass.
  */
 final class Airframe {
   static final double MASS_KG = 1_088.6;

@@ -28,12 +28,12 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
-/** One simulated Cessna 172: controls in, state out. It steps at 120 Hz inside. */
+/** A simulated Cessna 172: controls in, state out. Integrates internally at 120 Hz. */
 public final class Cessna172 implements SimulatedVehicle {
-  /** Rate of the physics inside [1/s]. */
+  /** Internal integration rate [1/s]. */
   public static final int TICKS_PER_SECOND = 120;
 
-  /** Nose, wing tips and tail, from wheels to fin. */
+  /** Collision outline: nose, wing tips and tail, from wheels to fin. */
   private static final Footprint FOOTPRINT =
       new Footprint(
           List.of(
@@ -45,9 +45,10 @@ public final class Cessna172 implements SimulatedVehicle {
           1.45);
 
   private static final double FLAP_TRAVEL_S = 7.0; // for the whole 30°
-  private static final double FLYING_MPS = 10.0; // slower air makes no stall
+  private static final double FLYING_MPS = 10.0; // below this airspeed no stall is reported
   private static final double STALL_MIDDLE = 0.5;
-  private static final double HALTS_RAD_PER_S = 2.0; // a dead engine turning slower stands
+  private static final double HALTS_RAD_PER_S =
+      2.0; // a stopped engine below this speed no longer turns
 
   private final World world;
   private final WindField wind;
@@ -72,34 +73,34 @@ public final class Cessna172 implements SimulatedVehicle {
     dynamics.derivatives(s, rate);
   }
 
-  /** An aircraft standing on its wheels, on level ground of the start's elevation. */
+  /** Creates an aircraft on its wheels, on level ground at the start's elevation. */
   public static Cessna172 onRunway(RunwayStart start, Wind wind, boolean engineRunning) {
     Geodetic place = new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.elevationM());
     return onRunway(start, World.at(place).with(wind), engineRunning);
   }
 
-  /** An aircraft standing on its wheels at the start's elevation, with other ground elsewhere. */
+  /** Creates an aircraft on its wheels at the start's elevation, over the given terrain. */
   public static Cessna172 onRunway(RunwayStart start, World world, boolean engineRunning) {
     double[] s = InitialState.standing(start, engineRunning);
     return new Cessna172(s, world, engineRunning, 0.0);
   }
 
-  /** An aircraft in the air above level ground. */
+  /** Creates an airborne aircraft above level ground. */
   public static Cessna172 inFlight(FlightStart start, Wind wind) {
     Geodetic below =
         new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.groundElevationM());
     return inFlight(start, World.at(below).with(wind));
   }
 
-  /** An aircraft in the air; the airspeed is against the steady wind that blows there. */
+  /** Creates an airborne aircraft; its airspeed is relative to the steady wind at its position. */
   public static Cessna172 inFlight(FlightStart start, World world) {
     double[] s = InitialState.flying(start, world.wind());
     return new Cessna172(s, world, start.engineRpm() > 0.0, start.flaps());
   }
 
   /**
-   * Turns the starter until the engine idles; mixture cut-off stops it again. Does nothing to a
-   * running or crashed one.
+   * Cranks the engine until it idles; mixture cut-off stops it. No effect if it is running or the
+   * aircraft has crashed.
    */
   public void startEngine() {
     if (!crashed && !dynamics.engine.running()) {
@@ -108,12 +109,12 @@ public final class Cessna172 implements SimulatedVehicle {
     }
   }
 
-  /** Holds these inputs from now on. */
+  /** Applies these inputs until further notice. */
   public void hold(ControlInputs inputs) {
     held = Objects.requireNonNull(inputs, "inputs");
   }
 
-  /** Holds these inputs from now on, and steps. */
+  /** Applies these inputs until further notice, and steps. */
   public void step(ControlInputs inputs, double dtS) {
     hold(inputs);
     step(dtS);
@@ -218,7 +219,7 @@ public final class Cessna172 implements SimulatedVehicle {
             + dynamics.airW * dynamics.airW);
   }
 
-  /** The aircraft as it is now. */
+  /** Current state. */
   public AircraftMotion state() {
     AircraftAttitude attitude = dynamics.attitude;
     double airspeed = crashed ? 0.0 : airspeedMps();

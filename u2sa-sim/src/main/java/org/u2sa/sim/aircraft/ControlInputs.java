@@ -4,14 +4,14 @@ import java.util.List;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * What the pilot does, normalised; signs are FlightGear's.
+ * Normalised pilot inputs; signs follow FlightGear.
  *
  * @param aileron −1…1, positive rolls right
  * @param elevator −1…1, positive is stick forward: nose down
  * @param rudder −1…1, positive yaws right; also steers the nose wheel
  * @param throttle 0 (idle) … 1 (full)
  * @param mixture 0 (cut-off) … 1 (full rich)
- * @param flaps 0 (up) … 1 (30°); the motor follows at its own pace
+ * @param flaps 0 (up) … 1 (30°); the flap motor limits the rate
  * @param brakeLeft 0…1, left main wheel
  * @param brakeRight 0…1, right main wheel
  */
@@ -39,7 +39,7 @@ public record ControlInputs(
     Arguments.requireInside("brakeRight", brakeRight, 0.0, 1.0);
   }
 
-  /** Names of all, in order, as commands address them. */
+  /** Names of all inputs in order, as used in actuator commands. */
   static final List<String> NAMES =
       List.of(
           "AILERON",
@@ -57,8 +57,8 @@ public record ControlInputs(
   }
 
   /**
-   * Finite values moved into their ranges: for inputs from a wire. @throws IllegalArgumentException
-   * if one is not finite
+   * Clamps finite values to their ranges, for inputs received over a link. @throws
+   * IllegalArgumentException if one is not finite
    */
   public static ControlInputs limited(
       double aileron,
@@ -80,7 +80,7 @@ public record ControlInputs(
         limit("brakeRight", brakeRight, 0.0));
   }
 
-  /** These inputs with another value of one of {@link #NAMES}. */
+  /** Copy with one of {@link #NAMES} set to a new value. */
   ControlInputs with(String name, double value) {
     return switch (name) {
       case "AILERON" -> withSurfaces(value, elevator, rudder);
@@ -96,31 +96,31 @@ public record ControlInputs(
     };
   }
 
-  /** These inputs with other aileron, elevator and rudder. */
+  /** Copy with new aileron, elevator and rudder. */
   public ControlInputs withSurfaces(double newAileron, double newElevator, double newRudder) {
     return new ControlInputs(
         newAileron, newElevator, newRudder, throttle, mixture, flaps, brakeLeft, brakeRight);
   }
 
-  /** These inputs with another throttle. */
+  /** Copy with a new throttle. */
   public ControlInputs withThrottle(double newThrottle) {
     return new ControlInputs(
         aileron, elevator, rudder, newThrottle, mixture, flaps, brakeLeft, brakeRight);
   }
 
-  /** These inputs with another mixture. */
+  /** Copy with a new mixture. */
   public ControlInputs withMixture(double newMixture) {
     return new ControlInputs(
         aileron, elevator, rudder, throttle, newMixture, flaps, brakeLeft, brakeRight);
   }
 
-  /** These inputs with other flaps. */
+  /** Copy with new flaps. */
   public ControlInputs withFlaps(double newFlaps) {
     return new ControlInputs(
         aileron, elevator, rudder, throttle, mixture, newFlaps, brakeLeft, brakeRight);
   }
 
-  /** These inputs with other brakes. */
+  /** Copy with new brakes. */
   public ControlInputs withBrakes(double newLeft, double newRight) {
     return new ControlInputs(
         aileron, elevator, rudder, throttle, mixture, flaps, newLeft, newRight);

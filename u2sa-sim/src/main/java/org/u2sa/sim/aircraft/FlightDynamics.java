@@ -5,9 +5,9 @@ import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.motion.RungeKutta;
 
 /**
- * Equations of motion of the rigid aircraft over the WGS-84 ellipsoid: state vector in, its rate of
- * change out. Velocity is kept north, east, down; the local vertical turns with the position; the
- * earth's own rotation is left out (0.02 % of g at these speeds).
+ * Rigid-body equations of motion over the WGS-84 ellipsoid: state vector in, derivative out.
+ * Velocity is in NED; the local vertical rotates with position (transport rate); earth rotation is
+ * neglected (0.02 % of g at these speeds).
  */
 final class FlightDynamics implements RungeKutta.Motion {
   static final int LON = 0; // [rad]
@@ -21,19 +21,20 @@ final class FlightDynamics implements RungeKutta.Motion {
   static final int Q = 11;
   static final int R = 12;
   static final int SHAFT = 13; // engine speed [rad/s]
-  static final int TYRES = 14; // along and across, three wheels [m]
+  static final int TYRES = 14; // tyre deflection along and across, three wheels [m]
   static final int SIZE = TYRES + 2 * LandingGear.WHEELS;
 
   static final double WGS84_A_M = 6_378_137.0;
   static final double WGS84_E2 = 6.69437999014e-3;
 
   private static final double SLIPSTREAM_SHARE =
-      0.25; // of the tail that the slipstream washes, times its contraction
-  private static final double SWIRL_ARM = 0.3; // yaw of the swirl on the fin, per shaft torque
+      0.25; // share of the tail in the slipstream, times its contraction
+  private static final double SWIRL_ARM =
+      0.3; // yawing moment of the slipstream swirl on the fin, per shaft torque
   private static final double P_FACTOR =
-      0.25; // thrust moves to the descending blade: of radius, per sine of angle of attack
+      0.25; // P-factor: lateral thrust offset as a share of the radius, per sine of angle of attack
   private static final double SLOWEST2 =
-      100.0; // angle-of-attack rate means nothing below 10 m/s [m²/s²]
+      100.0; // angle-of-attack rate is ignored below 10 m/s [m²/s²]
 
   final Aerodynamics aero = new Aerodynamics();
   final Propeller propeller = new Propeller();
@@ -41,7 +42,7 @@ final class FlightDynamics implements RungeKutta.Motion {
   final LandingGear gear = new LandingGear();
   final AircraftAttitude attitude = new AircraftAttitude();
 
-  // what surrounds the aircraft during one step
+  // environment during one step
   double densityKgPerM3 = StandardAtmosphere.SEA_LEVEL_DENSITY_KG_PER_M3;
   double windN;
   double windE;
@@ -88,7 +89,7 @@ final class FlightDynamics implements RungeKutta.Motion {
     double fy = aero.forceY;
     double fz = aero.forceZ;
     double spin =
-        shaft * Propeller.INERTIA_KG_M2; // clockwise from the seat: along the forward axis
+        shaft * Propeller.INERTIA_KG_M2; // clockwise seen from the cockpit: along the forward axis
     double mx = aero.momentX - engineTorque;
     double my = aero.momentY - spin * r;
     double mz =
@@ -151,7 +152,7 @@ final class FlightDynamics implements RungeKutta.Motion {
     double w2 = 1.0 - WGS84_E2 * sinLat * sinLat;
     double prime = WGS84_A_M / StrictMath.sqrt(w2); // radius of curvature in the prime vertical
     double meridian = prime * (1.0 - WGS84_E2) / w2;
-    double turnN = s[VE] / (prime + s[ALT]); // rotation of the local vertical
+    double turnN = s[VE] / (prime + s[ALT]); // transport rate
     double turnE = -s[VN] / (meridian + s[ALT]);
     double turnD = -turnN * sinLat / cosLat;
     rate[LAT] = -turnE;

@@ -3,21 +3,21 @@ package org.u2sa.sim.aircraft;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Where and how an aircraft starts in the air, without rotation and in balance with nothing: {@link
- * Trim} finds balanced ones.
+ * Initial condition of an airborne aircraft, without rotation and not necessarily trimmed; {@link
+ * Trim} finds trimmed ones.
  *
  * @param longitudeDeg WGS-84 [°, −180…180]
  * @param latitudeDeg WGS-84 [°, −85…85]
  * @param altitudeM centre of gravity above mean sea level [m, −500…10000]
- * @param groundElevationM of the ground below [m], below the altitude
+ * @param groundElevationM ground elevation [m], below the altitude
  * @param headingRad true heading of the nose [rad]
  * @param trueAirspeedMps [m/s, 0…120]
  * @param angleOfAttackRad [rad, −π…π]
- * @param sideslipRad positive if the air comes from the right [rad, −π/2…π/2]
+ * @param sideslipRad positive for airflow from the right [rad, −π/2…π/2]
  * @param rollRad right wing down positive [rad, −π…π]
  * @param pitchRad nose up positive [rad, −π/2…π/2]
  * @param engineRpm 0 is a stopped engine [1/min, 0…3500]
- * @param flaps where the flaps stand, 0 (up) … 1 (30°)
+ * @param flaps flap position, 0 (up) … 1 (30°)
  */
 public record FlightStart(
     double longitudeDeg,

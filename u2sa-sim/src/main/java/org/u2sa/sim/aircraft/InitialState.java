@@ -12,11 +12,11 @@ import static org.u2sa.sim.aircraft.FlightDynamics.VN;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.atmosphere.WindField;
 
-/** State vectors of {@link FlightDynamics} to begin with. */
+/** Initial state vectors of {@link FlightDynamics}. */
 final class InitialState {
   private InitialState() {}
 
-  /** On the wheels, at rest, legs in by what the weight asks. */
+  /** At rest on the wheels, with the legs compressed by the static load. */
   static double[] standing(RunwayStart start, boolean engineRunning) {
     double[] s = at(start.longitudeDeg(), start.latitudeDeg());
     s[ALT] = start.elevationM() + LandingGear.STANDING_M;
@@ -25,7 +25,7 @@ final class InitialState {
     return s;
   }
 
-  /** In the air, with the airspeed asked for against the steady part of the wind. */
+  /** Airborne, with the requested airspeed relative to the steady wind. */
   static double[] flying(FlightStart start, Wind wind) {
     double[] s = at(start.longitudeDeg(), start.latitudeDeg());
     s[ALT] = start.altitudeM();

@@ -4,15 +4,15 @@ import org.u2sa.messages.frame.Gravity;
 
 /**
  * Tricycle gear of the Cessna 172: nose wheel steered by the pedals (10° each way: Pilot's
- * Operating Handbook, section 7), two braked main wheels, and the corners of the airframe that must
- * not touch the ground. Wheel base 65 in, track 99.5 in (handbook, section 1); springs chosen so
- * that static legs are in by 6–10 cm and the aircraft stands level.
+ * Operating Handbook, section 7), two braked main wheels, and the airframe points that must not
+ * touch the ground. Wheel base 65 in, track 99.5 in (handbook, section 1); springs chosen for a
+ * static compression of 6–10 cm and a level stance.
  */
 final class LandingGear {
-  /** Centre of gravity above ground, standing [m]. */
+  /** Height of the centre of gravity above ground when parked [m]. */
   static final double STANDING_M = 1.25;
 
-  /** Pitch of the body axes, standing: these axes lie along the flow in cruise. */
+  /** Pitch of the body axes when parked; these axes are aligned with the flow in cruise. */
   static final double STANDING_PITCH_RAD = Math.toRadians(2.5);
 
   static final int WHEELS = 3;
@@ -25,11 +25,13 @@ final class LandingGear {
   private static final double MAIN_STIFFNESS = 70_000.0;
   private static final double STEER_RAD = Math.toRadians(10.0);
 
-  /** Hardest sink that the gear takes: 10 ft/s of 14 CFR 23.473 and 20 % reserve (23.723) [m/s]. */
+  /**
+   * Maximum sink rate the gear withstands: 10 ft/s (14 CFR 23.473) plus 20 % reserve (23.723)
+   * [m/s].
+   */
   private static final double HARDEST_SINK_MPS = 3.66;
 
-  private static final double MIN_FALL_MPS =
-      0.3; // slower contact is rolling over the ground, not a touchdown
+  private static final double MIN_FALL_MPS = 0.3; // a lower sink rate is rolling, not a touchdown
 
   /**
    * Wing tips, propeller tip, tie-down ring under the tail, fin and cabin roof: x, y, z [m] in body
@@ -53,8 +55,8 @@ final class LandingGear {
   private final boolean[] touching = new boolean[WHEELS];
 
   /**
-   * A wheel so placed that the aircraft stands at its height and pitch with this share of the
-   * weight on it.
+   * Creates a wheel positioned so that the parked aircraft has its height and pitch with this share
+   * of the weight on the wheel.
    */
   private static Wheel wheel(
       double x, double y, double share, double stiffness, double damping, double steerRad) {
@@ -74,7 +76,7 @@ final class LandingGear {
     return wheels[1].compressionM() > 0.0 || wheels[2].compressionM() > 0.0;
   }
 
-  /** Whether this moment broke the aircraft; call once a step, after the wheels were computed. */
+  /** Whether the aircraft crashed in this step; call once per step, after computing the wheels. */
   boolean broken(AircraftAttitude attitude, double heightM) {
     boolean broken = false;
     for (int i = 0; i < WHEELS; i++) {

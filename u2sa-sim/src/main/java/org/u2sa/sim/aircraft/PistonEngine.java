@@ -1,10 +1,10 @@
 package org.u2sa.sim.aircraft;
 
 /**
- * Lycoming O-320-D2J: 160 hp at 2700 rpm (type certificate data sheet E-274). Power over density by
- * Gagg and Ferrar (1.132 σ − 0.132, SAE Transactions 1934), which splits brake torque into an
- * indicated part, that goes with the charge, and a constant friction part; the throttle is an
- * orifice ahead of the cylinders, so the charge falls with engine speed.
+ * Lycoming O-320-D2J: 160 hp at 2700 rpm (type certificate data sheet E-274). Power over density
+ * from Gagg and Ferrar (1.132 σ − 0.132, SAE Transactions 1934), which splits brake torque into
+ * indicated torque, proportional to the charge, and constant friction; the throttle is an orifice
+ * ahead of the cylinders, so the charge falls with engine speed.
  */
 final class PistonEngine {
   static final double RADPERS_PER_RPM = 2.0 * Math.PI / 60.0;
@@ -15,12 +15,15 @@ final class PistonEngine {
       160.0 * 745.6999 / (MAX_RPM * RADPERS_PER_RPM); // 422 N m
   private static final double INDICATED = 1.132;
   private static final double FRICTION = 0.132;
-  private static final double IDLE_OPENING = 0.0505; // gives 650 rpm standing at sea level
+  private static final double IDLE_OPENING = 0.0505; // idles at 650 rpm, static, at sea level
   private static final double FULL_OPENING = 5.0;
   private static final double STALL_RPM = 350.0;
-  private static final double LIGHT_RPM = 450.0; // turned this fast by the stream, it fires again
+  private static final double LIGHT_RPM = 450.0; // windmilling at this speed restarts it
 
-  /** Torque at full throttle over rpm, of the rated one: from the maker's sea-level power curve. */
+  /**
+   * Full-throttle torque over rpm, relative to rated torque, from the manufacturer's sea-level
+   * power curve.
+   */
   private static final Table FULL_THROTTLE =
       new Table(
           0.0, 0.82, 650.0, 0.92, 1_500.0, 1.02, 2_000.0, 1.045, 2_400.0, 1.045, 2_700.0, 1.02,
@@ -46,12 +49,12 @@ final class PistonEngine {
     this.running = running;
   }
 
-  /** Takes levers and air for the coming step and lights or stops the engine. */
+  /** Sets levers and air for the next step, and starts or stops the engine. */
   void set(double throttle, double mixture, double newDensityRatio, double speedRadPerS) {
     densityRatio = newDensityRatio;
     opening = IDLE_OPENING * StrictMath.pow(FULL_OPENING / IDLE_OPENING, throttle);
-    // A float carburettor meters by pressure difference: the mixture richens with the root of
-    // thinning air.
+    // A float carburettor meters by pressure difference, so the mixture richens with the inverse
+    // root of air density.
     mixtureFactor = MIXTURE.at(RICH_AT_SEA_LEVEL * mixture / StrictMath.sqrt(newDensityRatio));
     double rpm = speedRadPerS / RADPERS_PER_RPM;
     if (rpm < STALL_RPM) {

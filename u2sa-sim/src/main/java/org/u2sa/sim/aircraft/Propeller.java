@@ -3,19 +3,19 @@ package org.u2sa.sim.aircraft;
 /**
  * Fixed-pitch propeller of 75 in diameter and 57 in pitch (McCauley 1C160/DTM7557, Cessna 172P
  * handbook, section 1). Coefficients over advance ratio: two-blade 5868-9, Clark Y, of NACA TR-640
- * (Hartman and Biermann 1938) at the blade angle of this pitch, 18° at 0.75 R, with thrust lowered
- * for the body behind it, most at low advance ratios, so that the handbook's static rpm, take-off,
- * climb and cruise come out.
+ * (Hartman and Biermann 1938) at the blade angle of this pitch, 18° at 0.75 R, with thrust reduced
+ * for the fuselage behind it, most at low advance ratios, to match the handbook's static rpm,
+ * take-off, climb and cruise.
  */
 final class Propeller {
   static final double DIAMETER_M = 1.905;
   static final double DISC_M2 = Math.PI * DIAMETER_M * DIAMETER_M / 4.0;
 
-  /** Propeller, crankshaft and flywheel [kg m²]. */
+  /** Moment of inertia of propeller, crankshaft and flywheel [kg m²]. */
   static final double INERTIA_KG_M2 = 2.0;
 
   private static final double LAST_J =
-      2.0; // beyond it the blades are a plate in the stream: forces go with V²
+      2.0; // beyond it the blades act as a plate in the flow: forces scale with V²
   private static final Table THRUST =
       new Table(
           0.0, 0.080, 0.1, 0.0815, 0.2, 0.082, 0.3, 0.081, 0.4, 0.0782, 0.5, 0.0735, 0.6, 0.065,
@@ -31,8 +31,8 @@ final class Propeller {
   private double torqueNm;
 
   /**
-   * @param speedRadPerS of the shaft, at least 0
-   * @param axialMps air along the shaft from ahead; from behind counts as still air
+   * @param speedRadPerS shaft speed, at least 0
+   * @param axialMps axial inflow from ahead; flow from behind is treated as still air
    */
   void compute(double speedRadPerS, double axialMps, double densityKgPerM3) {
     double n = speedRadPerS / (2.0 * Math.PI);
@@ -47,12 +47,12 @@ final class Propeller {
     torqueNm = force * DIAMETER_M * POWER.at(j) / (2.0 * Math.PI);
   }
 
-  /** Thrust [N], negative when the stream drives the propeller. */
+  /** Thrust [N], negative when windmilling. */
   double thrustN() {
     return thrustN;
   }
 
-  /** Torque that the propeller asks of the engine [N m], negative when the stream drives it. */
+  /** Torque absorbed from the engine [N m], negative when windmilling. */
   double torqueNm() {
     return torqueNm;
   }

@@ -3,23 +3,23 @@ package org.u2sa.sim.aircraft;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Where an aircraft stands on its wheels.
+ * Initial position of an aircraft on its wheels.
  *
  * @param longitudeDeg WGS-84 [°, −180…180]
  * @param latitudeDeg WGS-84 [°, −85…85]
- * @param elevationM of the ground above mean sea level [m, −500…5000]
+ * @param elevationM ground elevation above mean sea level [m, −500…5000]
  * @param headingRad true heading of the nose [rad]
  */
 public record RunwayStart(
     double longitudeDeg, double latitudeDeg, double elevationM, double headingRad) {
 
-  /** Latitude up to which an aircraft can start, north and south [deg]. */
+  /** Highest start latitude, north or south [deg]. */
   public static final double NORTHERNMOST_DEG = 85.0;
 
-  /** Lowest ground [m]. */
+  /** Lowest ground elevation [m]. */
   public static final double LOWEST_M = -500.0;
 
-  /** Highest ground [m]. */
+  /** Highest ground elevation [m]. */
   public static final double HIGHEST_M = 5_000.0;
 
   /**

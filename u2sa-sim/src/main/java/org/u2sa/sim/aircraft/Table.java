@@ -1,6 +1,6 @@
 package org.u2sa.sim.aircraft;
 
-/** A function given by points, linear between them and constant beyond the ends. */
+/** Piecewise-linear function through given points, constant beyond the ends. */
 final class Table {
   private final double[] x;
   private final double[] y;

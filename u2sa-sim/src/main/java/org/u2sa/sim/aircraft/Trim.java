@@ -3,19 +3,19 @@ package org.u2sa.sim.aircraft;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 
 /**
- * A steady flight of the Cessna 172 in still air: every acceleration is zero.
+ * A trimmed flight condition of the Cessna 172 in still air: all accelerations are zero.
  *
  * @param altitudeM above mean sea level [m]
  * @param trueAirspeedMps [m/s]
  * @param rollRad right wing down positive [rad]
  * @param pitchRad nose up positive [rad]
- * @param flightPathRad climbing positive [rad]
+ * @param flightPathRad positive for a climb [rad]
  * @param turnRateRadPerS of the heading, right positive [rad/s]
  * @param angleOfAttackRad [rad]
- * @param sideslipRad positive if the air comes from the right [rad]
- * @param controls that hold it
+ * @param sideslipRad positive for airflow from the right [rad]
+ * @param controls inputs that hold it
  * @param engineRpm [1/min]
- * @param shaftPowerW that the propeller takes [W]
+ * @param shaftPowerW power absorbed by the propeller [W]
  */
 public record Trim(
     double altitudeM,
@@ -31,27 +31,27 @@ public record Trim(
     double shaftPowerW) {
 
   /**
-   * Straight and level: the throttle is found.
+   * Straight and level flight; solves for throttle.
    *
    * @param flaps 0…1
-   * @throws IllegalArgumentException if the aircraft cannot fly so
+   * @throws IllegalArgumentException if no such flight condition exists
    */
   public static Trim level(double altitudeM, double trueAirspeedMps, double flaps) {
     return new TrimSolver(altitudeM, trueAirspeedMps, 0.0, flaps).level();
   }
 
-  /** Level in a coordinated turn of a bank [rad]: the throttle is found. */
+  /** Level coordinated turn at a bank angle [rad]; solves for throttle. */
   public static Trim turning(double altitudeM, double trueAirspeedMps, double rollRad) {
     return new TrimSolver(altitudeM, trueAirspeedMps, rollRad, 0.0).level();
   }
 
-  /** Straight at a throttle 0…1: the climb or descent is found. */
+  /** Straight flight at a throttle 0…1; solves for climb or descent. */
   public static Trim atThrottle(
       double altitudeM, double trueAirspeedMps, double throttle, double flaps) {
     return new TrimSolver(altitudeM, trueAirspeedMps, 0.0, flaps).atThrottle(throttle);
   }
 
-  /** Speed upwards [m/s]. */
+  /** Climb rate [m/s]. */
   public double climbMps() {
     return trueAirspeedMps * StrictMath.sin(flightPathRad);
   }
@@ -61,7 +61,7 @@ public record Trim(
     return StandardAtmosphere.at(altitudeM).calibratedAirspeedMps(trueAirspeedMps);
   }
 
-  /** A start in this flight; a turning one begins with its bank but without its rotation. */
+  /** Initial condition in this trim; a turn starts with its bank but without its rotation. */
   public FlightStart start(
       double longitudeDeg, double latitudeDeg, double groundElevationM, double headingRad) {
     return new FlightStart(

@@ -25,10 +25,10 @@ final class TrimSolver {
   private static final int ELEVATOR = 2;
   private static final int AILERON = 3;
   private static final int RUDDER = 4;
-  private static final int POWER = 5; // throttle, or flight path angle where the throttle is given
+  private static final int POWER = 5; // throttle, or flight-path angle if the throttle is given
 
   private static final int MOST_STEPS = 60;
-  private static final double BALANCED = 1e-7; // largest acceleration left [m/s², rad/s²]
+  private static final double BALANCED = 1e-7; // maximum residual acceleration [m/s², rad/s²]
   private static final double[] LONGEST_MOVE = {0.05, 0.05, 0.2, 0.2, 0.2, 0.1};
   private static final double CLEAR_OF_GROUND_M = 1_000.0;
 
@@ -112,8 +112,8 @@ final class TrimSolver {
   }
 
   /**
-   * Solves the linear system by elimination with pivoting and moves x, each part no further than it
-   * may.
+   * Solves the linear system by Gaussian elimination with pivoting and updates x, limiting each
+   * component's step.
    */
   private static boolean move(double[] x, double[][] m) {
     for (int c = 0; c < SIZE; c++) {
@@ -124,7 +124,7 @@ final class TrimSolver {
         }
       }
       if (Math.abs(m[pivot][c]) < 1e-12) {
-        return false; // a control at its stop no longer changes anything
+        return false; // a control at its limit has no effect
       }
       double[] swap = m[c];
       m[c] = m[pivot];
@@ -200,7 +200,10 @@ final class TrimSolver {
     return Gravity.STANDARD_MPS2 * StrictMath.tan(rollRad) / speedMps;
   }
 
-  /** Pitch of a flight path: rate-of-climb constraint (Stevens and Lewis, 2nd ed., eq. 3.6-3). */
+  /**
+   * Pitch for a flight-path angle: rate-of-climb constraint (Stevens and Lewis, 2nd ed., eq.
+   * 3.6-3).
+   */
   private double pitch(double[] x) {
     double a = StrictMath.cos(x[ALPHA]) * StrictMath.cos(x[BETA]);
     double b =
@@ -213,8 +216,8 @@ final class TrimSolver {
   }
 
   /**
-   * Where engine and propeller balance, by bisection: torque falls with speed for one and rises for
-   * the other.
+   * Equilibrium speed of engine and propeller, by bisection: engine torque falls with speed,
+   * propeller torque rises.
    */
   private double shaftSpeed(double axialMps) {
     double low = 30.0;

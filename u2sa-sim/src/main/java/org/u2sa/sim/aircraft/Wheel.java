@@ -1,29 +1,28 @@
 package org.u2sa.sim.aircraft;
 
 /**
- * One wheel on its leg: a spring and damper upwards, an elastic tyre that slides at its friction
- * limit along the ground.
+ * A wheel on its leg: vertical spring and damper, and an elastic tyre that slides at its friction
+ * limit.
  *
  * <p>The tyre is the single contact point model (Pacejka, Tire and Vehicle Dynamics, chapter 7):
- * the contact patch is held back by springs. Standing still it holds the aircraft as an elastic
- * anchor, so nothing creeps; rolling it relaxes over a length, which makes the cornering force
- * proportional to the slip angle. Sliding limits: friction ellipse.
+ * the contact patch is held back by springs. At rest it acts as an elastic anchor, so the aircraft
+ * does not creep; when rolling, the deflection relaxes over a length, which makes the cornering
+ * force proportional to the slip angle. Sliding limits: friction ellipse.
  */
 final class Wheel {
-  /** Deepest travel of a leg before metal meets the runway [m]. */
+  /** Maximum leg travel [m]; beyond it the structure hits the runway. */
   static final double DEEPEST_M = 0.30;
 
-  // A tyre's cornering stiffness grows about in proportion to its static load, so that an aircraft
-  // with alike tyres steers
-  // neutrally on its wheels (Pacejka, chapter 1); these are the sums over all wheels.
-  private static final double TYRE_STIFFNESS_OF_ALL = 270_000.0; // both ways along the ground [N/m]
+  // Cornering stiffness is roughly proportional to static load, so an aircraft with equal tyres
+  // steers neutrally (Pacejka, chapter 1); these are sums over all wheels.
+  private static final double TYRE_STIFFNESS_OF_ALL = 270_000.0; // longitudinal and lateral [N/m]
   private static final double TYRE_DAMPING_OF_ALL = 12_000.0; // [N s/m]
   private static final double DAMPED_BELOW_MPS = 1.0;
   private static final double RELAXATION_M = 0.3; // half to one wheel radius
   private static final double GRIP = 0.7; // dry asphalt, light aircraft tyre
-  private static final double BRAKE_GRIP = 0.45; // what the 172's single discs can use of it
+  private static final double BRAKE_GRIP = 0.45; // share the 172's single-disc brakes can use
   private static final double ROLLING = 0.02; // hard runway: McCormick, table 7.2
-  private static final double LEAST_SIDE = 0.2; // of the grip that a locked wheel keeps sideways
+  private static final double LEAST_SIDE = 0.2; // share of lateral grip kept by a locked wheel
 
   final double x;
   final double y;
@@ -51,10 +50,10 @@ final class Wheel {
   private double sinkMps;
 
   /**
-   * @param z below the centre of gravity, leg unloaded [m]
+   * @param z distance below the centre of gravity with the leg unloaded [m]
    * @param stiffness [N/m]
    * @param damping [N s/m]
-   * @param share of the aircraft's weight that it carries, standing, 0…1
+   * @param share share of the aircraft's weight it carries when parked, 0…1
    */
   Wheel(
       double x,
@@ -81,9 +80,9 @@ final class Wheel {
   }
 
   /**
-   * @param heightM of the unloaded contact point above ground, negative when compressed
+   * @param heightM height of the unloaded contact point above ground, negative when compressed
    * @param velN velocity of that point [m/s]
-   * @param deflectionAlong of the tyre [m]
+   * @param deflectionAlong longitudinal tyre deflection [m]
    */
   void compute(
       AircraftAttitude attitude,
@@ -119,7 +118,7 @@ final class Wheel {
     acrossLimit =
         StrictMath.sqrt(
             Math.max(LEAST_SIDE * LEAST_SIDE * grip * grip, grip * grip - along * along));
-    // Rolling, fresh tread enters the contact patch and what was damped leaves it.
+    // While rolling, fresh tread enters the contact patch and damped tread leaves it.
     double damping = tyreDamping / (1.0 + Math.abs(slipAlongMps) / DAMPED_BELOW_MPS);
     across = limit(-tyreStiffness * deflectionAcross - damping * slipAcrossMps, acrossLimit);
     forceN = along * rollN - across * rollE;
@@ -135,7 +134,7 @@ final class Wheel {
     return slipAcrossMps - Math.abs(slipAlongMps) / RELAXATION_M * deflection;
   }
 
-  /** A tyre cannot be stretched further than its friction holds. */
+  /** Limits tyre deflection to what friction can hold. */
   double boundedAlong(double deflection) {
     return limit(deflection, alongLimit / tyreStiffness);
   }
@@ -148,7 +147,7 @@ final class Wheel {
     return compression;
   }
 
-  /** Speed of the contact point downwards [m/s]. */
+  /** Sink rate of the contact point [m/s]. */
   double sinkMps() {
     return sinkMps;
   }

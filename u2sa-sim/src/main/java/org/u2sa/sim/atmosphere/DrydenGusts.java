@@ -6,8 +6,8 @@ import java.util.Random;
  * Continuous gusts with the Dryden spectra of MIL-F-8785C, 3.7.1.2 and 3.7.3, as shaping filters
  * driven by white noise. Signs of the rotary gusts follow MIL-HDBK-1797. Up to 1000 ft the
  * intensities and scales of the low-altitude model hold, from 2000 ft the scale of 1750 ft, linear
- * in between; above 1000 ft the intensity stays what it was there (the specification takes it from
- * a table of exceedance probabilities instead).
+ * in between; above 1000 ft the intensity stays constant (the specification uses a table of
+ * exceedance probabilities instead).
  *
  * <p>The filters are discretised exactly, so variance and spectrum do not depend on the step.
  */
@@ -18,7 +18,7 @@ public final class DrydenGusts {
   private static final double HIGH_FT = 2_000.0;
   private static final double HIGH_SCALE_FT = 1_750.0;
   private static final double SLOWEST_MPS =
-      3.0; // a standing aircraft: turbulence drifts by with the wind
+      3.0; // minimum speed: turbulence drifts past a stationary aircraft with the wind
 
   private final double sigmaVerticalMps;
   private final double spanM;
@@ -39,7 +39,7 @@ public final class DrydenGusts {
 
   /**
    * @param sigmaVerticalMps root mean square of the vertical gusts below 1000 ft [m/s]
-   * @param spanM wing span of the aircraft that feels them [m], above 0
+   * @param spanM wing span of the aircraft [m], above 0
    */
   public DrydenGusts(double sigmaVerticalMps, double spanM, long seed) {
     if (!(sigmaVerticalMps >= 0.0 && spanM > 0.0)) {
@@ -56,9 +56,9 @@ public final class DrydenGusts {
   }
 
   /**
-   * Moves the aircraft on through the gusts.
+   * Advances the gusts by one step.
    *
-   * @param dtS time [s], above 0
+   * @param dtS time step [s], above 0
    * @param heightM height above ground [m]
    * @param airspeedMps true airspeed [m/s]
    */

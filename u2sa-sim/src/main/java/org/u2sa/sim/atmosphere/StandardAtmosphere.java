@@ -19,10 +19,7 @@ public final class StandardAtmosphere {
   /** Speed of sound at sea level [m/s]. */
   public static final double SEA_LEVEL_SOUND_SPEED_MPS = 340.294;
 
-  /**
-   * Lowest and highest altitude served [m]: the Dead Sea's shore is inside, the stratosphere is
-   * not.
-   */
+  /** Altitude range of the model [m]: includes the Dead Sea shore, excludes the stratosphere. */
   public static final double LOWEST_M = -1_000.0;
 
   /** Top of the troposphere [m geopotential]. */
@@ -36,11 +33,10 @@ public final class StandardAtmosphere {
   private StandardAtmosphere() {}
 
   /**
-   * The standard air at an altitude.
+   * Standard atmosphere at an altitude.
    *
    * @param altitudeM geometric altitude above mean sea level [m]; outside {@link #LOWEST_M}…{@link
-   *     #HIGHEST_M} the air of the nearer bound is given, so that a diverging aircraft meets air
-   *     and not an exception
+   *     #HIGHEST_M} the nearer bound applies, so that a diverging simulation does not throw
    * @throws IllegalArgumentException if the altitude is not finite
    */
   public static Air at(double altitudeM) {
@@ -61,7 +57,7 @@ public final class StandardAtmosphere {
   }
 
   /**
-   * Air at rest at one altitude.
+   * Static air properties at one altitude.
    *
    * @param temperatureK static temperature [K]
    * @param pressurePa static pressure [Pa]
@@ -72,8 +68,8 @@ public final class StandardAtmosphere {
       double temperatureK, double pressurePa, double densityKgPerM3, double soundSpeedMps) {
 
     /**
-     * Calibrated airspeed [m/s] that an ideal pitot instrument shows in this air: subsonic impact
-     * pressure read back at sea-level standard conditions (Gracey, NASA RP-1046, chapter 3).
+     * Calibrated airspeed [m/s] of an ideal pitot instrument: subsonic impact pressure converted at
+     * sea-level standard conditions (Gracey, NASA RP-1046, chapter 3).
      *
      * @param trueAirspeedMps true airspeed [m/s], at least 0 and below the speed of sound
      */

@@ -3,12 +3,12 @@ package org.u2sa.sim.atmosphere;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * The wind of a simulation: a steady part and Dryden gusts, repeatable from its seed.
+ * Simulated wind: a steady part plus Dryden gusts, reproducible from its seed.
  *
- * @param fromRad direction that the wind blows from, clockwise from true north [rad]
+ * @param fromRad direction the wind blows from, clockwise from true north [rad]
  * @param speedMps steady speed [m/s], at least 0: at 6 m above ground if {@code heightProfile},
  *     else everywhere
- * @param heightProfile whether the steady wind grows with height by the logarithmic law of
+ * @param heightProfile whether the steady wind increases with height by the logarithmic law of
  *     MIL-F-8785C, 3.7.3.4
  * @param gustSigmaMps root mean square of the vertical gusts [m/s], at least 0; MIL-F-8785C takes a
  *     tenth of the wind at 6 m: 0.8 is light, 1.5 moderate, 2.3 severe
@@ -29,32 +29,32 @@ public record Wind(
     Arguments.requireInside("gust sigma [m/s]", gustSigmaMps, 0.0, STRONGEST_MPS);
   }
 
-  /** No wind at all. */
+  /** Calm air. */
   public static Wind calm() {
     return new Wind(0.0, 0.0, false, 0.0, 0L);
   }
 
-  /** The same wind at every height, without gusts. */
+  /** Steady wind, equal at every height, without gusts. */
   public static Wind constant(double fromRad, double speedMps) {
     return new Wind(fromRad, speedMps, false, 0.0, 0L);
   }
 
-  /** A wind that grows with height, and the gusts that MIL-F-8785C expects with it. */
+  /** Wind that increases with height, with the matching MIL-F-8785C gusts. */
   public static Wind turbulent(double fromRad, double speedAt6MetresMps, long seed) {
     return new Wind(fromRad, speedAt6MetresMps, true, SIGMA_PER_WIND * speedAt6MetresMps, seed);
   }
 
-  /** The same wind at every height, with the gusts that MIL-F-8785C expects with it. */
+  /** Wind equal at every height, with the matching MIL-F-8785C gusts. */
   public static Wind gusty(double fromRad, double speedMps, long seed) {
     return constant(fromRad, speedMps).withGusts(SIGMA_PER_WIND * speedMps, seed);
   }
 
-  /** This wind, growing with height or the same at every height. */
+  /** Copy with or without the height profile. */
   public Wind withShear(boolean growsWithHeight) {
     return new Wind(fromRad, speedMps, growsWithHeight, gustSigmaMps, seed);
   }
 
-  /** This wind with other gusts. */
+  /** Copy with new gusts. */
   public Wind withGusts(double sigmaMps, long gustSeed) {
     return new Wind(fromRad, speedMps, heightProfile, sigmaMps, gustSeed);
   }

@@ -1,8 +1,7 @@
 package org.u2sa.sim.atmosphere;
 
 /**
- * The wind where one aircraft is, moved on step by step: a {@link Wind}'s steady part and its
- * gusts, as air velocity.
+ * Air velocity at one aircraft, advanced step by step: the steady part and gusts of a {@link Wind}.
  */
 public final class WindField {
   private static final double FOOT_M = 0.3048;
@@ -27,7 +26,7 @@ public final class WindField {
   }
 
   /**
-   * Moves on by one step.
+   * Advances by one step.
    *
    * @param heightM aircraft's height above ground [m]
    * @param airspeedMps its true airspeed [m/s]
@@ -53,22 +52,22 @@ public final class WindField {
     return StrictMath.log(height / ROUGHNESS_M) / StrictMath.log(REFERENCE_M / ROUGHNESS_M);
   }
 
-  /** Velocity of the air towards north [m/s]. */
+  /** Air velocity, north component [m/s]. */
   public double northMps() {
     return northMps;
   }
 
-  /** Velocity of the air towards east [m/s]. */
+  /** Air velocity, east component [m/s]. */
   public double eastMps() {
     return eastMps;
   }
 
-  /** Velocity of the air downwards [m/s]. */
+  /** Air velocity, down component [m/s]. */
   public double downMps() {
     return downMps;
   }
 
-  /** The gusts alone, with their rotation. */
+  /** The gusts alone, including angular rates. */
   public DrydenGusts gusts() {
     return gusts;
   }

@@ -1,12 +1,12 @@
 package org.u2sa.sim.camera;
 
 /**
- * An upright rectangle, seen from both sides: the planks of a sawhorse, the cloth of a flag.
+ * An upright two-sided rectangle: a sawhorse plank or a flag.
  *
- * @param x middle, east [m]
- * @param cos of the angle from east to its length
+ * @param x centre, east [m]
+ * @param cos cosine of the angle from east to its long side
  * @param half half its length [m]
- * @param stripe width of slanted stripes of both colours [m]; 0: none
+ * @param stripe width of diagonal stripes [m]; 0 for none
  */
 record Board(
     float x,

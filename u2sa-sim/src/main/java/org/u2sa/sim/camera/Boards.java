@@ -4,8 +4,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.world.Ramp;
 
 /**
- * A {@link Ramp} as a camera sees it. What is painted on the lawn's map where it stands lies on it,
- * seen from above: 15 % of slope stretch that by 1 %. It casts no shadow.
+ * A {@link Ramp} for the renderer. Paint on the lawn map below it is projected onto it vertically,
+ * which stretches it by 1 % at 15 % slope. It casts no shadow.
  */
 final class Boards implements Solid {
   private static final double[] NO_SHADOW = {};
@@ -44,7 +44,7 @@ final class Boards implements Solid {
     return NO_SHADOW;
   }
 
-  /** Its outline from above, anticlockwise: east and north in turn [m]. */
+  /** Outline from above, anticlockwise: alternating east and north [m]. */
   double[] outline() {
     double half = 0.5 * ramp.widthM();
     double[] corners = new double[8];

@@ -5,9 +5,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** Where a camera is at one moment, and how its axes lie in the world: east, north, up. Reused. */
+/** Pose of a camera in the world (east, north, up). Mutable and reused. */
 final class CameraPose {
-  private final Point ahead; // the camera's axes in those of the vehicle: forward, right, down
+  private final Point ahead; // camera axes in the vehicle frame: forward, right, down
   private final Point down;
   private final Point mounted;
   float x;
@@ -25,7 +25,7 @@ final class CameraPose {
     mounted = Point.of(lens.forwardM(), -lens.leftM(), -lens.upM());
   }
 
-  /** Takes where the vehicle will be a little later. */
+  /** Sets the pose extrapolated from the vehicle's motion. */
   void at(VehicleTruth truth, double laterS) {
     Attitude now = truth.attitude();
     Point turning = now.eulerRates(truth.rates());

@@ -1,6 +1,6 @@
 package org.u2sa.sim.camera;
 
-/** Linear colours as 0xRRGGBB, for surfaces: how much of each they reflect. */
+/** Linear surface reflectances as 0xRRGGBB. */
 final class Colour {
   static final int GRASS = rgb(0.085, 0.135, 0.035);
   static final int DRY_GRASS = rgb(0.20, 0.18, 0.08);
@@ -23,7 +23,7 @@ final class Colour {
     return byteOf(red) << 16 | byteOf(green) << 8 | byteOf(blue);
   }
 
-  /** Between two colours: 0 the first, 1 the other. */
+  /** Interpolates between two colours: 0 gives the first, 1 the second. */
   static int mix(int first, int other, double share) {
     return part(first, other, share, 16)
         | part(first, other, share, 8)

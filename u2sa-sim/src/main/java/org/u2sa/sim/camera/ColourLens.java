@@ -4,24 +4,24 @@ import org.u2sa.device.CameraFrame.Intrinsics;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A colour camera and where it is on its vehicle. Without distortion: pictures are those of the
- * pinhole that {@link #intrinsics} describes, unless {@code k1} or {@code k2} is set.
+ * Optics and mounting of a colour camera. Images follow the pinhole model of {@link #intrinsics}
+ * unless {@code k1} or {@code k2} is set.
  *
  * @param rateHz frames a second
- * @param width pixels of a row
- * @param height rows
- * @param viewRad angle from the left edge to the right one without distortion [rad]
- * @param k1 radial distortion: a point at r from the axis is seen at r (1 + k1 r² + k2 r⁴), r by
- *     the focal length (Brown 1966)
+ * @param width image width [px]
+ * @param height image height [px]
+ * @param viewRad horizontal field of view without distortion [rad]
+ * @param k1 radial distortion: a point at radius r (in focal lengths) appears at r (1 + k1 r² + k2
+ *     r⁴) (Brown 1966)
  * @param k2 see k1
- * @param exposureS how long each row is exposed [s]
- * @param readoutS from the first row's exposure to the last one's: rolling shutter [s]
- * @param sigma standard deviation of a mid-grey pixel's noise, of white
- * @param blurPixels radius of the lens's blur: 0 sharp, 1 soft
- * @param forwardM place ahead of the vehicle's reference point [m]
- * @param leftM place to the left of it [m]
+ * @param exposureS exposure time of each row [s]
+ * @param readoutS rolling-shutter readout time, first row to last [s]
+ * @param sigma noise standard deviation of a mid-grey pixel, relative to white
+ * @param blurPixels blur radius [px]: 0 sharp, 1 soft
+ * @param forwardM position ahead of the vehicle's reference point [m]
+ * @param leftM position left of it [m]
  * @param upM height above it [m]
- * @param downRad how far its axis looks below straight ahead [rad]
+ * @param downRad downward tilt of the optical axis [rad]
  */
 public record ColourLens(
     double rateHz,
@@ -58,8 +58,8 @@ public record ColourLens(
   }
 
   /**
-   * A wide webcam of 640 × 480 on a mast: 100° of view, 1.1 m above the driven axle, looking down
-   * by 22°.
+   * A wide-angle 640 × 480 webcam on a mast: 100° field of view, 1.1 m above the driven axle,
+   * tilted down 22°.
    */
   public static ColourLens mast() {
     return new ColourLens(
@@ -79,7 +79,7 @@ public record ColourLens(
         Math.toRadians(22.0));
   }
 
-  /** The same with other frames a second. */
+  /** Copy with another frame rate. */
   public ColourLens rate(double newRateHz) {
     return new ColourLens(
         newRateHz,
@@ -98,7 +98,7 @@ public record ColourLens(
         downRad);
   }
 
-  /** Pixels are square, the axis is in the middle. */
+  /** Intrinsics with square pixels and a centred principal point. */
   public Intrinsics intrinsics() {
     double focal = 0.5 * width / StrictMath.tan(0.5 * viewRad);
     return new Intrinsics(focal, focal, 0.5 * (width - 1), 0.5 * (height - 1));

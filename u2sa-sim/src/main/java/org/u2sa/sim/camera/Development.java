@@ -3,31 +3,30 @@ package org.u2sa.sim.camera;
 import java.util.Random;
 
 /**
- * What lens and sensor make of light: blur, vignette, exposure that follows the mean brightness a
- * frame late, white balance that is not quite right, gamma, clipping and noise. The noise of a row
- * depends on the picture's number and the row only, so that rows may be developed in any order, and
- * by several threads.
+ * Lens and sensor model: blur, vignetting, auto-exposure that lags by a frame, white-balance error,
+ * gamma, clipping and noise. Row noise depends only on image number and row, so rows may be
+ * processed in any order and on several threads.
  */
 final class Development {
   private static final int TONES = 4096;
   private static final int NOISES = 1024;
-  private static final float TARGET = 0.20f; // mean brightness that exposure aims at, of white
-  private static final float LAG = 0.35f; // share by which exposure follows in a frame
+  private static final float TARGET = 0.20f; // target mean brightness, relative to white
+  private static final float LAG = 0.35f; // exposure correction per frame
   private static final double GAMMA = 1.0 / 2.2;
-  private static final double VIGNETTE = 0.25; // light lost in the corners
+  private static final double VIGNETTE = 0.25; // light loss in the corners
 
   private final ColourLens lens;
   private final float[] vignette;
   private final float[] tone = new float[TONES + 1];
   private final float[] noise = new float[NOISES];
   private final float[] balance;
-  private final float side; // share of the light of each neighbour
+  private final float side; // blur weight of each neighbour
   private final int seed;
   private int pictures;
-  private float gain; // 0: no frame yet
-  private int smear; // pixels to each side, by the turn while a row is exposed
+  private float gain; // 0 before the first frame
+  private int smear; // motion blur to each side by rotation during exposure [px]
 
-  /** Rows on their way from light to picture; one for each thread. */
+  /** Row buffers of one thread. */
   final class Bath {
     private final int stride = 3 * lens.width();
     private final float[] raw = new float[stride];
@@ -35,7 +34,7 @@ final class Development {
     private float[] here = new float[stride];
     private float[] below = new float[stride];
 
-    /** Develops rows of a picture. */
+    /** Converts rows of light into pixels. */
     void develop(float[] light, byte[] picture, int from, int to) {
       int last = lens.height() - 1;
       across(light, Math.max(0, from - 1), above);
@@ -51,7 +50,7 @@ final class Development {
       }
     }
 
-    /** A row blurred along itself. */
+    /** Blurs a row horizontally. */
     private void across(float[] light, int row, float[] into) {
       int at = row * stride;
       System.arraycopy(light, at, raw, 0, stride);
@@ -67,7 +66,7 @@ final class Development {
     }
 
     private void smear() {
-      float[] sharp = below; // is filled only afterwards
+      float[] sharp = below; // filled later
       System.arraycopy(raw, 0, sharp, 0, stride);
       int count = lens.width();
       float by = 1.0f / (2 * smear + 1);
@@ -84,7 +83,7 @@ final class Development {
       }
     }
 
-    /** Light to pixels. */
+    /** Converts light to pixels. */
     private void fix(int row, float upDown, byte[] picture) {
       float middle = 1.0f - 2.0f * upDown;
       for (int i = 0; i < stride; i++) {
@@ -110,7 +109,7 @@ final class Development {
     side = 0.25f * (float) Math.min(1.0, lens.blurPixels());
     for (int i = 0; i <= TONES; i++) {
       tone[i] =
-          (float) (255.0 * StrictMath.pow((double) i / TONES, GAMMA)) + 0.5f; // to the nearest
+          (float) (255.0 * StrictMath.pow((double) i / TONES, GAMMA)) + 0.5f; // rounds to nearest
     }
     for (int i = 0; i < NOISES; i++) {
       noise[i] = (float) (255.0 * lens.sigma() * random.nextGaussian());
@@ -132,10 +131,10 @@ final class Development {
   }
 
   /**
-   * Before the rows of the next picture are developed.
+   * Prepares the next image.
    *
    * @param light red, green, blue of each pixel, linear
-   * @param turnRad by which the camera yaws while it exposes [rad]
+   * @param turnRad camera yaw during one row's exposure [rad]
    */
   void begin(float[] light, double turnRad) {
     smear = (int) Math.round(0.5 * Math.abs(turnRad) * lens.intrinsics().focalX());

@@ -1,15 +1,15 @@
 package org.u2sa.sim.camera;
 
 /**
- * An upright cylinder with bands of colour: a traffic barrel, a pole.
+ * An upright cylinder with colour bands: a traffic barrel or a pole.
  *
- * @param bands colours from the ground up, of equal height
+ * @param bands band colours from the ground up, equal heights
  */
 record Drum(float x, float y, float bottom, float radius, float height, int[] bands)
     implements Solid {
   private static final int CORNERS = 12;
 
-  /** A traffic barrel: orange with two white bands on a rubber foot. */
+  /** A traffic barrel: orange with two white bands and a rubber base. */
   static Drum barrel(double x, double y, double radius, double height) {
     int o = Colour.ORANGE;
     int w = Colour.WHITE;

@@ -1,11 +1,10 @@
 package org.u2sa.sim.camera;
 
-/** Looks up the lawn where a pixel sees it, over all that the pixel covers. Immutable. */
+/** Samples the lawn over a pixel's footprint. Immutable. */
 final class Ground {
-  private static final float FULL = 255.0f * 256.0f; // of a channel
+  private static final float FULL = 255.0f * 256.0f; // full scale of a channel
   private static final float MIDDLE = 128.0f * 256.0f;
-  private static final float STEEPEST =
-      0.02f; // of a ray's fall, below which it sees to the horizon
+  private static final float STEEPEST = 0.02f; // ray descent below which the pixel sees the horizon
   private static final long CHANNEL = 0xFFFFL;
   private static final long HALVES = 0x7FFF_7FFF_7FFF_7FFFL;
   private static final long QUARTERS = 0x3FFF_3FFF_3FFF_3FFFL;
@@ -27,10 +26,10 @@ final class Ground {
   }
 
   /**
-   * @param t how far along the ray the ground is, in lengths of its direction
-   * @param fall by which a length of the direction comes nearer to the ground, which may slope
-   * @param facing how much of the sun's light it takes by what level ground takes
-   * @param into takes red, green and blue from an index on
+   * @param t distance to the ground along the ray, in lengths of its direction
+   * @param fall approach to the (possibly sloped) ground per length of the direction
+   * @param facing sunlight received, relative to level ground
+   * @param into receives red, green and blue, starting at an index
    */
   void look(
       float x,
@@ -43,7 +42,8 @@ final class Ground {
       float[] into,
       int at) {
     float across = t * perFocal;
-    float along = across / Math.max(STEEPEST, fall); // a pixel's reach along the ground
+    float along =
+        across / Math.max(STEEPEST, fall); // length of the pixel footprint along the ground
     int level = MipMap.level(across * perCell);
     int bladeLevel = MipMap.level(0.5f * (across + along) * perBlade);
     float east = x + t * dx;
@@ -59,7 +59,7 @@ final class Ground {
     into[at + 2] = bright * (seen & CHANNEL);
   }
 
-  /** The mean of one, two or four places in a row, as far apart as the level's cells. */
+  /** Averages one, two or four samples, one cell of the level apart. */
   private long seen(int level, float column, float row, float dx, float dy, float along) {
     float cells = along * perCell / (1 << level);
     MipMap map = lawn.map();

@@ -7,16 +7,16 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.Line;
 
-/** Makes a {@link Lawn}: grass, then paint on it, then shadows. All of it procedural. */
+/** Generates a {@link Lawn} procedurally: grass, then paint, then shadows. */
 final class LawnPainter {
   private static final double CELL_M = 0.02;
   private static final double MARGIN_M = 5.0;
   private static final double LARGEST_M = 120.0;
   private static final int BLADES = 512;
   private static final double BLADE_M = 0.008;
-  private static final double EDGE_M = 0.012; // from full paint to none
+  private static final double EDGE_M = 0.012; // width of the paint's soft edge
   private static final int CLOUD_CELLS = 4;
-  private static final double PENUMBRA_M = 0.03; // from light to full shadow
+  private static final double PENUMBRA_M = 0.03; // width of the shadow's soft edge
 
   private final double westM;
   private final double southM;
@@ -38,7 +38,7 @@ final class LawnPainter {
     grass();
   }
 
-  /** What objects span, with a margin; at least around the origin. */
+  /** Bounding box of the objects and the origin, with a margin. */
   static double[] bounds(List<? extends ObjectDescription> objects) {
     double[] bounds = {0.0, 0.0, 0.0, 0.0};
     for (ObjectDescription object : objects) {
@@ -53,7 +53,7 @@ final class LawnPainter {
     if (bounds[2] - bounds[0] > LARGEST_M || bounds[3] - bounds[1] > LARGEST_M) {
       throw new IllegalArgumentException(
           String.format(
-              "world of %.0f m by %.0f m: a camera's lawn has %.0f m at most",
+              "world of %.0f m by %.0f m: the camera's lawn is limited to %.0f m",
               bounds[2] - bounds[0], bounds[3] - bounds[1], LARGEST_M));
     }
     return new double[] {
@@ -62,7 +62,7 @@ final class LawnPainter {
   }
 
   /**
-   * Patches of other grass and dry spots; the coarse pattern is worked out on every fourth cell.
+   * Patches of different grass and dry spots; the coarse pattern is computed on every fourth cell.
    */
   private void grass() {
     int step = 4;
@@ -88,7 +88,7 @@ final class LawnPainter {
     return red << 16 | green << 8 | blue;
   }
 
-  /** Weathered boards instead of grass, within a convex outline. */
+  /** Paints weathered boards within a convex outline. */
   void boards(double[] outline) {
     double[] hull = hull(outline);
     double[] bounds = bounds(hull);
@@ -107,7 +107,7 @@ final class LawnPainter {
     }
   }
 
-  /** A painted line; worn paint has holes and lets grass through. */
+  /** Paints a line; worn paint has holes that show grass. */
   void line(List<Point> points, double widthM, boolean worn) {
     for (int i = 1; i < points.size(); i++) {
       Point a = points.get(i - 1);
@@ -159,7 +159,7 @@ final class LawnPainter {
     }
   }
 
-  /** Where two strokes overlap the paint is no thinner than either's. */
+  /** Overlapping strokes: the thicker coat wins. */
   private static int brightest(int before, int painted) {
     return (painted >> 8 & 0xFF) > (before >> 8 & 0xFF) ? painted | 0xFF000000 : before;
   }
@@ -173,7 +173,7 @@ final class LawnPainter {
     return Math.max(0.08, Math.min(0.75, holes));
   }
 
-  /** A solid's shadow by the points that it is the hull of. */
+  /** Casts the shadow of a solid, the convex hull of its points. */
   void shadow(double[] points) {
     double[] hull = hull(points);
     double[] bounds = bounds(hull);
@@ -189,7 +189,7 @@ final class LawnPainter {
     }
   }
 
-  /** West, south, east, north of an outline [m]. */
+  /** Bounding box of an outline: west, south, east, north [m]. */
   private static double[] bounds(double[] outline) {
     double[] bounds = {outline[0], outline[1], outline[0], outline[1]};
     for (int i = 0; i < outline.length; i += 2) {
@@ -202,8 +202,8 @@ final class LawnPainter {
   }
 
   /**
-   * Soft shadows of clouds and trees on a share of the ground; worked out at every fourth cell of
-   * every fourth row, and straight between.
+   * Soft shadows of clouds and trees over a share of the ground, computed at every fourth cell and
+   * row and interpolated linearly.
    */
   void clouds(double share) {
     double threshold = 0.55 - share;
@@ -244,7 +244,7 @@ final class LawnPainter {
     cells[at] = cells[at] & 0xFFFFFF | lit << 24;
   }
 
-  /** How far a place is inside a convex outline, anticlockwise [m]; negative outside. */
+  /** Signed distance inside a convex anticlockwise outline [m]; negative outside. */
   private static double insideM(double[] hull, double x, double y) {
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < hull.length; i += 2) {
@@ -279,7 +279,7 @@ final class LawnPainter {
         hull[2 * size + 1] = points[2 * i + 1];
         size++;
       }
-      size--; // the last of one chain is the first of the other
+      size--; // the last point of one chain starts the other
     }
     return Arrays.copyOf(hull, 2 * size);
   }
@@ -328,7 +328,7 @@ final class LawnPainter {
     return new MipMap(pattern, BLADES, BLADES, true);
   }
 
-  /** Noise that repeats, faded between two copies near the seam. */
+  /** Tileable noise, cross-faded at the seam. */
   private double wrapped(double x, double y, int period) {
     double u = Math.max(0.0, (x % period) / period * 8.0 - 7.0);
     double v = Math.max(0.0, (y % period) / period * 8.0 - 7.0);

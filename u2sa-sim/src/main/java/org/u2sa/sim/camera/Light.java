@@ -4,14 +4,14 @@ import java.util.Random;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * The light of a day.
+ * Lighting conditions.
  *
- * @param sunAzimuthRad where the sun stands, clockwise from north [rad]
+ * @param sunAzimuthRad azimuth of the sun, clockwise from north [rad]
  * @param sunElevationRad above the horizon [rad], 0.05…1.5
- * @param sun brightness of sunlit ground by the sun alone; 0 under clouds
- * @param sky brightness of ground in the shade
+ * @param sun direct-sun contribution to ground brightness; 0 when overcast
+ * @param sky brightness of shaded ground
  * @param cloudShadows share of the ground in the shade of clouds and trees, 0…1
- * @param glare of the lens towards the sun, 0 none to 1 blinding
+ * @param glare lens glare towards the sun, 0 none … 1 blinding
  * @param warmth tint: −1 blue to 1 red
  */
 public record Light(
@@ -45,7 +45,7 @@ public record Light(
     return new Light(3.3, 1.1, 0.75, 0.25, 0.0, 0.1, 0.1);
   }
 
-  /** Some day between dull and low sun with trees. */
+  /** Random conditions, from overcast to low sun through trees. */
   public static Light random(Random by) {
     boolean clear = by.nextDouble() < 0.7;
     double sun = clear ? 0.5 + 0.35 * by.nextDouble() : 0.2 * by.nextDouble();

@@ -1,9 +1,9 @@
 package org.u2sa.sim.camera;
 
-/** A picture of the ground in four channels of 8 bits, and the same at halved sizes. Immutable. */
+/** Mip map of a ground texture with four 8-bit channels. Immutable. */
 final class MipMap {
   private static final int LEVELS = 6;
-  private static final int ONE = 256; // weight of a cell hit in its middle
+  private static final int ONE = 256; // weight of a cell sampled at its centre
 
   private final int[][] pixels = new int[LEVELS][];
   private final int[] widths = new int[LEVELS];
@@ -11,7 +11,7 @@ final class MipMap {
   private final boolean tiled;
 
   /**
-   * @param tiled whether it repeats, with sides that are powers of two; otherwise its rim goes on
+   * @param tiled whether it tiles (sides must be powers of two); otherwise the edge is clamped
    */
   MipMap(int[] finest, int width, int height, boolean tiled) {
     this.tiled = tiled;
@@ -55,17 +55,17 @@ final class MipMap {
     return mean;
   }
 
-  /** The level whose cells are so many of the finest ones wide. */
+  /** Level whose cells span this many finest cells. */
   static int level(float cells) {
     int level = cells <= 1.0f ? 0 : Math.getExponent(cells);
     return Math.min(LEVELS - 1, level);
   }
 
   /**
-   * What is at a place, between the four nearest cells: four channels of 16 bits, each 0…255 times
-   * 256. From the lowest bits up: lowest eight bits of a cell, its third, its second, its highest.
+   * Bilinear sample: four 16-bit channels, each 0…255 times 256. From the lowest bits up: bits 0–7,
+   * 16–23, 8–15 and 24–31 of a cell.
    *
-   * @param x in cells of the finest level, from the middle of the first
+   * @param x in cells of the finest level, from the centre of the first
    */
   long at(int level, float x, float y) {
     float scale = 1.0f / (1 << level);

@@ -2,7 +2,7 @@ package org.u2sa.sim.camera;
 
 import org.u2sa.device.CameraFrame.Intrinsics;
 
-/** The direction that each pixel sees: to the right and down for each length ahead. Immutable. */
+/** Viewing direction of each pixel: right and down per unit ahead. Immutable. */
 final class RayTable {
   private static final int ROUNDS = 20;
 

@@ -6,29 +6,28 @@ import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Renders what a camera on a vehicle sees, a ray a pixel, each row at its own moment; then lens and
- * sensor do their harm ({@link Development}). Bands of rows are shared out to all cores, each with
- * memory of its own: the picture is the same on any number of them. Buffers are reused; pictures
- * are for one thread to ask for.
+ * Renders the view of a vehicle's camera with one ray per pixel and a rolling shutter, then applies
+ * lens and sensor effects ({@link Development}). Bands of rows run on all cores with separate
+ * buffers, so the image does not depend on their number. Buffers are reused; not thread-safe.
  */
 public final class Renderer {
-  private static final float TREES = 0.2f; // higher above the horizon there are none
+  private static final float TREES = 0.2f; // elevation above which there are no trees
   private static final float GLARE = 2.2f;
   private static final int BANDS = 8;
 
   private final ColourLens lens;
   private final Scenery scenery;
   private final RayTable rays;
-  private final float[] light; // red, green, blue of each pixel, linear
+  private final float[] light; // linear red, green, blue per pixel
   private final float[] depth;
-  private final CameraPose[] poses; // of each row
+  private final CameraPose[] poses; // one per row
   private final CameraPose middle;
-  private final int[] boxes; // left, top, right, bottom of each solid in the picture
+  private final int[] boxes; // image bounding box of each solid: left, top, right, bottom
   private final Ground ground;
   private final Development development;
   private final Development.Bath[] baths = new Development.Bath[BANDS];
 
-  /** Takes the stream {@code camera}. */
+  /** Uses the random stream {@code camera}. */
   public Renderer(ColourLens lens, Scenery scenery, NoiseStreams streams) {
     this.lens = lens;
     this.scenery = scenery;
@@ -45,9 +44,9 @@ public final class Renderer {
   }
 
   /**
-   * Takes a picture.
+   * Renders an image.
    *
-   * @return width × height × 3 bytes, red, green and blue, row by row; new for each picture
+   * @return width × height × 3 bytes, RGB, row by row; a new array each time
    */
   public byte[] picture(VehicleTruth truth) {
     middle.at(truth, 0.5 * lens.readoutS());
@@ -130,7 +129,7 @@ public final class Renderer {
     light[to + 2] = bright;
   }
 
-  /** Light that scatters in the lens: more, the nearer the sun. */
+  /** Lens flare: increases toward the sun. */
   private void veil(float dx, float dy, float dz, int to) {
     float[] sun = scenery.sun;
     float dot = dx * sun[0] + dy * sun[1] + dz * sun[2];
@@ -146,7 +145,7 @@ public final class Renderer {
     }
   }
 
-  /** Which part of the picture a solid is in; none if it is behind the camera. */
+  /** Image bounding box of a solid; empty if it is behind the camera. */
   private void box(Solid solid, VehicleTruth truth, int into) {
     float[] column = solid.column();
     float x = column[0] - middle.x;
@@ -181,15 +180,13 @@ public final class Renderer {
     boxes[into + 3] = bottom;
   }
 
-  /**
-   * How far a column reaches from its middle along an axis of the camera, and a little more [m].
-   */
+  /** Conservative half-extent of a column along a camera axis [m]. */
   private static float reach(float[] column, float[] axis) {
     float level = (float) Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1]);
     return 1.1f * (column[3] * level + column[4] * Math.abs(axis[2])) + 0.05f;
   }
 
-  /** The least that a side of a column may be seen at, by its nearest or farthest distance. */
+  /** Minimum image coordinate of a column's side, from its nearest or farthest distance. */
   private static float least(float side, float near, float ahead) {
     return Math.min(side / near, side / (2.0f * ahead - near));
   }

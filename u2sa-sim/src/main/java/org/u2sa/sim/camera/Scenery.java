@@ -10,12 +10,12 @@ import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.world.Ramp;
 
 /**
- * All that a camera sees of a world, as it looks on one day: a lawn with paint on it, solids and
- * their shadows. Types of objects decide how they look: {@code white line} and {@code worn line}
- * (PolyLine), {@code pothole} (Circle: a white disc of paint), {@code barrel}, {@code red flag} and
- * {@code blue flag} (Cylinder), {@code sawhorse} (Box), {@code ramp} (PolyLine: its profile along
- * its middle); other cylinders and boxes are grey. What has another type and no volume is not seen.
- * Immutable: cameras may share it.
+ * Visual model of a world: painted lawn, solids and shadows. An object's type determines its
+ * appearance: {@code white line} and {@code worn line} (PolyLine), {@code pothole} (Circle: a white
+ * disc of paint), {@code barrel}, {@code red flag} and {@code blue flag} (Cylinder), {@code
+ * sawhorse} (Box), {@code ramp} (PolyLine: its profile along its centre line); other cylinders and
+ * boxes are grey. Other objects without volume are invisible. Immutable and shareable between
+ * cameras.
  */
 public final class Scenery {
   /** Freshly painted. */
@@ -49,12 +49,12 @@ public final class Scenery {
   final Lawn lawn;
   final List<Solid> solids;
   final Light light;
-  final float[] sun; // unit vector towards it, east, north, up
-  private final float[] skyline; // slope to the top of the trees around, by {@link #turn}
+  final float[] sun; // unit vector toward the sun: east, north, up
+  private final float[] skyline; // slope to the tree tops all around, indexed by {@link #turn}
 
   /**
    * @param objects in LOCAL_ENU
-   * @param seed of grass, wear and trees
+   * @param seed random seed of grass, wear and trees
    */
   public Scenery(List<? extends ObjectDescription> objects, Light light, long seed) {
     this.light = light;
@@ -106,7 +106,7 @@ public final class Scenery {
     return slopes;
   }
 
-  /** The unit vector of a turn. */
+  /** Unit vector of a pseudo-angle. */
   private static double[] way(double turn) {
     double x = Math.abs(turn - 2.0) - 1.0;
     double y = (turn < 2.0 ? 1.0 : -1.0) * (1.0 - Math.abs(x));
@@ -114,16 +114,13 @@ public final class Scenery {
     return new double[] {x / length, y / length};
   }
 
-  /**
-   * Which way a vector points, by its place on a diamond: 0 to 4, grows as its angle does and costs
-   * less.
-   */
+  /** Pseudo-angle of a vector (diamond angle), 0 to 4: monotonic in the angle but cheaper. */
   private static float turn(float x, float y) {
     float part = x / (Math.abs(x) + Math.abs(y));
     return y >= 0.0f ? 1.0f - part : 3.0f + part;
   }
 
-  /** How high the trees stand in a direction: slope of the way to their tops. */
+  /** Tree-line elevation in a direction, as a slope. */
   float treesUp(float east, float north) {
     int place = (int) (turn(east, north) * (SKYLINE / FULL_TURN));
     return skyline[Math.max(0, Math.min(SKYLINE - 1, place))];
@@ -153,7 +150,7 @@ public final class Scenery {
 
   private static void flag(float x, float y, float height, int colour, List<Solid> solids) {
     solids.add(new Drum(x, y, 0.0f, 0.012f, height, new int[] {Colour.STEEL}));
-    float turn = 2.4f * x + 1.7f * y; // the wind does not ask
+    float turn = 2.4f * x + 1.7f * y; // arbitrary direction across the lawn
     float cos = (float) StrictMath.cos(turn);
     float sin = (float) StrictMath.sin(turn);
     float half = 0.16f;

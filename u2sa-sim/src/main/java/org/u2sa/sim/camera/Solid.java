@@ -1,32 +1,26 @@
 package org.u2sa.sim.camera;
 
-/**
- * Something that stands on the ground, as a camera's rays meet it. World axes: east, north, up [m].
- */
+/** A solid on the ground for ray casting. World axes: east, north, up [m]. */
 interface Solid {
-  /** Where a ray meets it. Reused from ray to ray. */
+  /** Intersection of a ray with a solid. Mutable and reused. */
   final class Touch {
     int colour;
-    float nx; // of the surface, outwards
+    float nx; // outward surface normal
     float ny;
     float nz;
-    boolean isGround; // its colour is that of the lawn's map there
+    boolean isGround; // coloured by the lawn map
   }
 
-  /**
-   * An upright column around it: its middle east, north and up, its radius, half its height [m].
-   */
+  /** Bounding column: centre east, north and up, radius, half height [m]. */
   float[] column();
 
   /**
-   * Distance along a ray to it, in lengths of its direction; infinite if they do not meet.
+   * Distance along a ray, in lengths of its direction; infinite for a miss.
    *
-   * @param touch takes what is there
+   * @param touch receives the intersection
    */
   float meets(float x, float y, float z, float dx, float dy, float dz, Touch touch);
 
-  /**
-   * What it hides of the sun: an outline on the ground, x and y in turn, convex; empty: nothing.
-   */
+  /** Convex shadow outline on the ground, alternating x and y; empty for none. */
   double[] shadow(double sunX, double sunY, double sunZ);
 }

@@ -1,6 +1,6 @@
 package org.u2sa.sim.camera;
 
-/** Smooth noise of a plane, −1…1, the same for the same seed and place (Perlin's lattice, 1985). */
+/** Smooth 2-D lattice noise, −1…1, reproducible per seed and position (Perlin 1985). */
 final class ValueNoise {
   private final int seed;
 
@@ -8,7 +8,7 @@ final class ValueNoise {
     this.seed = (int) (seed ^ seed >>> 32);
   }
 
-  /** At a place in cells of the lattice. */
+  /** Value at a position in lattice cells. */
   double at(double x, double y) {
     int column = (int) Math.floor(x);
     int row = (int) Math.floor(y);
@@ -20,7 +20,7 @@ final class ValueNoise {
     return top + v * (low - top);
   }
 
-  /** The sum of octaves, each twice as fine and half as strong, about −1…1. */
+  /** Fractal sum of octaves, each twice the frequency and half the amplitude, about −1…1. */
   double fractal(double x, double y, int octaves) {
     double sum = 0.0;
     double strength = 0.5;
@@ -41,7 +41,7 @@ final class ValueNoise {
     return (mix(column * 0x1F1F1F1F ^ row * 0x5BD1E995 ^ seed) & 0xFFFF) / 32767.5 - 1.0;
   }
 
-  /** A well-mixed number of a number (finaliser of MurmurHash3, Appleby 2011). */
+  /** Integer hash (finaliser of MurmurHash3, Appleby 2011). */
   static int mix(int value) {
     int h = value ^ value >>> 16;
     h *= 0x85EBCA6B;

@@ -1,5 +1,5 @@
 /**
- * What a colour camera sees of a world: grass, paint, solids and light, rendered in software. The
- * device itself is in {@code device}; which things stand where belongs to the world.
+ * Software rendering of a world for colour cameras: grass, paint, solids and light. The device
+ * itself is in {@code device}; object placement belongs to the world.
  */
 package org.u2sa.sim.camera;

@@ -4,24 +4,24 @@ import java.util.Random;
 import org.u2sa.device.Device;
 import org.u2sa.sim.sensor.NoiseStreams;
 
-/** A device with {@link SensorErrors}. */
+/** A simulated device with {@link SensorErrors}. */
 public abstract class NoisyDevice<R extends Device.Reading> extends SimulatedDevice<R> {
   private final SensorErrors errors;
   private final Random noise;
 
-  /** Takes the stream {@code name}. */
+  /** Uses the random stream {@code name}. */
   NoisyDevice(SensorErrors errors, NoiseStreams streams, String name) {
     super(errors.rateHz(), errors.latencyS());
     this.errors = errors;
     noise = streams.of(name);
   }
 
-  /** A bias of one of its numbers, to be drawn once. */
+  /** Draws a constant bias for one quantity. */
   final double bias() {
     return errors.biasSigma() * noise.nextGaussian();
   }
 
-  /** A number with noise. */
+  /** Adds white noise to a value. */
   final double noisy(double exact) {
     return exact + errors.sigma() * noise.nextGaussian();
   }

@@ -3,13 +3,13 @@ package org.u2sa.sim.device;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * What is wrong with a simulated sensor of one kind of number, in that number's unit.
+ * Error model of one measured quantity, in that quantity's unit.
  *
- * @param rateHz readings a second
+ * @param rateHz readings per second
  * @param latencyS from a measurement to its arrival [s]
  * @param sigma standard deviation of each reading's white noise
- * @param biasSigma standard deviation of the bias, drawn once
- * @param lost share of readings that never arrive, 0…1
+ * @param biasSigma standard deviation of the constant bias, drawn once
+ * @param lost share of readings lost, 0…1
  */
 public record SensorErrors(
     double rateHz, double latencyS, double sigma, double biasSigma, double lost) {
@@ -23,30 +23,27 @@ public record SensorErrors(
     Arguments.requireInside("share of lost readings", lost, 0.0, 1.0);
   }
 
-  /** Bosch's BMP388 by its data sheet: 3 Pa of noise, ±50 Pa of absolute accuracy. */
+  /** Bosch BMP388, data sheet: 3 Pa noise, ±50 Pa absolute accuracy. */
   public static SensorErrors barometer() {
     return new SensorErrors(20.0, 0.02, 3.0, 25.0, 0.0);
   }
 
-  /** Blue Robotics' Bar30 (MS5837-30BA): 20 Pa of resolution, some 5 kPa of absolute accuracy. */
+  /** Blue Robotics Bar30 (MS5837-30BA): 20 Pa resolution, about 5 kPa absolute accuracy. */
   public static SensorErrors depthGauge() {
     return new SensorErrors(10.0, 0.02, 20.0, 1_000.0, 0.0);
   }
 
-  /** A differential sensor such as MS4525DO, zeroed before the start: 3 Pa of noise [Pa]. */
+  /** Differential pressure sensor such as the MS4525DO, zeroed before start: 3 Pa noise. */
   public static SensorErrors pitotTube() {
     return new SensorErrors(20.0, 0.02, 3.0, 2.0, 0.0);
   }
 
-  /**
-   * Others' positions by ADS-B, of category NACp 9 (30 m in 95 %), with a tenth of the reports lost
-   * [m].
-   */
+  /** ADS-B position reports of category NACp 9 (30 m, 95 %), with 10 % of reports lost [m]. */
   public static SensorErrors transponder() {
     return new SensorErrors(1.0, 0.2, 12.0, 0.0, 0.1);
   }
 
-  /** A small Doppler log: 1 cm/s of noise, a tenth of the readings lost [m/s]. */
+  /** A small Doppler velocity log: 1 cm/s noise, 10 % of readings lost [m/s]. */
   public static SensorErrors velocityLog() {
     return new SensorErrors(5.0, 0.1, 0.01, 0.002, 0.1);
   }

@@ -7,18 +7,18 @@ import org.u2sa.device.Pressure;
 import org.u2sa.device.PressureAltitude;
 import org.u2sa.sim.sensor.NoiseStreams;
 
-/** A barometer in the standard atmosphere, moved by the weather. */
+/** A barometer in the standard atmosphere, offset by the day's sea-level pressure. */
 public final class SimulatedBarometer extends NoisyDevice<Pressure> implements Barometer {
   private final double biasPa;
   private final double qnhPa;
   private final DoubleSupplier altitudeM;
 
   /**
-   * Takes the stream {@code barometer}.
+   * Uses the random stream {@code barometer}.
    *
    * @param errors in Pa
-   * @param qnhPa pressure at sea level today [Pa]
-   * @param altitudeM above mean sea level, now [m]
+   * @param qnhPa pressure at sea level [Pa]
+   * @param altitudeM current altitude above mean sea level [m]
    */
   public SimulatedBarometer(
       SensorErrors errors, double qnhPa, NoiseStreams streams, DoubleSupplier altitudeM) {

@@ -13,7 +13,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
 
-/** A pinhole camera in shades of grey with noise in each pixel. */
+/** A greyscale pinhole camera with pixel noise. */
 public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implements Camera {
   private static final double WHITE = 255.0;
   private static final double SKY = 0.9;
@@ -25,25 +25,25 @@ public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implemen
   private final Supplier<Scene> scene;
   private final Random noise;
 
-  /** What a camera sees at one moment. */
+  /** The scene in front of a camera at one moment. */
   @FunctionalInterface
   public interface Scene {
     /**
-     * How bright it is in a direction, 0 black to 1 white.
+     * Brightness in a direction, 0 black … 1 white.
      *
-     * @param direction of length 1 along the camera's axes: x ahead, y right, z down
+     * @param direction unit vector in camera axes: x ahead, y right, z down
      */
     double brightness(Point direction);
   }
 
   /**
-   * How it is built.
+   * Camera parameters.
    *
-   * @param rateHz frames a second
-   * @param width pixels of a row
-   * @param height rows
-   * @param viewRad angle from the left edge to the right one [rad]
-   * @param sigma standard deviation of a pixel's brightness, of white
+   * @param rateHz frames per second
+   * @param width image width [px]
+   * @param height image height [px]
+   * @param viewRad horizontal field of view [rad]
+   * @param sigma standard deviation of a pixel's brightness, relative to white
    */
   public record Lens(double rateHz, int width, int height, double viewRad, double sigma) {
     /**
@@ -56,7 +56,7 @@ public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implemen
       Arguments.requireInside("noise of a pixel", sigma, 0.0, 1.0);
     }
 
-    /** Pixels are square, the axis is in the middle. */
+    /** Intrinsics with square pixels and a centred principal point. */
     Intrinsics intrinsics() {
       double focal = 0.5 * width / StrictMath.tan(0.5 * viewRad);
       return new Intrinsics(focal, focal, 0.5 * (width - 1), 0.5 * (height - 1));
@@ -64,9 +64,9 @@ public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implemen
   }
 
   /**
-   * Takes the stream {@code camera}.
+   * Uses the random stream {@code camera}.
    *
-   * @param scene before the camera, now
+   * @param scene supplies the current scene
    */
   public SimulatedCamera(Lens lens, NoiseStreams streams, Supplier<Scene> scene) {
     super(lens.rateHz(), 0.0);
@@ -77,10 +77,9 @@ public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implemen
   }
 
   /**
-   * What a camera at a vehicle's reference point sees straight ahead: bright sky, grey ground, dark
-   * obstacles.
+   * Scene straight ahead of a vehicle's reference point: bright sky, grey ground, dark obstacles.
    *
-   * @param rangeM beyond which there is only sky [m]
+   * @param rangeM visibility range; only sky beyond it [m]
    */
   public static Scene ahead(World world, VehicleTruth truth, double rangeM) {
     return direction -> {

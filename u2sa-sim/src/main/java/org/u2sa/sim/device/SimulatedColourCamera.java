@@ -10,16 +10,16 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** A camera whose pictures are rendered, in RGB24. */
+/** A camera with rendered RGB24 images. */
 public final class SimulatedColourCamera extends SimulatedDevice<CameraFrame> implements Camera {
   private final ColourLens lens;
   private final Renderer renderer;
   private final Supplier<VehicleTruth> truth;
 
   /**
-   * Takes the stream {@code camera}.
+   * Uses the random stream {@code camera}.
    *
-   * @param truth of the camera's vehicle, now
+   * @param truth current state of the camera's vehicle
    */
   public SimulatedColourCamera(
       ColourLens lens, Scenery scenery, NoiseStreams streams, Supplier<VehicleTruth> truth) {

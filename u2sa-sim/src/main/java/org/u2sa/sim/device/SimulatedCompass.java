@@ -15,8 +15,8 @@ public final class SimulatedCompass extends SimulatedDevice<Heading> implements 
   private final Supplier<CompassModel.Disturbance> field;
 
   /**
-   * @param truth of the compass's vehicle, now
-   * @param field what disturbs the compass, now
+   * @param truth current state of the compass's vehicle
+   * @param field current magnetic disturbance
    */
   public SimulatedCompass(
       CompassParameters parameters,

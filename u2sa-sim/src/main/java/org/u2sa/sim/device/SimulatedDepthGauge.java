@@ -8,7 +8,7 @@ import org.u2sa.device.PressureAltitude;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.sensor.NoiseStreams;
 
-/** A pressure sensor in water at rest. */
+/** A pressure sensor in still water. */
 public final class SimulatedDepthGauge extends NoisyDevice<Pressure> implements DepthGauge {
   private static final double WATER_K = 288.15;
 
@@ -17,11 +17,11 @@ public final class SimulatedDepthGauge extends NoisyDevice<Pressure> implements 
   private final DoubleSupplier depthM;
 
   /**
-   * Takes the stream {@code depth gauge}.
+   * Uses the random stream {@code depth gauge}.
    *
    * @param errors in Pa
-   * @param densityKgPerM3 of the water [kg/m³]
-   * @param depthM below the surface, now [m]; above it there is air
+   * @param densityKgPerM3 water density [kg/m³]
+   * @param depthM current depth below the surface [m]; negative is in air
    */
   public SimulatedDepthGauge(
       SensorErrors errors, double densityKgPerM3, NoiseStreams streams, DoubleSupplier depthM) {

@@ -7,8 +7,8 @@ import org.u2sa.device.Device;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A device that measures the truth at its own rate and can be unplugged. The truth is asked for on
- * the thread that reads; {@link #plug} may come from any.
+ * A device that samples the truth at its own rate and can be unplugged. The truth is sampled on the
+ * reading thread; {@link #plug} may be called from any thread.
  */
 public abstract class SimulatedDevice<R extends Device.Reading> implements Device<R> {
   private static final double MICROS_PER_S = 1e6;
@@ -25,8 +25,8 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
   private volatile int connections = 1;
 
   /**
-   * @param latencyS from a measurement to its arrival [s]; the reading has the time of arrival, as
-   *     those of real devices
+   * @param latencyS from a measurement to its arrival [s]; as with real devices, the reading
+   *     carries its arrival time
    */
   SimulatedDevice(double rateHz, double latencyS) {
     Arguments.requireInside("rate of a device", rateHz, 0.1, 10_000.0);
@@ -35,22 +35,22 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
   }
 
   /**
-   * Measures.
+   * Takes a measurement.
    *
-   * @param timeS since the first reading [s], more than at the last call
-   * @param measuredAtMicros for the reading [µs of the run's clock]
+   * @param timeS time since the first reading [s], strictly increasing
+   * @param measuredAtMicros timestamp of the reading [µs, run's clock]
    */
   abstract R measure(double timeS, long measuredAtMicros);
 
-  /** Whether the measurement that is due gets lost. */
+  /** Whether the next measurement is lost. */
   boolean isDropped() {
     return false;
   }
 
-  /** Hears from its service: at each read while it is plugged in. */
+  /** Called at each read while the device is plugged in. */
   void tell(long nowMicros) {}
 
-  /** Whether a reading outlives the loss of the device. */
+  /** Whether the last reading is kept after the device is unplugged. */
   boolean outlivesLoss() {
     return true;
   }
@@ -78,7 +78,7 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
     return latest;
   }
 
-  /** Plugs the device in or pulls it out. */
+  /** Plugs the device in or unplugs it. */
   public final synchronized void plug(boolean in) {
     connections += in && !isPlugged ? 1 : 0;
     isPlugged = in;

@@ -5,7 +5,7 @@ import org.u2sa.device.WheelEncoder;
 import org.u2sa.sim.sensor.EncoderModel;
 import org.u2sa.sim.sensor.NoiseStreams;
 
-/** Encoders at two wheels, with whole and missed counts. */
+/** Two wheel encoders with quantisation and missed counts. */
 public final class SimulatedEncoder extends SimulatedDevice<WheelEncoder.Ticks>
     implements WheelEncoder {
   private final EncoderModel left;
@@ -14,13 +14,13 @@ public final class SimulatedEncoder extends SimulatedDevice<WheelEncoder.Ticks>
   private final DoubleSupplier rightRad;
 
   /**
-   * Takes the streams {@code left ticks} and {@code right ticks}.
+   * Uses the random streams {@code left ticks} and {@code right ticks}.
    *
-   * @param rateHz readings a second
-   * @param countsPerTurn of each wheel
-   * @param missed share of counts that get lost, 0…1
-   * @param leftRad by which the left wheel has turned forward since the start, now [rad]
-   * @param rightRad by which the right wheel has turned forward since the start, now [rad]
+   * @param rateHz readings per second
+   * @param countsPerTurn counts per wheel revolution
+   * @param missed share of counts lost, 0…1
+   * @param leftRad current forward rotation of the left wheel since the start [rad]
+   * @param rightRad current forward rotation of the right wheel since the start [rad]
    */
   public SimulatedEncoder(
       double rateHz,

@@ -19,8 +19,8 @@ public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsRe
   private final BooleanSupplier blocked;
 
   /**
-   * @param truth of the receiver's vehicle, now
-   * @param blocked whether something keeps the satellites from being seen, now
+   * @param truth current state of the receiver's vehicle
+   * @param blocked whether the sky is currently blocked
    */
   public SimulatedGps(
       GpsParameters parameters,

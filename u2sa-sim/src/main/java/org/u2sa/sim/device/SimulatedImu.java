@@ -11,7 +11,7 @@ import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** An IMU with white noise, and gyroscopes and accelerometers with a constant bias. */
+/** An IMU with white noise and constant gyroscope and accelerometer biases. */
 public final class SimulatedImu extends SimulatedDevice<Orientation> implements Imu {
   private final Errors errors;
   private final Supplier<Orientation> truth;
@@ -20,15 +20,15 @@ public final class SimulatedImu extends SimulatedDevice<Orientation> implements 
   private final double[] biasMps2 = new double[3];
 
   /**
-   * How good it is; standard deviations.
+   * Error parameters, as standard deviations.
    *
-   * @param rateHz readings a second
-   * @param attitudeRad of roll and pitch [rad]
-   * @param headingRad of the heading [rad]
-   * @param rateRadPerS of each reading's rates [rad/s]
-   * @param biasRadPerS of the gyroscopes' biases, drawn once [rad/s]
-   * @param forceMps2 of each reading's specific forces [m/s²]
-   * @param biasMps2 of the accelerometers' biases, drawn once [m/s²]
+   * @param rateHz readings per second
+   * @param attitudeRad roll and pitch error [rad]
+   * @param headingRad heading error [rad]
+   * @param rateRadPerS angular-rate noise per reading [rad/s]
+   * @param biasRadPerS gyroscope bias, drawn once [rad/s]
+   * @param forceMps2 specific-force noise per reading [m/s²]
+   * @param biasMps2 accelerometer bias, drawn once [m/s²]
    */
   public record Errors(
       double rateHz,
@@ -39,8 +39,8 @@ public final class SimulatedImu extends SimulatedDevice<Orientation> implements 
       double forceMps2,
       double biasMps2) {
     /**
-     * VectorNav's VN-100 by its data sheet: 0.5° roll and pitch, 2° magnetic heading, 0.0035
-     * °/s/√Hz and 0.14 mg/√Hz over 40 Hz; 10°/h and 0.04 mg of bias.
+     * VectorNav VN-100, data sheet: 0.5° roll and pitch, 2° magnetic heading, 0.0035 °/s/√Hz and
+     * 0.14 mg/√Hz over 40 Hz; 10°/h and 0.04 mg of bias.
      */
     public static Errors vn100() {
       return new Errors(40.0, 8.7e-3, 3.5e-2, 2.8e-4, 4.8e-5, 6.1e-3, 4e-4);
@@ -48,10 +48,9 @@ public final class SimulatedImu extends SimulatedDevice<Orientation> implements 
   }
 
   /**
-   * Takes the stream {@code imu}.
+   * Uses the random stream {@code imu}.
    *
-   * @param truth what an IMU without errors would read now; its heading decides whether north is
-   *     true north
+   * @param truth current reading of an ideal IMU; its heading is true or magnetic, as supplied
    */
   public SimulatedImu(Errors errors, NoiseStreams streams, Supplier<Orientation> truth) {
     super(errors.rateHz(), 0.0);
@@ -68,7 +67,7 @@ public final class SimulatedImu extends SimulatedDevice<Orientation> implements 
     }
   }
 
-  /** What an IMU without errors, at a vehicle's reference point, would read now; to true north. */
+  /** Reading of an ideal IMU at a vehicle's reference point, relative to true north. */
   public static Orientation readingOf(VehicleTruth truth) {
     return new Orientation(
         0,

@@ -10,13 +10,14 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.sensor.NoiseStreams;
 
-/** A scanning laser whose beams all go out at one moment. */
+/** A lidar whose beams of one scan are simultaneous. */
 public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
     implements LaserScanner {
-  private static final double EDGE_M = 0.2; // between neighbouring beams
+  private static final double EDGE_M =
+      0.2; // range step between neighbouring beams that counts as an edge
 
   private final Optics optics;
-  private final double[] cosines; // of the beams' directions, which are the same in every scan
+  private final double[] cosines; // cosines of the beam directions, fixed for all scans
   private final double[] sines;
   private final Supplier<Sight> view;
   private final Random noise;
@@ -24,15 +25,15 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   private final Random faulty;
 
   /**
-   * What it sees.
+   * Scan parameters.
    *
-   * @param rateHz scans a second
-   * @param firstRad direction of the first beam, to the left positive [rad]
-   * @param stepRad from each beam to the next [rad]
-   * @param beams of a scan
-   * @param nearestM least distance [m]
-   * @param farthestM reach [m]
-   * @param sigmaM standard deviation of a distance [m]
+   * @param rateHz scans per second
+   * @param firstRad direction of the first beam, left positive [rad]
+   * @param stepRad angle between beams [rad]
+   * @param beams beams per scan
+   * @param nearestM minimum range [m]
+   * @param farthestM maximum range [m]
+   * @param sigmaM standard deviation of a range [m]
    */
   public record Optics(
       double rateHz,
@@ -42,20 +43,20 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
       double nearestM,
       double farthestM,
       double sigmaM) {
-    /** Hokuyo UST-10LX by its data sheet: 270° in steps of 0.25°, 40 Hz, 0.06…10 m, σ 30 mm. */
+    /** Hokuyo UST-10LX, data sheet: 270° at 0.25°, 40 Hz, 0.06…10 m, σ 30 mm. */
     public static Optics ust10lx() {
       double stepRad = Math.toRadians(0.25);
       return new Optics(40.0, -540 * stepRad, stepRad, 1081, 0.06, 10.0, 0.03);
     }
   }
 
-  /** What it sees from where it is at one moment. */
+  /** The surroundings as seen from the sensor at one moment. */
   @FunctionalInterface
   public interface Sight {
     /**
-     * The distance to the nearest thing in a direction; infinite if there is none [m].
+     * Range to the nearest object in a direction [m]; infinite if there is none.
      *
-     * @param angleRad to the left positive [rad]
+     * @param angleRad left positive [rad]
      * @param cos of that angle
      * @param sin of that angle
      */
@@ -63,12 +64,12 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   }
 
   /**
-   * What goes wrong with single beams.
+   * Faults of single beams.
    *
-   * @param dropOut share of echoes that are lost, 0…1: dark or smooth surfaces
-   * @param mixed share of the beams at an edge that hit both what is before and what is behind it,
-   *     0…1: they measure a distance between (Tuley, Vandapel, Hebert: Analysis and Removal of
-   *     Artifacts in 3-D LADAR Data, ICRA 2005)
+   * @param dropOut share of lost echoes, 0…1, as from dark or smooth surfaces
+   * @param mixed share of beams at an edge that hit both foreground and background, 0…1, and
+   *     measure a range in between (Tuley, Vandapel, Hebert: Analysis and Removal of Artifacts in
+   *     3-D LADAR Data, ICRA 2005)
    */
   public record Faults(double dropOut, double mixed) {
     /** None. */
@@ -84,7 +85,7 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   }
 
   /**
-   * Without faults; takes the stream {@code laser}.
+   * A lidar without faults; uses the random stream {@code laser}.
    *
    * @param view what it sees from where it is now
    */
@@ -93,7 +94,7 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   }
 
   /**
-   * Takes the streams {@code laser} and {@code laser faults}.
+   * Uses the random streams {@code laser} and {@code laser faults}.
    *
    * @param view what it sees from where it is now
    */
@@ -140,7 +141,7 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
     return new Scan(measuredAtMicros, scan);
   }
 
-  /** What a beam measures without noise: at an edge perhaps something between both sides. */
+  /** Noise-free range of a beam; at an edge possibly a mixed range. */
   private double mixed(double[] seen, int beam) {
     double here = seen[beam];
     double next = seen[Math.min(beam + 1, seen.length - 1)];

@@ -9,8 +9,8 @@ import org.u2sa.sim.sensor.EncoderModel;
 import org.u2sa.sim.sensor.NoiseStreams;
 
 /**
- * A controller of a differential vehicle's two motors, the left one being the first, with encoders
- * at the wheels.
+ * A two-channel motor controller of a differential-drive vehicle with wheel encoders; the first
+ * channel is the left motor.
  */
 public final class SimulatedMotors extends SimulatedDevice<MotorController.Counts>
     implements MotorController {
@@ -27,11 +27,11 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
   private record Told(DriveCommand command, long untilMicros) {}
 
   /**
-   * Takes the streams {@code left encoder} and {@code right encoder}.
+   * Uses the random streams {@code left encoder} and {@code right encoder}.
    *
-   * @param countsPerTurn of each wheel
-   * @param timeoutS after which the motors stop without being told to go on [s]
-   * @param truth of the vehicle, now
+   * @param countsPerTurn counts per wheel revolution
+   * @param timeoutS command time-out, after which the motors stop [s]
+   * @param truth current state of the vehicle
    */
   public SimulatedMotors(
       double countsPerTurn, double timeoutS, NoiseStreams streams, Supplier<GroundState> truth) {
@@ -42,7 +42,7 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
     timeoutMicros = Math.round(timeoutS * 1e6);
   }
 
-  /** What the motors get at a moment of the run's clock [µs]. Safe from any thread. */
+  /** Motor commands in effect at a time of the run's clock [µs]. Thread-safe. */
   public DriveCommand command(long nowMicros) {
     Told now = told;
     return nowMicros <= now.untilMicros ? now.command : DriveCommand.neutral();
@@ -83,7 +83,7 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
 
   @Override
   public void leave() {
-    // the motors turn on until the time-out
+    // the motors keep running until the time-out
   }
 
   @Override

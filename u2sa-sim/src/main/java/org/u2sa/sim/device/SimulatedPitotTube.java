@@ -9,7 +9,7 @@ import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** A pitot tube that points forward; air from behind does not reach it. */
+/** A forward-facing pitot tube; reverse flow reads zero. */
 public final class SimulatedPitotTube extends NoisyDevice<PitotTube.Impact> implements PitotTube {
   private final double biasPa;
   private final Supplier<VehicleTruth> truth;
@@ -17,12 +17,12 @@ public final class SimulatedPitotTube extends NoisyDevice<PitotTube.Impact> impl
   private final DoubleSupplier altitudeM;
 
   /**
-   * Takes the stream {@code pitot tube}.
+   * Uses the random stream {@code pitot tube}.
    *
-   * @param errors in Pa, of the difference
-   * @param truth of the vehicle, now
-   * @param wind where the air goes to: east, north, up, now [m/s]
-   * @param altitudeM above mean sea level, now [m]
+   * @param errors errors of the differential pressure [Pa]
+   * @param truth current state of the vehicle
+   * @param wind current air velocity: east, north, up [m/s]
+   * @param altitudeM current altitude above mean sea level [m]
    */
   public SimulatedPitotTube(
       SensorErrors errors,

@@ -6,7 +6,7 @@ import java.util.function.DoubleSupplier;
 import org.u2sa.device.RangeFinder;
 import org.u2sa.sim.sensor.NoiseStreams;
 
-/** A range finder with one beam and white noise, such as a sonar. */
+/** A single-beam range finder with white noise, such as an ultrasonic sensor. */
 public final class SimulatedRangeFinder extends SimulatedDevice<RangeFinder.Distance>
     implements RangeFinder {
   private final double farthestM;
@@ -15,12 +15,12 @@ public final class SimulatedRangeFinder extends SimulatedDevice<RangeFinder.Dist
   private final Random noise;
 
   /**
-   * Takes the stream {@code name}.
+   * Uses the random stream {@code name}.
    *
-   * @param rateHz measurements a second
-   * @param farthestM reach [m]
-   * @param sigmaM standard deviation of a distance [m]
-   * @param distance to the nearest thing in the beam, now [m]; infinite if there is none
+   * @param rateHz measurements per second
+   * @param farthestM maximum range [m]
+   * @param sigmaM standard deviation of a range [m]
+   * @param distance current range to the nearest object in the beam [m]; infinite if there is none
    */
   public SimulatedRangeFinder(
       String name,

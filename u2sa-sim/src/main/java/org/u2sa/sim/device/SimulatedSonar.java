@@ -6,7 +6,9 @@ import org.u2sa.device.Sonar;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.sensor.NoiseStreams;
 
-/** A sonar whose transducer turns by one step after each ping, over a faint background of noise. */
+/**
+ * A mechanically scanned sonar that turns one step after each ping, with faint background noise.
+ */
 public final class SimulatedSonar extends SimulatedDevice<Sonar.Ping> implements Sonar {
   private static final double FULL_TURN = 2.0 * Math.PI;
   private static final double FULL_SCALE = 255.0;
@@ -20,12 +22,12 @@ public final class SimulatedSonar extends SimulatedDevice<Sonar.Ping> implements
   private long pings;
 
   /**
-   * How it looks around.
+   * Scan parameters.
    *
-   * @param rateHz pings a second
-   * @param stepRad from each ping to the next, to the left positive [rad]
-   * @param samples of each echo
-   * @param reachM distance of the last sample's end [m]
+   * @param rateHz pings per second
+   * @param stepRad step between pings, left positive [rad]
+   * @param samples samples per ping
+   * @param reachM range at the end of the last sample [m]
    */
   public record Head(double rateHz, double stepRad, int samples, double reachM) {
     /**
@@ -39,10 +41,10 @@ public final class SimulatedSonar extends SimulatedDevice<Sonar.Ping> implements
   }
 
   /**
-   * Takes the stream {@code sonar}.
+   * Uses the random stream {@code sonar}.
    *
-   * @param distance to the nearest thing in a direction, to the left positive [rad], from the sonar
-   *     now [m]; infinite if there is none
+   * @param distance current range from the sonar to the nearest object in a direction (left
+   *     positive [rad]) [m]; infinite if there is none
    */
   public SimulatedSonar(Head head, NoiseStreams streams, DoubleUnaryOperator distance) {
     super(head.rateHz(), 0.0);

@@ -7,8 +7,8 @@ import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.sensor.NoiseStreams;
 
 /**
- * A propeller whose speed follows its command late, and not at all near 0; it can be weakened and
- * broken. The vehicle asks it for {@link #thrustN}.
+ * A thruster with lag and dead band that can be degraded or broken. The vehicle model reads {@link
+ * #thrustN}.
  */
 public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> implements Thruster {
   private static final double MICROS_PER_S = 1e6;
@@ -17,26 +17,26 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
   private final Propeller propeller;
   private final Random noise;
   private final long timeoutMicros;
-  private double wantedPercent; // told to the device at the next read
-  private double percent; // that the motor has; guarded by this, as all below
+  private double wantedPercent; // applied at the next read
+  private double percent; // actual command of the motor; guarded by this, as are all fields below
   private long untilMicros = Long.MIN_VALUE;
   private long atMicros = Long.MIN_VALUE;
   private double rpm;
   private double strength = 1.0;
 
   /**
-   * What it is.
+   * Thruster parameters.
    *
-   * @param rateHz readings a second
+   * @param rateHz readings per second
    * @param fullRpm speed at 100 % [1/min]
-   * @param deadbandPercent smaller commands leave it standing [%]
+   * @param deadbandPercent dead band: smaller commands produce no rotation [%]
    * @param lagS time constant of the speed [s]
-   * @param fullThrustN forward at 100 % [N]
-   * @param reverseThrustN backwards at −100 %, positive [N]
-   * @param fullCurrentA at 100 % [A]
-   * @param batteryV voltage of its battery [V]
-   * @param timeoutS after which it stops without being told to go on [s]
-   * @param rpmSigma standard deviation of a measured speed [1/min]
+   * @param fullThrustN forward thrust at 100 % [N]
+   * @param reverseThrustN magnitude of the reverse thrust at −100 % [N]
+   * @param fullCurrentA current at 100 % [A]
+   * @param batteryV battery voltage [V]
+   * @param timeoutS command time-out, after which it stops [s]
+   * @param rpmSigma standard deviation of the measured speed [1/min]
    */
   public record Propeller(
       double rateHz,
@@ -65,15 +65,15 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
     }
 
     /**
-     * Blue Robotics' T200 at 16 V by its data sheet: 5.25 and 4.1 kgf, 24 A, ±25 of 400 µs without
-     * motion. Its lag and top speed are typical of such propellers, not from the sheet.
+     * Blue Robotics T200 at 16 V, data sheet: 5.25 and 4.1 kgf, 24 A, dead band ±25 of 400 µs. Lag
+     * and top speed are typical values, not from the data sheet.
      */
     public static Propeller t200() {
       return new Propeller(20.0, 3_700.0, 6.25, 0.1, 51.5, 40.2, 24.0, 16.0, 0.5, 5.0);
     }
   }
 
-  /** Takes the stream {@code name}. */
+  /** Uses the random stream {@code name}. */
   public SimulatedThruster(Propeller propeller, NoiseStreams streams, String name) {
     super(propeller.rateHz(), 0.0);
     this.propeller = propeller;
@@ -81,9 +81,7 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
     timeoutMicros = Math.round(propeller.timeoutS() * MICROS_PER_S);
   }
 
-  /**
-   * How hard it pushes, forward positive [N], at a moment of the run's clock. Safe from any thread.
-   */
+  /** Thrust at a time of the run's clock, forward positive [N]. Thread-safe. */
   public synchronized double thrustN(long nowMicros) {
     advance(nowMicros);
     return pushN();
@@ -97,9 +95,9 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
   }
 
   /**
-   * Weakens it, as weeds or a broken blade do. Safe from any thread.
+   * Degrades the thruster, as weeds or a broken blade do. Thread-safe.
    *
-   * @param share of its thrust that is left, 0…1; at 0 it does not turn any more
+   * @param share remaining share of thrust, 0…1; at 0 it stops turning
    */
   public synchronized void weaken(double share) {
     strength = Arguments.requireInside("share of the thrust", share, 0.0, 1.0);
@@ -159,7 +157,7 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
 
   @Override
   public void leave() {
-    // it turns on until the time-out
+    // it keeps turning until the time-out
   }
 
   @Override

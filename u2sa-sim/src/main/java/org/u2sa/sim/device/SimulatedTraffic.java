@@ -13,7 +13,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.world.LocalPlane;
 
-/** A receiver that hears all traffic within its reach; each report may be lost. */
+/** A traffic receiver (ADS-B) with limited range and report loss. */
 public final class SimulatedTraffic extends SimulatedDevice<TrafficReceiver.Traffic>
     implements TrafficReceiver {
   private final SensorErrors errors;
@@ -25,21 +25,21 @@ public final class SimulatedTraffic extends SimulatedDevice<TrafficReceiver.Traf
   private final TrafficPicture picture = new TrafficPicture();
 
   /**
-   * One of the others, as it truly is.
+   * True state of another vehicle.
    *
-   * @param id as reports have it
+   * @param id identifier in its reports
    * @param position east, north, up on the world's plane [m]
    * @param velocity east, north, up [m/s]
    */
   public record Other(String id, String kind, Point position, Point velocity) {}
 
   /**
-   * Takes the stream {@code traffic}.
+   * Uses the random stream {@code traffic}.
    *
-   * @param errors in metres, of each axis of a position; lost is that of each report
-   * @param reachM distance at which it still hears [m]
-   * @param own where the receiver is, now
-   * @param others all others, now
+   * @param errors position errors per axis [m]; the loss rate applies to whole reports
+   * @param reachM reception range [m]
+   * @param own current position of the receiver
+   * @param others current states of all others
    */
   public SimulatedTraffic(
       SensorErrors errors,

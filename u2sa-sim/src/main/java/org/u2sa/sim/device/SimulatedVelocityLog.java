@@ -8,7 +8,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** A Doppler velocity log that sees the bottom within its reach, and always the water. */
+/** A Doppler velocity log with bottom track within its range, and water track always. */
 public final class SimulatedVelocityLog extends NoisyDevice<VelocityLog.Speeds>
     implements VelocityLog {
   private final double reachM;
@@ -18,13 +18,13 @@ public final class SimulatedVelocityLog extends NoisyDevice<VelocityLog.Speeds>
   private final DoubleSupplier aboveBottomM;
 
   /**
-   * Takes the stream {@code velocity log}.
+   * Uses the random stream {@code velocity log}.
    *
-   * @param errors in m/s, of each axis
-   * @param reachM greatest distance to the bottom [m]
-   * @param truth of the vehicle, now
-   * @param current where the water goes to: east, north, up, now [m/s]
-   * @param aboveBottomM distance to the bottom, now [m]
+   * @param errors errors per axis [m/s]
+   * @param reachM maximum distance for bottom track [m]
+   * @param truth current state of the vehicle
+   * @param current current water velocity: east, north, up [m/s]
+   * @param aboveBottomM current distance to the bottom [m]
    */
   public SimulatedVelocityLog(
       SensorErrors errors,

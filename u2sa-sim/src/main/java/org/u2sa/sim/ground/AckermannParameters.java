@@ -3,18 +3,18 @@ package org.u2sa.sim.ground;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A vehicle with a driven rear axle and steered front wheels, as a single track.
+ * Single-track parameters of a vehicle with a driven rear axle and steered front wheels.
  *
- * @param massKg without payload [kg]
+ * @param massKg mass without payload [kg]
  * @param yawInertiaKgM2 without payload, about its own centre of gravity [kg m²]
- * @param cogAheadM of the rear axle, without payload [m]
+ * @param cogAheadM centre of gravity ahead of the rear axle, without payload [m]
  * @param cogHeightM height of the centre of gravity, with and without payload [m]
  * @param wheelbaseM [m]
  * @param wheelRadiusM [m]
- * @param wheelInertiaKgM2 of all that turns with the rear axle, without motor [kg m²]
- * @param steerMaxRad angle of the front wheels at full command [rad]
+ * @param wheelInertiaKgM2 rotating inertia of the rear axle without motor [kg m²]
+ * @param steerMaxRad steering angle at full command [rad]
  * @param steerLagS time constant of the servo [s]
- * @param steerRateRadPerS fastest that the front wheels turn [rad/s]
+ * @param steerRateRadPerS maximum steering rate [rad/s]
  */
 public record AckermannParameters(
     double massKg,
@@ -50,8 +50,7 @@ public record AckermannParameters(
   /**
    * A 1:10 truck. Mass, inertia, axles, steering angle and rate are those of F1TENTH's simulator
    * (f1tenth_gym: m 3.74 kg, I 0.04712 kg m², lf 0.15875 m, lr 0.17145 m, h 0.074 m, 0.4189 rad,
-   * 3.2 rad/s); geared for 1.9 m/s. The servo's lag is a hobby servo's 0.1 s for 60°, taken as 0.05
-   * s.
+   * 3.2 rad/s); geared for 1.9 m/s. Servo lag 0.05 s, from a hobby servo's 0.1 s for 60°.
    */
   public static AckermannParameters truck() {
     return new AckermannParameters(
@@ -71,7 +70,7 @@ public record AckermannParameters(
         Payload.none());
   }
 
-  /** The same with another payload. */
+  /** Copy with another payload. */
   public AckermannParameters withPayload(Payload newPayload) {
     return new AckermannParameters(
         massKg,

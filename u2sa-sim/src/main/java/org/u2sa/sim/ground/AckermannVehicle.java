@@ -5,33 +5,33 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.world.Footprint;
 
 /**
- * A vehicle that steers with its front wheels and drives its rear axle, as a single track: at a
- * walk it is the kinematic bicycle, faster its tyres run at slip angles (Rajamani, Vehicle Dynamics
- * and Control, chapter 2, with forces limited by grip). Commands: throttle, steering. Slopes move
- * weight between the axles, acceleration does not.
+ * Single-track model of a vehicle with front steering and rear drive: a kinematic bicycle at
+ * walking pace, with tyre slip angles at higher speed (Rajamani, Vehicle Dynamics and Control,
+ * chapter 2, forces limited by grip). Commands: throttle, steering. Slopes transfer weight between
+ * the axles; acceleration does not.
  */
 public final class AckermannVehicle extends PlanarVehicle {
   private static final int REAR = FREE;
-  private static final int FRONT = REAR + DrivenWheel.SIZE; // stretch across [m]
+  private static final int FRONT = REAR + DrivenWheel.SIZE; // lateral tyre deflection [m]
   private static final int STEER = FRONT + 1; // [rad]
   private static final int SIZE = STEER + 1;
-  private static final double OVERHANG = 0.25; // at each end, by the wheelbase
-  private static final double WIDTH = 0.85; // by the wheelbase
+  private static final double OVERHANG = 0.25; // at each end, relative to the wheelbase
+  private static final double WIDTH = 0.85; // relative to the wheelbase
 
   private final AckermannParameters p;
   private final Chassis chassis;
   private final DrivenWheel rear;
   private final SteeredWheel front;
   private final Footprint footprint;
-  private double steerTarget = Double.NaN; // NaN: limp
+  private double steerTarget = Double.NaN; // NaN: servo unpowered
 
-  /** At the plane's origin, facing north, on a lawn. */
+  /** Creates a vehicle at the origin, facing north, on a lawn. */
   public AckermannVehicle(AckermannParameters parameters) {
     this(parameters, GroundStart.atOrigin());
   }
 
   /**
-   * At rest on a lawn, battery full, steering straight.
+   * Creates a vehicle at rest on a lawn, with a full battery and straight steering.
    *
    * @throws IllegalArgumentException if the payload lifts an axle
    */
@@ -126,7 +126,7 @@ public final class AckermannVehicle extends PlanarVehicle {
     return List.of("THROTTLE", "STEERING");
   }
 
-  /** {@inheritDoc} From bumper to bumper one and a half wheelbases, wide as most cars by theirs. */
+  /** {@inheritDoc} Length 1.5 wheelbases, width 0.85 wheelbases, as typical cars. */
   @Override
   public Footprint footprint() {
     return footprint;
@@ -139,9 +139,9 @@ public final class AckermannVehicle extends PlanarVehicle {
     return state(spin, spin, angle, angle, s[STEER], rear.currentA(spin), 0.0);
   }
 
-  /** A free rolling front axle that steers: it gives way along, and creeps and slides across. */
+  /** A free-rolling steered front axle: no longitudinal force, lateral creep and slip. */
   private static final class SteeredWheel {
-    /** Ahead of the centre of gravity [m]. */
+    /** Distance ahead of the centre of gravity [m]. */
     final double x;
 
     private double loadN;
@@ -150,7 +150,7 @@ public final class AckermannVehicle extends PlanarVehicle {
     private double gripN;
     private double dragN;
 
-    // results of derive(), on the vehicle
+    // results of derive(), in vehicle axes
     double forceForward;
     double forceRight;
 
@@ -160,7 +160,7 @@ public final class AckermannVehicle extends PlanarVehicle {
       load(loadN);
     }
 
-    /** Takes what the axle carries from now on [N], above 0. */
+    /** Sets the axle load [N], above 0. */
     void load(double newtons) {
       loadN = newtons;
       stiffness = tyre.slipStiffness() * loadN / tyre.relaxationM();
@@ -172,11 +172,11 @@ public final class AckermannVehicle extends PlanarVehicle {
     }
 
     /**
-     * @param stretch of the tyre to the right [m]
+     * @param stretch lateral tyre deflection, right positive [m]
      * @param steer right positive [rad]
      * @param forward velocity of the axle [m/s]
      * @param right velocity of the axle [m/s]
-     * @return rate of change of the stretch [m/s]
+     * @return rate of change of the deflection [m/s]
      */
     double derive(double stretch, double steer, double forward, double right) {
       double sin = StrictMath.sin(steer);

@@ -2,7 +2,7 @@ package org.u2sa.sim.ground;
 
 import org.u2sa.sim.motion.Arguments;
 
-/** A battery that sags under load and runs empty. */
+/** A battery with voltage sag and limited charge. */
 final class Battery {
   private static final double S_PER_H = 3600.0;
 
@@ -21,11 +21,11 @@ final class Battery {
   }
 
   /**
-   * Terminal voltage with two motors on it. Each draws duty · (duty · V − EMF) / R, so that V
-   * follows from a linear equation. An open motor counts as duty 0: a shorted one draws nothing
-   * from the battery either.
+   * Terminal voltage with two motors on it. Each draws duty · (duty · V − EMF) / R, so V solves a
+   * linear equation. An open motor counts as duty 0, because a shorted (braking) motor draws no
+   * battery current either.
    *
-   * @param perOhm 1 / R of a motor, 0 if it is not there [1/Ω]
+   * @param perOhm 1 / R of a motor, 0 if absent [1/Ω]
    */
   double volts(
       double duty1, double emf1, double perOhm1, double duty2, double emf2, double perOhm2) {
@@ -36,7 +36,7 @@ final class Battery {
     return volts;
   }
 
-  /** Takes the charge of a current [A] that flowed for a time [s]; motors that brake give some. */
+  /** Removes the charge of a current [A] over a time [s]; negative when motors regenerate. */
   void draw(double motorsA, double dtS) {
     double taken = (motorsA + p.idleA()) * dtS / (p.capacityAh() * S_PER_H);
     charge = Math.max(0.0, Math.min(1.0, charge - taken));

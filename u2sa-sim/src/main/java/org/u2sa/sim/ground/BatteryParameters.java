@@ -3,13 +3,13 @@ package org.u2sa.sim.ground;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A battery: an ideal voltage that falls evenly with the charge, behind a resistance.
+ * Battery model: open-circuit voltage linear in charge, with series resistance.
  *
- * @param fullV without load when full [V]
- * @param emptyV without load when empty [V]
- * @param resistanceOhm inside, with the wires to the motor controllers [Ω]
+ * @param fullV open-circuit voltage when full [V]
+ * @param emptyV open-circuit voltage when empty [V]
+ * @param resistanceOhm internal resistance plus wiring to the motor controllers [Ω]
  * @param capacityAh [A h]
- * @param idleA drawn by the electronics all the time [A]
+ * @param idleA constant current of the electronics [A]
  */
 public record BatteryParameters(
     double fullV, double emptyV, double resistanceOhm, double capacityAh, double idleA) {
@@ -25,14 +25,14 @@ public record BatteryParameters(
   }
 
   /**
-   * A sealed lead-acid block of 12 V, 7 A h as Yuasa's NP7-12: 23 mΩ by its data sheet, 20 mΩ of
-   * wires and terminals; 12.8 V full, 11.7 V empty, as usual for lead-acid at rest.
+   * Sealed lead-acid battery, 12 V, 7 A h, such as Yuasa NP7-12: 23 mΩ (data sheet) plus 20 mΩ
+   * wiring; 12.8 V full and 11.7 V empty, typical for lead-acid at rest.
    */
   public static BatteryParameters leadAcid7Ah() {
     return new BatteryParameters(12.8, 11.7, 0.043, 7.0, 0.5);
   }
 
-  /** Three lithium-polymer cells of 5 A h: 4.2 V full and 3.5 V empty each, about 6 mΩ each. */
+  /** 3S lithium-polymer pack, 5 A h: 4.2 V full, 3.5 V empty and about 6 mΩ per cell. */
   public static BatteryParameters lipo3s() {
     return new BatteryParameters(12.6, 10.5, 0.03, 5.0, 0.3);
   }

@@ -1,16 +1,16 @@
 package org.u2sa.sim.ground;
 
 /**
- * A vehicle with its payload, as one rigid body.
+ * Mass properties of a vehicle with its payload.
  *
- * @param massKg of both [kg]
+ * @param massKg total mass [kg]
  * @param yawInertiaKgM2 about the common centre of gravity [kg m²]
- * @param cogAheadM of the driven axle [m]
- * @param cogRightM of the middle [m]
+ * @param cogAheadM centre of gravity ahead of the driven axle [m]
+ * @param cogRightM centre of gravity right of the centre line [m]
  */
 record Chassis(double massKg, double yawInertiaKgM2, double cogAheadM, double cogRightM) {
 
-  /** Adds a payload to an empty vehicle whose centre of gravity is in the middle. */
+  /** Adds a payload to a vehicle whose own centre of gravity is on the centre line. */
   static Chassis of(double emptyKg, double emptyInertia, double emptyAheadM, Payload payload) {
     double mass = emptyKg + payload.massKg();
     double ahead = (emptyKg * emptyAheadM + payload.massKg() * payload.aheadM()) / mass;
@@ -18,14 +18,14 @@ record Chassis(double massKg, double yawInertiaKgM2, double cogAheadM, double co
     double emptyX = emptyAheadM - ahead;
     double payloadX = payload.aheadM() - ahead;
     double payloadY = payload.rightM() - right;
-    double inertia = // parallel axes
+    double inertia = // parallel-axis theorem
         emptyInertia
             + emptyKg * (emptyX * emptyX + right * right)
             + payload.massKg() * (payloadX * payloadX + payloadY * payloadY);
     return new Chassis(mass, inertia, ahead, right);
   }
 
-  /** The same on a single track, which knows no sides. */
+  /** The same for a single-track model, which ignores lateral offsets. */
   Chassis centred() {
     return new Chassis(massKg, yawInertiaKgM2, cogAheadM, 0.0);
   }

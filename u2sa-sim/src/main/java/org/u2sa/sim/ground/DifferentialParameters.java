@@ -3,18 +3,19 @@ package org.u2sa.sim.ground;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A vehicle with two driven wheels and a castor in front.
+ * Parameters of a vehicle with two driven wheels and a front castor.
  *
- * @param massKg without payload [kg]
+ * @param massKg mass without payload [kg]
  * @param yawInertiaKgM2 without payload, about its own centre of gravity [kg m²]
- * @param cogAheadM of the driven axle, without payload [m]
+ * @param cogAheadM centre of gravity ahead of the driven axle, without payload [m]
  * @param cogHeightM height of the centre of gravity, with and without payload [m]
- * @param trackM between the driven wheels' middles [m]
- * @param castorAheadM the castor's pivot, ahead of the driven axle [m]
- * @param castorTrailM by which the castor's wheel is behind its pivot [m]
- * @param wheelRadiusM of the driven wheels [m]
- * @param wheelInertiaKgM2 of one driven wheel without its motor [kg m²]
- * @param mismatch by which the right motor is stronger and the left weaker than nominal, −0.5…0.5
+ * @param trackM track width between the driven wheels [m]
+ * @param castorAheadM castor pivot ahead of the driven axle [m]
+ * @param castorTrailM castor trail [m]
+ * @param wheelRadiusM radius of the driven wheels [m]
+ * @param wheelInertiaKgM2 inertia of one driven wheel without motor [kg m²]
+ * @param mismatch motor mismatch: right motor stronger and left weaker than nominal by this share,
+ *     −0.5…0.5
  */
 public record DifferentialParameters(
     double massKg,
@@ -48,10 +49,10 @@ public record DifferentialParameters(
   }
 
   /**
-   * The Mini-Molle of thesis 4.6.3. The thesis gives its layout and no dimensions: mass, sizes and
-   * motors here are those of a vehicle of its kind, 0.6 m by 0.45 m and 20 kg with 8 inch wheels,
-   * fast for walking pace (1.9 m/s on grass). Its inertia is that of an even plate, m (a² + b²) /
-   * 12; each wheel weighs 0.8 kg, m r² 5 / 8 between disc and ring.
+   * The Mini-Molle of thesis 4.6.3. The thesis gives the layout but no dimensions; mass, sizes and
+   * motors here are typical of such a vehicle: 0.6 m by 0.45 m, 20 kg, 8 inch wheels, a brisk
+   * walking pace (1.9 m/s on grass). Yaw inertia of a uniform plate, m (a² + b²) / 12; each wheel
+   * weighs 0.8 kg, inertia 5/8 m r², between disc and ring.
    */
   public static DifferentialParameters miniMolle() {
     return new DifferentialParameters(
@@ -71,17 +72,17 @@ public record DifferentialParameters(
         Payload.none());
   }
 
-  /** The same with another payload. */
+  /** Copy with another payload. */
   public DifferentialParameters withPayload(Payload newPayload) {
     return with(mismatch, battery, newPayload);
   }
 
-  /** The same with motors that differ. */
+  /** Copy with another motor mismatch. */
   public DifferentialParameters withMismatch(double newMismatch) {
     return with(newMismatch, battery, payload);
   }
 
-  /** The same with another battery. */
+  /** Copy with another battery. */
   public DifferentialParameters withBattery(BatteryParameters newBattery) {
     return with(mismatch, newBattery, payload);
   }

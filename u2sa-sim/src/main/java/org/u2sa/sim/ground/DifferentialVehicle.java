@@ -5,10 +5,9 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.world.Footprint;
 
 /**
- * A vehicle that steers by the difference of its two driven wheels, with a castor in front: the
- * Mini-Molle of thesis 4.6.3. Its wheels creep and slide, scrub in turns, and load the battery.
- * Slopes move weight between the wheels, acceleration does not; a wheel that would lift carries 1
- * N.
+ * Differential-drive vehicle with a front castor: the Mini-Molle of thesis 4.6.3. Models tyre creep
+ * and slip, scrubbing in turns and battery load. Slopes transfer weight between the wheels,
+ * acceleration does not; a wheel about to lift carries 1 N.
  */
 public final class DifferentialVehicle extends PlanarVehicle {
   private static final int LEFT = FREE;
@@ -25,13 +24,13 @@ public final class DifferentialVehicle extends PlanarVehicle {
   private final Castor castor;
   private final Footprint footprint;
 
-  /** At the plane's origin, facing north, on a lawn. */
+  /** Creates a vehicle at the origin, facing north, on a lawn. */
   public DifferentialVehicle(DifferentialParameters parameters) {
     this(parameters, GroundStart.atOrigin());
   }
 
   /**
-   * At rest on a lawn, battery full.
+   * Creates a vehicle at rest on a lawn, with a full battery.
    *
    * @throws IllegalArgumentException if the payload lifts a wheel
    */
@@ -47,7 +46,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
     double weight = chassis.massKg() * Gravity.STANDARD_MPS2;
     double castorN = weight * chassis.cogAheadM() / p.castorAheadM();
     double axleN = weight - castorN;
-    double shiftN = weight * chassis.cogRightM() / p.trackM(); // from left to right
+    double shiftN = weight * chassis.cogRightM() / p.trackM(); // load transfer from left to right
     requireLoad("castor", castorN);
     requireLoad("left wheel", axleN / 2.0 - shiftN);
     requireLoad("right wheel", axleN / 2.0 + shiftN);
@@ -122,7 +121,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
   void derive(double[] state, double[] rates) {
     rolling(left, LEFT, state, rates);
     rolling(right, RIGHT, state, rates);
-    moment(left.scrubNm + right.scrubNm); // as one sum: a mirrored vehicle does the same
+    moment(left.scrubNm + right.scrubNm); // a single sum keeps mirrored runs exactly symmetric
     rates[CASTOR] = castor.derive(state[CASTOR], state[U], state[V], state[R]);
     force(castor.x(), castor.y(), castor.forceForward, castor.forceRight);
   }
@@ -181,17 +180,17 @@ public final class DifferentialVehicle extends PlanarVehicle {
   }
 
   /**
-   * A free wheel that swivels behind its pivot. It rolls without sliding sideways, so its angle
-   * follows from the pivot's motion; on the vehicle it acts with its rolling resistance alone.
+   * A castor wheel. It rolls without side slip, so its angle follows from the pivot's motion; it
+   * acts on the vehicle only through rolling resistance.
    */
   private static final class Castor {
-    private final double x; // of the pivot, by the centre of gravity [m]
+    private final double x; // pivot position relative to the centre of gravity [m]
     private final double y;
     private final double trailM;
     private double loadN;
     private double dragN;
 
-    // results of derive(), on the vehicle at the pivot
+    // results of derive(), at the pivot, in vehicle axes
     double forceForward;
     double forceRight;
 
@@ -202,7 +201,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
       this.loadN = loadN;
     }
 
-    /** Takes what the wheel carries from now on [N], above 0. */
+    /** Sets the wheel load [N], above 0. */
     void load(double newtons) {
       loadN = newtons;
     }
@@ -224,7 +223,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
      * @return its rate of change [rad/s]
      */
     double derive(double angle, double u, double v, double yawRate) {
-      double forward = u - yawRate * y; // of the pivot
+      double forward = u - yawRate * y; // pivot velocity
       double right = v + yawRate * x;
       double sin = StrictMath.sin(angle);
       double cos = StrictMath.cos(angle);

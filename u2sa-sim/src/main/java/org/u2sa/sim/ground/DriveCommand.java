@@ -1,11 +1,11 @@
 package org.u2sa.sim.ground;
 
 /**
- * What a vehicle's two inputs are told, each −1…1, or NaN where no pulses come: then a motor is off
- * and its wheel coasts, a steering servo is limp and stays.
+ * Commands of a vehicle's two inputs, each −1…1, or NaN without pulses: the motor is off and
+ * coasts, or the steering servo is unpowered and stays where it is.
  *
- * @param first left wheel of a differential vehicle, throttle of one with Ackermann steering;
- *     forward positive
+ * @param first left wheel of a differential vehicle, or throttle with Ackermann steering; forward
+ *     positive
  * @param second right wheel, forward positive; or steering, right positive
  */
 public record DriveCommand(double first, double second) {
@@ -20,7 +20,7 @@ public record DriveCommand(double first, double second) {
     require("second", second);
   }
 
-  /** No pulses at all: motors off. */
+  /** No pulses: motors off. */
   public static DriveCommand none() {
     return NONE;
   }

@@ -1,12 +1,11 @@
 package org.u2sa.sim.ground;
 
 /**
- * A wheel with its motor: brushed motor, gears that rub, a tyre that creeps and slides.
+ * A driven wheel: brushed motor, gear friction, and a tyre with creep and slip.
  *
- * <p>Four states: spin [rad/s], stretch of the tyre along and across [m], and how far the dry
- * friction is wound up, −1…1 (Dahl 1968: friction as a spring that yields, so that a wheel stands
- * still until its motor overcomes it). The last is stepped by {@link #settle}, the others by the
- * integrator.
+ * <p>Four states: spin [rad/s], longitudinal and lateral tyre deflection [m], and dry-friction
+ * preload, −1…1 (Dahl 1968: friction as a yielding spring, so a wheel stays still until its motor
+ * overcomes it). The last is updated by {@link #settle}, the others by the integrator.
  */
 final class DrivenWheel {
   static final int SPIN = 0;
@@ -14,12 +13,12 @@ final class DrivenWheel {
   static final int ACROSS = 2;
   static final int SIZE = 3;
 
-  private static final double WIND_UP_M = 0.002; // at the rim, to full friction
-  private static final double FRICTION_DAMPING_S = 0.05; // of the wound up friction
-  private static final double SCRUB_MPS = 0.05; // slip of the patch's edge that saturates its scrub
+  private static final double WIND_UP_M = 0.002; // travel at the rim to full friction
+  private static final double FRICTION_DAMPING_S = 0.05; // damping of the friction spring
+  private static final double SCRUB_MPS = 0.05; // slip at the patch edge that saturates scrub
   private static final double DISC = 2.0 / 3.0; // uniform pressure on a disc: M = 2/3 µ N a
 
-  /** Place by the centre of gravity [m]. */
+  /** Position relative to the centre of gravity [m]. */
   final double x;
 
   final double y;
@@ -41,7 +40,7 @@ final class DrivenWheel {
   private double rollingNm;
   private double wound;
 
-  // results of derive(), on the vehicle
+  // results of derive(), in vehicle axes
   double forceAlong;
   double forceAcross;
   double scrubNm;
@@ -51,7 +50,7 @@ final class DrivenWheel {
   /**
    * @param x ahead of the centre of gravity [m]
    * @param y right of it [m]
-   * @param wheelInertia without motor [kg m²]
+   * @param wheelInertia inertia without motor [kg m²]
    */
   DrivenWheel(
       double x,
@@ -73,13 +72,13 @@ final class DrivenWheel {
     load(loadN);
   }
 
-  /** Takes what the wheel carries from now on [N], above 0. */
+  /** Sets the wheel load [N], above 0. */
   void load(double newtons) {
     loadN = newtons;
     stiffness = tyre.slipStiffness() * loadN / tyre.relaxationM();
   }
 
-  /** Takes what stays during a tick. NaN: no pulses, the motor is off. */
+  /** Sets the inputs held during a tick. NaN: no pulses, motor off. */
   void command(double command) {
     powered = !Double.isNaN(command);
     duty = powered ? motor.duty(command) : 0.0;
@@ -110,26 +109,29 @@ final class DrivenWheel {
     return powered ? (dutyV - constant * spin) / motor.resistanceOhm() : 0.0;
   }
 
-  /** Current that the motor draws from the battery [A]. */
+  /** Battery current of the motor [A]. */
   double drawnA(double spin) {
     return duty * currentA(spin);
   }
 
-  /** Whether the motor does nothing but brake or coast. */
+  /** Whether the motor only brakes or coasts. */
   boolean idle() {
     return duty == 0.0;
   }
 
   /**
-   * @param at where this wheel's states begin
+   * @param at index of this wheel's first state
    * @param alongMps velocity of the wheel's hub over ground, along the wheel
-   * @param acrossMps to the right
-   * @param yawRate of the wheel [rad/s]
+   * @param acrossMps lateral velocity, right positive
+   * @param yawRate yaw rate of the wheel [rad/s]
    */
   void derive(
       double[] s, int at, double alongMps, double acrossMps, double yawRate, double[] rate) {
     double spin = s[at + SPIN];
-    double fresh = Math.abs(spin) * radiusM / tyre.relaxationM(); // tread that comes in [1/s]
+    double fresh =
+        Math.abs(spin)
+            * radiusM
+            / tyre.relaxationM(); // rate of fresh tread entering the patch [1/s]
     double stretch = alongMps - spin * radiusM - fresh * s[at + ALONG];
     double drift = acrossMps - fresh * s[at + ACROSS];
     double along = -stiffness * (s[at + ALONG] + tyre.dampingS() * stretch);
@@ -152,7 +154,9 @@ final class DrivenWheel {
     rate[at + ACROSS] = drift;
   }
 
-  /** After a tick: winds the friction up, keeps the tyre within its grip, counts the turns. */
+  /**
+   * Called after a tick: updates friction preload, limits tyre deflection to grip, counts rotation.
+   */
   void settle(double[] s, int at, double dtS) {
     double spin = s[at + SPIN];
     double turned = spin * radiusM * dtS / WIND_UP_M;
@@ -168,7 +172,7 @@ final class DrivenWheel {
     lastSpin = spin;
   }
 
-  /** Comes to rest: nothing moves and nothing is stretched. */
+  /** Resets the wheel to rest. */
   void halt(double[] s, int at) {
     s[at + SPIN] = 0.0;
     s[at + ALONG] = 0.0;

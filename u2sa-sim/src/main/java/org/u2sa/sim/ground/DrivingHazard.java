@@ -3,23 +3,23 @@ package org.u2sa.sim.ground;
 import java.util.Objects;
 import org.u2sa.sim.motion.Arguments;
 
-/** One thing that goes wrong, for a time or at a place. */
+/** A fault or disturbance, for a time window or at a place. */
 public sealed interface DrivingHazard {
-  /** A hazard that lasts from a time until before another [s]. */
+  /** A hazard active from one time until just before another [s]. */
   sealed interface Window extends DrivingHazard {
-    /** When it begins [s]. */
+    /** Start time [s]. */
     double fromS();
 
-    /** When it is over [s]. */
+    /** End time, exclusive [s]. */
     double toS();
 
-    /** Whether it lasts at a time [s]. */
+    /** Whether it is active at a time [s]. */
     default boolean lasts(double timeS) {
       return timeS >= fromS() && timeS < toS();
     }
   }
 
-  /** The satellites are hidden from {@code fromS} until before {@code toS}. */
+  /** GNSS outage from {@code fromS} until just before {@code toS}. */
   record GpsOutage(double fromS, double toS) implements Window {
     /** Checks that it ends after it begins. */
     public GpsOutage {
@@ -27,10 +27,7 @@ public sealed interface DrivingHazard {
     }
   }
 
-  /**
-   * Satellites are heard by reflections: positions are off by so much, and the receiver does not
-   * know [m].
-   */
+  /** GNSS multipath: positions are offset by this much without the receiver noticing [m]. */
   record Multipath(double fromS, double toS, double eastM, double northM) implements Window {
     /** Checks that it ends after it begins, and the error. */
     public Multipath {
@@ -41,7 +38,7 @@ public sealed interface DrivingHazard {
   }
 
   /**
-   * Somebody holds the radio transmitter with its switch on manual: its sticks drive the motors.
+   * Manual override: the radio transmitter's switch is on manual and its sticks drive the motors.
    */
   record Manual(double fromS, double toS, DriveCommand sticks) implements Window {
     /** Checks that it ends after it begins. */
@@ -51,7 +48,7 @@ public sealed interface DrivingHazard {
     }
   }
 
-  /** The radio transmitter is off: no pulses, and the switch between the motors' masters falls. */
+  /** The radio transmitter is off: no pulses, and the multiplexer selects the receiver. */
   record RadioSilence(double fromS, double toS) implements Window {
     /** Checks that it ends after it begins. */
     public RadioSilence {
@@ -59,7 +56,7 @@ public sealed interface DrivingHazard {
     }
   }
 
-  /** From this time on the battery has this charge, 0…1. */
+  /** Sets the battery to this charge at this time, 0…1. */
   record BatteryAt(double atS, double charge) implements DrivingHazard {
     /** Checks both. */
     public BatteryAt {
@@ -68,7 +65,7 @@ public sealed interface DrivingHazard {
     }
   }
 
-  /** Somebody pushes with a force [N] and a moment [N m, clockwise]. */
+  /** An external force [N] and moment [N m, clockwise]. */
   record Push(double fromS, double toS, double eastN, double northN, double turnNm)
       implements Window {
     /** Checks that it ends after it begins, and the forces. */
@@ -80,7 +77,7 @@ public sealed interface DrivingHazard {
     }
   }
 
-  /** A round patch of mud or ice: this is the coefficient of friction there. */
+  /** A circular patch of mud or ice with its own friction coefficient. */
   record Slippery(double eastM, double northM, double radiusM, double grip)
       implements DrivingHazard {
     /** Checks radius and grip. */
@@ -97,8 +94,8 @@ public sealed interface DrivingHazard {
   }
 
   /**
-   * Iron or a cable in the ground. At its middle the field is changed by this much [µT], at the
-   * radius by half of it, and further off by the third power of the distance, as a dipole's.
+   * A magnetic anomaly (iron or a cable). The disturbance is this field at the centre [µT], half of
+   * it at the radius, and beyond falls with the cube of the distance, as a dipole.
    */
   record Magnetic(double eastM, double northM, double radiusM, double eastUt, double northUt)
       implements DrivingHazard {
@@ -109,7 +106,7 @@ public sealed interface DrivingHazard {
       Arguments.requireInside("magnetic field north", northUt, -1_000.0, 1_000.0);
     }
 
-    /** Share of the field that is felt at a place, 0…1. */
+    /** Share of the field at a place, 0…1. */
     double share(double east, double north) {
       double toEast = east - eastM;
       double toNorth = north - northM;

@@ -3,7 +3,7 @@ package org.u2sa.sim.ground;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Where a ground vehicle stands at first.
+ * Initial pose of a ground vehicle.
  *
  * @param eastM on the local plane [m]
  * @param northM on the local plane [m]
@@ -19,7 +19,7 @@ public record GroundStart(double eastM, double northM, double headingRad) {
     Arguments.requireFinite("heading", headingRad);
   }
 
-  /** At the plane's origin, facing north. */
+  /** At the origin, facing north. */
   public static GroundStart atOrigin() {
     return new GroundStart(0.0, 0.0, 0.0);
   }

@@ -1,24 +1,24 @@
 package org.u2sa.sim.ground;
 
 /**
- * The true state of a ground vehicle, that of its reference point, the middle of the driven axle.
+ * Ground-truth state of a ground vehicle at its reference point, the centre of the driven axle.
  *
  * @param timeS simulated time since the start [s]
  * @param eastM on the local plane [m]
  * @param northM on the local plane [m]
  * @param headingRad clockwise from north [rad, 0…2π)
  * @param forwardMps speed of the reference point along the vehicle [m/s]
- * @param rightMps speed of the reference point across it [m/s]: only when it slides
+ * @param rightMps lateral speed of the reference point [m/s]: sideslip
  * @param yawRateRadPerS clockwise positive [rad/s]
- * @param leftWheelRadPerS forward positive [rad/s]; with Ackermann steering both are the axle's
+ * @param leftWheelRadPerS forward positive [rad/s]; with Ackermann steering both report the axle
  * @param rightWheelRadPerS forward positive [rad/s]
- * @param leftWheelRad turned since the start [rad]
- * @param rightWheelRad turned since the start [rad]
- * @param steerRad of the front wheels, right positive [rad]; 0 without them
+ * @param leftWheelRad rotation since the start [rad]
+ * @param rightWheelRad rotation since the start [rad]
+ * @param steerRad steering angle, right positive [rad]; 0 without steering
  * @param leftMotorA current through the left, or only, motor, driving forward positive [A]
  * @param rightMotorA [A]; 0 if there is one motor only
  * @param batteryV voltage at the battery's terminals [V]
- * @param charge left in the battery, 0…1
+ * @param charge battery state of charge, 0…1
  */
 public record GroundState(
     double timeS,
@@ -38,12 +38,12 @@ public record GroundState(
     double batteryV,
     double charge) {
 
-  /** Velocity towards east [m/s]. */
+  /** East velocity [m/s]. */
   public double eastMps() {
     return forwardMps * StrictMath.sin(headingRad) + rightMps * StrictMath.cos(headingRad);
   }
 
-  /** Velocity towards north [m/s]. */
+  /** North velocity [m/s]. */
   public double northMps() {
     return forwardMps * StrictMath.cos(headingRad) - rightMps * StrictMath.sin(headingRad);
   }

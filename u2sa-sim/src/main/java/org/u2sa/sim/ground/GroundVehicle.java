@@ -4,35 +4,35 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.World;
 
 /**
- * One simulated ground vehicle, on a level lawn until it enters another world. Its place is that of
- * its reference point, the middle of the driven axle; it steps at 500 Hz inside.
+ * A simulated ground vehicle, on a level lawn unless placed in a world. Its position is that of its
+ * reference point, the centre of the driven axle. Integrates internally at 500 Hz.
  */
 public interface GroundVehicle extends SimulatedVehicle {
-  /** Rate of the physics inside [1/s]. */
+  /** Internal integration rate [1/s]. */
   int TICKS_PER_SECOND = 500;
 
-  /** Commands both inputs at once, and steps. */
+  /** Sets both inputs and steps. */
   void step(DriveCommand command, double dtS);
 
-  /** The vehicle as it is now, with all that turns and flows in it. */
+  /** Current state, including wheels, motors and battery. */
   GroundState state();
 
   /**
-   * Something pushes the vehicle at its centre of gravity, until told otherwise.
+   * Applies an external force at the centre of gravity until changed.
    *
-   * @param eastN force towards east [N]
-   * @param northN force towards north [N]
+   * @param eastN east force [N]
+   * @param northN north force [N]
    * @param turnNm moment, clockwise positive [N m]
    */
   void push(double eastN, double northN, double turnNm);
 
   /**
-   * Exchanges the battery for one with another charge.
+   * Sets the battery's state of charge.
    *
    * @param charge 0…1
    */
   void charge(double charge);
 
-  /** Puts other ground and obstacles around the vehicle, where it is. */
+  /** Places the vehicle, at its current position, in a world with its ground and obstacles. */
   void enter(World world);
 }

@@ -31,7 +31,7 @@ final class HazardPlay {
     return all;
   }
 
-  /** Pushes and exchanges the battery, before the tick that ends now. */
+  /** Applies forces and battery changes before the tick that ends now. */
   void act(double timeS) {
     if (!pushes.isEmpty()) {
       double east = 0.0;
@@ -55,8 +55,8 @@ final class HazardPlay {
   }
 
   /**
-   * Who drives: the sticks while somebody switched to manual; nobody without radio, as the
-   * multiplexer falls to the side of the receiver, which gives no pulses; otherwise the board.
+   * Selects the source of motor commands: the sticks in manual override; none without radio,
+   * because the multiplexer falls back to the receiver, which sends no pulses; otherwise the board.
    */
   DriveCommand master(double timeS, double first, double second) {
     if (radioSilent(timeS)) {
@@ -77,7 +77,7 @@ final class HazardPlay {
     return now(DrivingHazard.GpsOutage.class, timeS).isPresent();
   }
 
-  /** Where the receiver takes the vehicle to be, before its own errors. */
+  /** Position seen by the receiver, including multipath but not its own errors. */
   VehicleTruth received(VehicleTruth truth) {
     double east = 0.0;
     double north = 0.0;
@@ -99,7 +99,7 @@ final class HazardPlay {
   }
 
   private <T extends DrivingHazard.Window> Optional<T> now(Class<T> kind, double timeS) {
-    for (DrivingHazard hazard : all) { // a loop: asked for in every tick
+    for (DrivingHazard hazard : all) { // a loop, for speed: called on every tick
       if (kind.isInstance(hazard) && kind.cast(hazard).lasts(timeS)) {
         return Optional.of(kind.cast(hazard));
       }

@@ -8,7 +8,7 @@ import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.world.Surface;
 
 /**
- * What goes wrong in a run, by time and place: the script of a test. Immutable; times are simulated
+ * Scripted faults and disturbances of a run, by time and place. Immutable; times are simulated
  * seconds since the start, places are on the local plane.
  */
 public final class Hazards {
@@ -25,7 +25,7 @@ public final class Hazards {
     return NONE;
   }
 
-  /** These hazards and one more. */
+  /** Copy with one more hazard. */
   public Hazards with(DrivingHazard hazard) {
     List<DrivingHazard> more = new ArrayList<>(all);
     more.add(Objects.requireNonNull(hazard, "hazard"));
@@ -33,11 +33,11 @@ public final class Hazards {
   }
 
   /**
-   * Random hazards, the same for the same seed: GPS outages, magnetic places, slippery patches and
-   * pushes, about one of each in a minute or on 200 m².
+   * Random hazards, reproducible per seed: GPS outages, magnetic anomalies, slippery patches and
+   * pushes, about one of each per minute or per 200 m².
    *
-   * @param radiusM of the ground around the origin on which places are put [m]
-   * @param durationS of the run [s]
+   * @param radiusM radius around the origin in which places are drawn [m]
+   * @param durationS duration of the run [s]
    */
   public static Hazards random(long seed, double radiusM, double durationS) {
     Arguments.requirePositive("radius of the hazards", radiusM);
@@ -66,17 +66,17 @@ public final class Hazards {
     return new Hazards(all);
   }
 
-  /** All of them, in the order in which they were added. */
+  /** All hazards in insertion order. */
   public List<DrivingHazard> all() {
     return all;
   }
 
-  /** Those of one kind. */
+  /** All hazards of one kind. */
   <T extends DrivingHazard> List<T> of(Class<T> kind) {
     return all.stream().filter(kind::isInstance).map(kind::cast).toList();
   }
 
-  /** The ground with its slippery patches; where they overlap the most slippery counts. */
+  /** The ground with its slippery patches; where patches overlap, the lowest friction applies. */
   Surface on(Surface ground) {
     List<DrivingHazard.Slippery> patches = of(DrivingHazard.Slippery.class);
     if (patches.isEmpty()) {

@@ -14,11 +14,11 @@ import org.u2sa.sim.world.World;
 
 /**
  * The hardware of thesis 4.6.3 behind the pins of an IOIO: a vehicle, its motor controllers, a
- * u-blox GPS, a Sparton compass, a battery, and a radio receiver whose switch decides by a
- * multiplexer who drives, the transmitter's sticks or the IOIO.
+ * u-blox GPS, a Sparton compass, a battery, and a radio receiver whose switch channel drives a
+ * multiplexer between the transmitter's sticks and the IOIO.
  *
- * <p>Its time is that of {@link #advance} and begins with the first call. What it tells of the
- * truth may be asked for on any thread.
+ * <p>Time advances by {@link #advance} and starts at its first call. Accessors of the truth are
+ * thread-safe.
  */
 public final class MiniMolle implements Pins {
   private static final long TICK_US = 1_000_000L / GroundVehicle.TICKS_PER_SECOND;
@@ -36,7 +36,7 @@ public final class MiniMolle implements Pins {
   private final HazardPlay hazards;
   private final EscInput first = new EscInput();
   private final EscInput second = new EscInput();
-  private long beginUs = -1; // not yet; other times count from it
+  private long beginUs = -1; // not started; other times are relative to it
   private long tickUs;
   private long nowUs;
   private final List<ContactWatch.Contact> contacts = new CopyOnWriteArrayList<>();
@@ -57,7 +57,7 @@ public final class MiniMolle implements Pins {
     truth = vehicle.truth();
   }
 
-  /** Builds one that stands in this world. */
+  /** Creates the hardware in this world. */
   public static MiniMolleBuilder in(World world) {
     return new MiniMolleBuilder(world);
   }
@@ -152,40 +152,39 @@ public final class MiniMolle implements Pins {
     return hazards.sticks(timeS).isPresent() ? BY_HAND : AUTOMATIC;
   }
 
-  /** The truth of the last tick. */
+  /** Ground truth of the last tick. */
   public GroundState state() {
     return state;
   }
 
-  /** The same in the terms of all vehicles. */
+  /** The same as the general vehicle state. */
   public VehicleTruth truth() {
     return truth;
   }
 
-  /** Every touch of an obstacle so far. */
+  /** All obstacle contacts so far. */
   public List<ContactWatch.Contact> contacts() {
     return List.copyOf(contacts);
   }
 
-  /** What reached the motors in the last tick, from whoever drives. */
+  /** Motor commands of the last tick, from whichever source was selected. */
   public DriveCommand command() {
     return command;
   }
 
-  /** What the run has in store. */
+  /** Hazards of the run. */
   public List<DrivingHazard> hazards() {
     return hazards.all();
   }
 
   /**
-   * Which pin of the IOIO leads where, and how the battery is divided down. The board receives at
-   * {@code …Receive} what the device sends.
+   * IOIO pin assignment and battery divider. {@code …Receive} is the board's RX pin.
    *
    * @param first pulses to the left motor's controller, or to that of the only motor
    * @param second pulses to the right motor's controller, or to the steering servo
    * @param radioSwitch pulses of the radio receiver's switch channel
    * @param battery analog input
-   * @param dividerRatio voltage at that input by the battery's
+   * @param dividerRatio voltage at that input relative to the battery's
    */
   public record Wiring(
       int gpsReceive,
@@ -204,13 +203,13 @@ public final class MiniMolle implements Pins {
   }
 
   /**
-   * Where a motor controller, or a servo, takes its pulses: 1000 to 2000 µs about 1500, and a
-   * fail-safe after 0.1 s without any. A new width counts from its next pulse on.
+   * Pulse input of a motor controller or servo: 1000 to 2000 µs, centred at 1500, with a fail-safe
+   * after 0.1 s without pulses. A new width takes effect with its next pulse.
    */
   private static final class EscInput {
     private static final double NEUTRAL_S = 1.5e-3;
     private static final double HALF_RANGE_S = 0.5e-3;
-    private static final double SHORTEST_S = 0.8e-3; // others are noise
+    private static final double SHORTEST_S = 0.8e-3; // shorter pulses are noise
     private static final double LONGEST_S = 2.2e-3;
     private static final long FAILSAFE_US = 100_000;
     private static final double US_PER_S = 1e6;
@@ -221,7 +220,7 @@ public final class MiniMolle implements Pins {
     private long nextUs;
     private double command = Double.NaN;
 
-    /** Pulses that come from now on. */
+    /** Sets the pulses from now on. */
     void take(PulseTrain train, long nowUs) {
       if (!pulses.present() && train.present()) {
         nextUs = nowUs + Math.round(train.widthS() * US_PER_S);
@@ -229,7 +228,7 @@ public final class MiniMolle implements Pins {
       pulses = train;
     }
 
-    /** The command that holds now, −1…1; NaN if pulses are missing. */
+    /** Current command, −1…1; NaN without pulses. */
     double command(long nowUs) {
       if (pulses.present() && nowUs >= nextUs) {
         nextUs = nowUs + Math.round(pulses.periodS() * US_PER_S);

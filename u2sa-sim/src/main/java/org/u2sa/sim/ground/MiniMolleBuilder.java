@@ -13,9 +13,9 @@ import org.u2sa.sim.sensor.VoltmeterModel;
 import org.u2sa.sim.world.World;
 
 /**
- * Puts a {@link MiniMolle} together. Without more it is the differential vehicle at the world's
- * origin, facing north, with a survey receiver that sends UBX eight times a second at 9600 baud,
- * which carries no more, a calibrated compass at 9600 baud, no hazards and seed 1.
+ * Builder of a {@link MiniMolle}. Defaults: differential vehicle at the world's origin, facing
+ * north, a survey receiver sending UBX at 8 Hz and 9600 baud (the most that fits), a calibrated
+ * compass at 9600 baud, no hazards, seed 1.
  */
 public final class MiniMolleBuilder {
   private static final int BAUD = 9600;
@@ -37,39 +37,39 @@ public final class MiniMolleBuilder {
     this.world = Objects.requireNonNull(world, "world");
   }
 
-  /** Another vehicle. Its place is its own; it enters the world when it is built in. */
+  /** Sets the vehicle, which keeps its pose and is placed in the world on build. */
   public MiniMolleBuilder vehicle(GroundVehicle newVehicle) {
     vehicle = Objects.requireNonNull(newVehicle, "vehicle");
     return this;
   }
 
-  /** Another receiver, and what it sends until it is told otherwise. */
+  /** Sets the receiver and its initial output. */
   public MiniMolleBuilder gps(GpsParameters parameters, UbloxSettings settings) {
     gps = Objects.requireNonNull(parameters, "parameters");
     gpsSettings = Objects.requireNonNull(settings, "settings");
     return this;
   }
 
-  /** Another compass, and the declination of the place with it. */
+  /** Sets the compass, including the local declination. */
   public MiniMolleBuilder compass(CompassParameters parameters, int baud) {
     compass = Objects.requireNonNull(parameters, "parameters");
     compassBaud = baud;
     return this;
   }
 
-  /** What goes wrong. */
+  /** Sets the hazards. */
   public MiniMolleBuilder hazards(Hazards newHazards) {
     hazards = Objects.requireNonNull(newHazards, "hazards");
     return this;
   }
 
-  /** The seed of all sensors' noise. */
+  /** Sets the seed of all sensor noise. */
   public MiniMolleBuilder seed(long seed) {
     streams = new NoiseStreams(seed);
     return this;
   }
 
-  /** The hardware, at rest. A vehicle serves once. */
+  /** Builds the hardware at rest. A vehicle instance can be used only once. */
   public MiniMolle build() {
     return new MiniMolle(this);
   }

@@ -3,16 +3,15 @@ package org.u2sa.sim.ground;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A brushed gear motor by its data sheet, all at the output shaft, and what its controller makes of
- * a command.
+ * Brushed gear motor from data-sheet values at the output shaft, and its controller's dead band.
  *
- * @param ratedV voltage of the figures below [V]
+ * @param ratedV voltage at which the figures below hold [V]
  * @param freeRadPerS speed without load [rad/s]
  * @param freeA current without load [A]
  * @param stallNm torque at standstill [N m]
  * @param stallA current at standstill [A]
- * @param inertiaKgM2 of rotor and gears, seen at the output shaft [kg m²]
- * @param deadBand commands up to this are neutral, 0…1
+ * @param inertiaKgM2 inertia of rotor and gears at the output shaft [kg m²]
+ * @param deadBand commands up to this magnitude are neutral, 0…1
  */
 public record MotorParameters(
     double ratedV,
@@ -41,46 +40,47 @@ public record MotorParameters(
   }
 
   /**
-   * AndyMark PG27 (RS-775 motor, 27:1): 198 rpm, 0.6 A, 8.54 N m, 22 A at 12 V. The inertia is an
-   * estimate for a rotor of that size, 1.5e-5 kg m² times 27². Dead band: 4 %, as the manuals of
-   * hobby and FIRST motor controllers have it (Victor SP, Talon SR).
+   * AndyMark PG27 (RS-775 motor, 27:1): 198 rpm, 0.6 A, 8.54 N m, 22 A at 12 V. Inertia estimated
+   * for a rotor of that size, 1.5e-5 kg m² times 27². Dead band: 4 %, as in the manuals of hobby
+   * and FIRST motor controllers (Victor SP, Talon SR).
    */
   public static MotorParameters pg27() {
     return new MotorParameters(12.0, 198.0 * RADPERS_PER_RPM, 0.6, 8.541, 22.0, 0.011, 0.04);
   }
 
   /**
-   * Pololu 37D, 30:1, 12 V: 330 rpm, 0.2 A, 14 kgf cm, 5.5 A. The inertia is an estimate: 1e-6 kg
-   * m² times 30².
+   * Pololu 37D, 30:1, 12 V: 330 rpm, 0.2 A, 14 kgf cm, 5.5 A. Inertia estimated: 1e-6 kg m² times
+   * 30².
    */
   public static MotorParameters pololu37d30() {
     return new MotorParameters(
         12.0, 330.0 * RADPERS_PER_RPM, 0.2, 14.0 * NM_PER_KGF_CM, 5.5, 0.0009, 0.04);
   }
 
-  /** Resistance of the winding [Ω]. */
+  /** Winding resistance [Ω]. */
   double resistanceOhm() {
     return ratedV / stallA;
   }
 
-  /** Back EMF by speed [V s/rad], and torque by current before the gears' friction [N m/A]. */
+  /**
+   * Motor constant: back EMF per speed [V s/rad], and torque per current before gear friction [N
+   * m/A].
+   */
   double constant() {
     return (ratedV - freeA * resistanceOhm()) / freeRadPerS;
   }
 
-  /**
-   * What the gears leave of the torque: the data sheet's stall torque by what the current makes.
-   */
+  /** Gear efficiency: data-sheet stall torque relative to the torque from stall current. */
   double efficiency() {
     return stallNm / (stallA * constant());
   }
 
-  /** Torque that turns the gears without load [N m]. */
+  /** No-load gear friction torque [N m]. */
   double dragNm() {
     return constant() * freeA * efficiency();
   }
 
-  /** Share of the battery's voltage that a command puts on the motor. */
+  /** Duty cycle for a command. */
   double duty(double command) {
     return Math.abs(command) <= deadBand ? 0.0 : command;
   }

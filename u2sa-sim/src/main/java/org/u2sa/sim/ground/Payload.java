@@ -3,11 +3,11 @@ package org.u2sa.sim.ground;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Something that the vehicle carries, as a point mass.
+ * A payload, modelled as a point mass.
  *
- * @param massKg [kg], 0 for none
- * @param aheadM ahead of the driven axle [m]
- * @param rightM right of the middle [m]; a single-track model does not feel it
+ * @param massKg mass [kg], 0 for none
+ * @param aheadM position ahead of the driven axle [m]
+ * @param rightM position right of the centre line [m]; ignored by single-track models
  */
 public record Payload(double massKg, double aheadM, double rightM) {
   /**
@@ -19,7 +19,7 @@ public record Payload(double massKg, double aheadM, double rightM) {
     Arguments.requireFinite("payload right", rightM);
   }
 
-  /** Nothing. */
+  /** No payload. */
   public static Payload none() {
     return new Payload(0.0, 0.0, 0.0);
   }

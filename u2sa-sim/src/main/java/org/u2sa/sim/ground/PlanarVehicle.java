@@ -14,9 +14,9 @@ import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
- * A rigid body on a plane, or on gentle slopes: what all ground vehicles share. Axes as in the
- * aircraft: x forward, y right, turns clockwise positive, seen from above. Velocities are those of
- * the centre of gravity, the position is that of the reference point.
+ * Rigid body on a plane or gentle slopes, common to all ground vehicles. Axes: x forward, y right,
+ * yaw clockwise positive seen from above. Velocities refer to the centre of gravity, the position
+ * to the reference point.
  */
 abstract class PlanarVehicle implements GroundVehicle {
   static final int EAST = 0;
@@ -25,12 +25,12 @@ abstract class PlanarVehicle implements GroundVehicle {
   static final int U = 3; // forward [m/s]
   static final int V = 4; // right [m/s]
   static final int R = 5; // [rad/s]
-  static final int FREE = 6; // first of the vehicle's own states
+  static final int FREE = 6; // index of the subclass's first state
 
   static final double TICK_S = 1.0 / TICKS_PER_SECOND;
-  static final double FRICTION_FULL_MPS = 0.05; // free wheels: below, their drag fades
+  static final double FRICTION_FULL_MPS = 0.05; // below this, drag of free wheels fades out
 
-  static final double LEAST_LOAD_N = 1.0; // of a wheel that would lift
+  static final double LEAST_LOAD_N = 1.0; // load of a wheel about to lift
 
   private static final double TURN_RAD = 2.0 * Math.PI;
   private static final double STILL = 1e-4; // [m/s], [rad/s]
@@ -41,7 +41,7 @@ abstract class PlanarVehicle implements GroundVehicle {
   Surface surface;
   private final double massKg;
   private final double yawInertiaKgM2;
-  private final double referenceX; // by the centre of gravity
+  private final double referenceX; // relative to the centre of gravity
   private final double referenceY;
   private final RungeKutta integrator;
   private final RungeKutta.Motion motion = this::derivatives;
@@ -55,11 +55,11 @@ abstract class PlanarVehicle implements GroundVehicle {
   private double pullNorth;
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
   private final Runnable tick = this::tick;
-  private final double[] before = new double[FREE]; // the tick before
+  private final double[] before = new double[FREE]; // previous tick
   private DriveCommand held = DriveCommand.none();
   private boolean resting;
   private final Direction direction = new Direction();
-  private double sinPsi; // at the tick's beginning
+  private double sinPsi; // at the start of the tick
   private double cosPsi;
 
   PlanarVehicle(GroundStart start, int size, Chassis chassis, Battery battery) {
@@ -81,35 +81,37 @@ abstract class PlanarVehicle implements GroundVehicle {
     this.battery = battery;
   }
 
-  /** Takes commands, ground and battery for a tick. */
+  /** Sets commands, ground and battery for a tick. */
   abstract void prepare(DriveCommand command);
 
-  /** Adds the vehicle's own forces with {@link #force} and gives its own states' rates. */
+  /**
+   * Adds the subclass's forces with {@link #force} and computes the derivatives of its own states.
+   */
   abstract void derive(double[] state, double[] rates);
 
   /**
-   * Takes what the slope makes of the wheels' loads.
+   * Sets wheel loads for the slope.
    *
-   * @param pressing share of the weight that presses on the ground, 1 on level ground
-   * @param forward share of the weight that pulls ahead: negative uphill
-   * @param right share of the weight that pulls to the right
+   * @param pressing share of the weight normal to the ground, 1 on level ground
+   * @param forward share of the weight along the vehicle: negative uphill
+   * @param right share of the weight to the right
    */
   abstract void lean(double pressing, double forward, double right);
 
-  /** After a tick's integration. */
+  /** Called after a tick's integration. */
   abstract void settle();
 
-  /** Whether nothing drives it. */
+  /** Whether it is undriven. */
   abstract boolean idle();
 
   abstract void halt();
 
-  // sums of one evaluation
+  // force sums of one evaluation
   private double forward;
   private double right;
   private double turn;
 
-  /** Adds a force in the vehicle's axes at a place by its centre of gravity. */
+  /** Adds a force in vehicle axes at a position relative to the centre of gravity. */
   final void force(double x, double y, double forwardN, double rightN) {
     forward += forwardN;
     right += rightN;
@@ -209,7 +211,7 @@ abstract class PlanarVehicle implements GroundVehicle {
     rates[R] = turn / yawInertiaKgM2;
   }
 
-  /** State of what turns and flows. */
+  /** State of wheels, motors and battery. */
   final GroundState state(
       double leftSpin,
       double rightSpin,
@@ -295,7 +297,7 @@ abstract class PlanarVehicle implements GroundVehicle {
             (velocity.z() - old.z()) / TICK_S));
   }
 
-  /** How it lies on the slope: its axes are the slope's, turned by its heading. */
+  /** Attitude on the slope: the slope's axes rotated by the heading. */
   private Attitude attitude(double[] state, double sin, double cos) {
     double heading = state[PSI] - TURN_RAD * StrictMath.floor(state[PSI] / TURN_RAD);
     double riseEast = terrain.riseEast(state[EAST], state[NORTH]);
@@ -309,7 +311,7 @@ abstract class PlanarVehicle implements GroundVehicle {
     return new Attitude(-StrictMath.atan(aside * StrictMath.cos(pitch)), pitch, heading);
   }
 
-  /** Of the reference point: east, north, up [m/s]. */
+  /** Velocity of the reference point: east, north, up [m/s]. */
   private Point velocity(double[] state, double sin, double cos) {
     double u = state[U] - state[R] * referenceY;
     double v = state[V] + state[R] * referenceX;
@@ -321,21 +323,21 @@ abstract class PlanarVehicle implements GroundVehicle {
     return Point.of(east, north, climb);
   }
 
-  /** East of a place given by the centre of gravity, at the tick's beginning [m]. */
+  /** East of a point given relative to the centre of gravity, at the start of the tick [m]. */
   final double eastOf(double x, double y) {
     double ahead = x - referenceX;
     double aside = y - referenceY;
     return s[EAST] + ahead * sinPsi + aside * cosPsi;
   }
 
-  /** North of a place given by the centre of gravity, at the tick's beginning [m]. */
+  /** North of a point given relative to the centre of gravity, at the start of the tick [m]. */
   final double northOf(double x, double y) {
     double ahead = x - referenceX;
     double aside = y - referenceY;
     return s[NORTH] + ahead * cosPsi - aside * sinPsi;
   }
 
-  /** Drag of a free wheel: full friction when it rolls, fading to none at rest. */
+  /** Drag of a free wheel: full friction when rolling, fading to zero at rest. */
   static double fading(double speedMps) {
     return Math.max(-1.0, Math.min(1.0, speedMps / FRICTION_FULL_MPS));
   }

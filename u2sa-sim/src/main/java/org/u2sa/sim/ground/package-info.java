@@ -1,6 +1,6 @@
 /**
- * Ground vehicles as pure physics: commands in, truth out, the same doubles for the same inputs.
- * What their sensors make of it belongs to {@code org.u2sa.sim.sensor}; sockets, services, messages
- * and clocks do not belong here.
+ * Ground vehicles as pure physics: commands in, ground truth out, deterministic to the bit. Sensor
+ * models belong to {@code org.u2sa.sim.sensor}; sockets, services, messages and clocks do not
+ * belong here.
  */
 package org.u2sa.sim.ground;

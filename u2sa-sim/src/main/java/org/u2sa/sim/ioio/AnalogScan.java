@@ -1,16 +1,16 @@
 package org.u2sa.sim.ioio;
 
-/** Measures the analog inputs a thousand times a second. From the firmware's {@code adc.c}. */
+/** Samples the analog inputs at 1 kHz. After the firmware's {@code adc.c}. */
 final class AnalogScan {
   private static final double REFERENCE_V = 3.3;
   private static final int STEPS = 1024;
-  private static final int GROUP = 4; // channels whose low bits share a byte
+  private static final int GROUP = 4; // channels whose low bits are packed into one byte
 
   private final PinBank pins;
   private final Pins world;
   private final ByteQueue out;
-  private int wanted; // channels, as bits
-  private int reported; // channels of the format that the host knows
+  private int wanted; // requested channels, as a bit mask
+  private int reported; // channels of the report format last sent to the host
 
   AnalogScan(PinBank pins, Pins world, ByteQueue out) {
     this.pins = pins;
@@ -34,7 +34,7 @@ final class AnalogScan {
     }
   }
 
-  /** A millisecond has passed. */
+  /** Advances by 1 ms. */
   void tick() {
     if (wanted == 0) {
       return;

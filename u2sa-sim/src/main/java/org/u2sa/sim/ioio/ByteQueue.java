@@ -1,8 +1,8 @@
 package org.u2sa.sim.ioio;
 
 /**
- * A queue of bytes of fixed length. As the firmware's: what does not fit as a whole is dropped as a
- * whole, and nobody is told.
+ * Fixed-capacity byte queue. As in the firmware, a write that does not fit is dropped whole,
+ * silently.
  */
 final class ByteQueue {
   private final byte[] buffer;
@@ -43,7 +43,7 @@ final class ByteQueue {
     push(bytes, 0, bytes.length);
   }
 
-  /** Takes up to so many bytes out; returns how many. */
+  /** Removes up to the given number of bytes; returns the number removed. */
   int pull(byte[] target, int atMost) {
     int count = Math.min(atMost, size);
     int beforeWrap = Math.min(count, buffer.length - first);

@@ -6,8 +6,8 @@ import java.util.function.IntConsumer;
 import org.u2sa.sim.ioio.MessageReader.Bits;
 
 /**
- * Carries out messages to the board, unless their arguments are out of range. From the firmware's
- * {@code protocol.c} and {@code features.c}, with its checks and no more.
+ * Executes messages to the board whose arguments are in range. After the firmware's {@code
+ * protocol.c} and {@code features.c}, with exactly its checks.
  */
 final class Commands implements MessageReader.Handler {
   private static final int ENABLE_BIT = 7;
@@ -49,7 +49,8 @@ final class Commands implements MessageReader.Handler {
       case Message.SYNC -> sync();
       default ->
           throw new IllegalStateException(
-              String.format(Locale.ROOT, "message 0x%02X has a length but no meaning", type));
+              String.format(
+                  Locale.ROOT, "message 0x%02X is not implemented by the simulated board", type));
     };
   }
 
@@ -74,7 +75,7 @@ final class Commands implements MessageReader.Handler {
     return pin < board.pins();
   }
 
-  /** Does something with a pin, if there is one of that number. */
+  /** Runs an action on a pin if the pin exists. */
   private boolean with(int pin, IntConsumer action) {
     if (isPin(pin)) {
       action.accept(pin);

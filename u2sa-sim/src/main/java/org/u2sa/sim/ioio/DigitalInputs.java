@@ -2,7 +2,7 @@ package org.u2sa.sim.ioio;
 
 import java.util.Arrays;
 
-/** Tells the host when a digital input changes, if it asked. From the firmware's digital.c. */
+/** Reports changes of digital inputs to the host on request. After the firmware's digital.c. */
 final class DigitalInputs {
   private final Pins world;
   private final ByteQueue out;
@@ -20,7 +20,7 @@ final class DigitalInputs {
     Arrays.fill(watched, false);
   }
 
-  /** Another mode of the pin ends this, and nobody is told. */
+  /** Ends reporting silently when the pin changes mode. */
   void forget(int pin) {
     watched[pin] = false;
   }

@@ -4,13 +4,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
 /**
- * The firmware of a simulated IOIO, version IOIO0506: bytes of the host in, bytes to the host out,
- * and the pins in between. It answers byte for byte as the firmware does for digital pins, PWM,
- * UARTs, analog and pulse inputs; SPI, I²C, ICSP, capacitive sensing and the sequencer are not
- * there, and asking for them ends the connection as a wrong byte does.
+ * The firmware of a simulated IOIO, version IOIO0506: host bytes in, host bytes out, with the pins
+ * in between. Responses match the real firmware byte for byte for digital pins, PWM, UARTs, analog
+ * and pulse inputs. SPI, I²C, ICSP, capacitive sensing and the sequencer are not implemented;
+ * requesting them ends the connection, like an invalid byte.
  *
- * <p>It knows no socket, thread or clock: {@link IoioInProcess} and {@link IoioTcpServer} serve it.
- * For one thread at a time.
+ * <p>Free of sockets, threads and clocks; {@link IoioInProcess} and {@link IoioTcpServer} serve it.
+ * Not thread-safe.
  */
 public final class IoioFirmware {
   private static final String FIRMWARE = "IOIO0506";
@@ -35,7 +35,7 @@ public final class IoioFirmware {
   private long tickMicros;
   private boolean hasTicked;
 
-  /** A board that was just switched on, without a connection. */
+  /** Creates a powered-up board without a connection. */
   public IoioFirmware(IoioBoard board, Pins world) {
     this.board = board;
     this.world = world;
@@ -44,7 +44,7 @@ public final class IoioFirmware {
     peripherals.reset();
   }
 
-  /** The host has opened a connection: the board says who it is. One that was there is lost. */
+  /** Opens a connection and sends the board's identification; drops an existing connection. */
   public void open() {
     lost();
     reader.reset();
@@ -57,24 +57,24 @@ public final class IoioFirmware {
     }
   }
 
-  /** The connection is gone: everything is off and all pins float. */
+  /** Ends the connection: resets all modules; all pins float. */
   public void lost() {
     state = State.CLOSED;
     out.clear();
     peripherals.reset();
   }
 
-  /** Whether the board holds the connection open; bytes for the host may wait. */
+  /** Whether the board keeps the connection open; bytes for the host may still be pending. */
   public boolean isOpen() {
     return state != State.CLOSED;
   }
 
-  /** Why the board closed the last connection by itself; empty if it did not. */
+  /** Reason for which the board closed the last connection; empty if it did not. */
   public String trouble() {
     return trouble;
   }
 
-  /** Takes bytes of the host, cut anywhere. */
+  /** Consumes host bytes, with arbitrary packet boundaries. */
   public void accept(byte[] bytes, int offset, int length) {
     if (state == State.CLOSED || length == 0) {
       return;
@@ -83,7 +83,7 @@ public final class IoioFirmware {
       refuse("bytes after the soft close");
     } else if (!reader.accept(bytes, offset, length, this::handle)) {
       if (state == State.OPEN && trouble.isEmpty()) {
-        refuse("a message that the board does not take");
+        refuse("a message type the board does not accept");
       }
       return;
     }
@@ -104,7 +104,7 @@ public final class IoioFirmware {
       refuse(
           arguments.text().equals(MAGIC)
               ? "hard reset"
-              : "hard reset without the word for it: \"" + arguments.text() + '"');
+              : "hard reset with a wrong magic word: \"" + arguments.text() + '"');
       return false;
     }
     boolean taken = commands.handle(type, arguments);
@@ -120,15 +120,15 @@ public final class IoioFirmware {
   }
 
   /**
-   * Lets time pass, in the board and at its pins, to a time of the run [µs]; the first call only
-   * sets the watch. A time that has been is passed over.
+   * Advances the board and its pins to a time of the run [µs]; the first call only sets the start
+   * time. Earlier times are ignored.
    */
   public void advance(long nowMicros) {
     if (!hasTicked) {
       hasTicked = true;
       tickMicros = nowMicros;
       world.advance(nowMicros);
-      peripherals.tick(nowMicros); // what is configured before the next tick counts from now
+      peripherals.tick(nowMicros); // later configuration takes effect from this time
     }
     while (nowMicros - tickMicros >= TICK_MICROS) {
       tickMicros += TICK_MICROS;
@@ -138,10 +138,11 @@ public final class IoioFirmware {
   }
 
   /**
-   * Takes bytes for the host. When the last ones after a soft close are taken, the connection ends.
+   * Removes pending bytes for the host. After a soft close, removing the last bytes ends the
+   * connection.
    *
-   * @param buffer filled from its beginning
-   * @return how many; 0 if there are none
+   * @param buffer filled from index 0
+   * @return number of bytes, 0 if none
    */
   public int output(byte[] buffer) {
     int count = out.pull(buffer, buffer.length);

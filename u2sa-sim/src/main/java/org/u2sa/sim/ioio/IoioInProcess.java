@@ -6,42 +6,41 @@ import java.io.OutputStream;
 import java.util.function.Consumer;
 
 /**
- * A simulated board on a cable within the process, in lockstep: its time moves in {@link #exchange}
- * only, which returns when the host has taken every byte. So the host knows the same at the same
- * time in every run.
+ * A simulated board connected in-process, in lockstep: time advances only in {@link #exchange},
+ * which returns once the host has consumed every byte, so runs are deterministic.
  *
- * <p>The host reads on a thread of its own until its first wait in an exchange. To wake that thread
- * each time would take longer than what it reads; so from then on each exchange hands over the
- * bytes itself, and the thread waits for the end of the connection.
+ * <p>The host's own thread reads until its first wait in an exchange. Waking it each time costs
+ * more than the reading, so from then on each exchange delivers the bytes itself and the thread
+ * only waits for the end of the connection.
  *
- * <p>The host opens a connection by {@link #connect}, then gets the streams of that one; they end
- * when the board or the host ends it, and the reader then closes its stream. For any thread; one
- * thread reads.
+ * <p>The host calls {@link #connect} and then obtains the connection's streams, which end when
+ * either side closes; the reader then closes its stream. Thread-safe, with a single reader.
  */
 public final class IoioInProcess {
   private static final int CABLE = 1 << 16;
-  private static final long SLICE_MICROS = 20_000; // the board's own queue holds more than this
+  private static final long SLICE_MICROS =
+      20_000; // less than the capacity of the board's own queue
 
   private final Object lock = new Object(); // guards everything below
   private final IoioFirmware firmware;
-  private final ByteQueue cable = new ByteQueue(CABLE); // to the host
+  private final ByteQueue cable = new ByteQueue(CABLE); // bytes to the host
   private final byte[] scratch = new byte[1024];
   private boolean powered = true;
   private int session; // 0 before the first
   private boolean connected;
   private boolean readerWaits;
   private boolean readerGone;
-  private boolean isReading; // from the first byte asked for until it closes its end
-  private boolean handsOver; // what comes, in exchanges; the reader waits for the end
+  private boolean isReading; // from the first read until the reader closes its stream
+  private boolean handsOver; // exchanges deliver the bytes; the reader waits for the end
   private boolean hasBegun;
   private long atMicros;
 
-  /** A cable to this board, which nothing else touches from now on. */
+  /** Takes ownership of a board. */
   public IoioInProcess(IoioFirmware firmware) {
     this.firmware = firmware;
   }
 
-  /** Opens a connection; one that is open ends. Returns false if the board has no power. */
+  /** Opens a connection, ending an open one. Returns false if the board is off. */
   public boolean connect() {
     synchronized (lock) {
       end();
@@ -60,7 +59,7 @@ public final class IoioInProcess {
     }
   }
 
-  /** Ends the connection, as a cable that is pulled. */
+  /** Ends the connection, like unplugging the cable. */
   public void disconnect() {
     synchronized (lock) {
       end();
@@ -86,7 +85,7 @@ public final class IoioInProcess {
     lock.notifyAll();
   }
 
-  /** Moves what the board has for the host onto the cable, and wakes the reader if it matters. */
+  /** Moves pending board bytes to the connection and wakes the reader if needed. */
   private void pass() {
     for (int count = firmware.output(scratch); count > 0; count = firmware.output(scratch)) {
       cable.push(scratch, 0, count);
@@ -97,10 +96,10 @@ public final class IoioInProcess {
   }
 
   /**
-   * Lets the board's time pass to a time of the run [µs], and returns when the host has taken what
-   * came of it. Ends early, with the thread's flag set again, if the thread is interrupted.
+   * Advances the board to a time of the run [µs] and returns once the host has consumed the
+   * resulting bytes. Returns early, with the interrupt flag set, if interrupted.
    *
-   * @param host takes bytes on the calling thread, unless the host's reader did
+   * @param host consumes bytes on the calling thread if the host's reader does not
    */
   public void exchange(long nowMicros, Consumer<byte[]> host) {
     while (hasBegun && nowMicros - atMicros > SLICE_MICROS) {
@@ -122,7 +121,7 @@ public final class IoioInProcess {
       cable.pull(handedOver, handedOver.length);
     }
     if (handedOver.length > 0) {
-      host.accept(handedOver); // not under the lock: it may write, or end the connection
+      host.accept(handedOver); // outside the lock: it may write or end the connection
     }
     synchronized (lock) {
       awaitReader();
@@ -135,7 +134,7 @@ public final class IoioInProcess {
       if (hasEnded()) {
         lock.notifyAll();
       }
-      while (connected ? !isTaken() : isReading) { // a reader whose connection ended closes soon
+      while (connected ? !isTaken() : isReading) { // a reader whose connection ended closes shortly
         lock.wait();
       }
     } catch (InterruptedException e) {
@@ -143,25 +142,25 @@ public final class IoioInProcess {
     }
   }
 
-  /** Whether the host has taken all and asks for more, or has closed its end. */
+  /** Whether the host has consumed everything and is reading again, or has closed. */
   private boolean isTaken() {
     boolean isNothingLeft = handsOver || cable.size() == 0;
     return readerGone || isNothingLeft && readerWaits && !hasEnded();
   }
 
-  /** Whether the board has ended the connection, and the host has taken all that came before. */
+  /** Whether the board ended the connection and the host has consumed all earlier bytes. */
   private boolean hasEnded() {
     return cable.size() == 0 && !firmware.isOpen();
   }
 
-  /** The bytes from the board, of the connection opened last. */
+  /** Bytes from the board on the latest connection. */
   public InputStream input() {
     synchronized (lock) {
       return new FromBoard(session);
     }
   }
 
-  /** The bytes to the board, of the connection opened last. */
+  /** Bytes to the board on the latest connection. */
   public OutputStream output() {
     synchronized (lock) {
       return new ToBoard(session);

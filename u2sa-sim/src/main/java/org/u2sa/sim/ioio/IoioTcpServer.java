@@ -10,9 +10,8 @@ import java.net.Socket;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Serves a simulated board on TCP in real time, to one host at a time, as the board has one
- * channel. Three daemon threads: one awaits hosts and takes their bytes, one lets time pass, one
- * sends.
+ * Serves a simulated board over TCP in real time, to one host at a time because the board has one
+ * channel. Three daemon threads: acceptor/reader, clock and sender.
  */
 public final class IoioTcpServer implements AutoCloseable {
   private static final long PAUSE_MS = 2;
@@ -33,7 +32,7 @@ public final class IoioTcpServer implements AutoCloseable {
   /**
    * Serves on the loopback interface.
    *
-   * @param port 0 for any that is free
+   * @param port 0 for an ephemeral port
    * @throws UncheckedIOException if the port is taken
    */
   public IoioTcpServer(IoioFirmware firmware, Clock clock, int port) {
@@ -44,14 +43,14 @@ public final class IoioTcpServer implements AutoCloseable {
     } catch (IOException e) {
       throw new UncheckedIOException("simulated IOIO: port " + port + ": " + e.getMessage(), e);
     }
-    firmware.advance(clock.micros()); // before a host may come: it would count from 1970
+    firmware.advance(clock.micros()); // start the firmware clock before accepting hosts
     for (Thread thread : new Thread[] {hosts, time, sender}) {
       thread.setDaemon(true);
       thread.start();
     }
   }
 
-  /** The port on which hosts connect. */
+  /** The listening port. */
   public int port() {
     return server.getLocalPort();
   }
@@ -63,7 +62,7 @@ public final class IoioTcpServer implements AutoCloseable {
     }
   }
 
-  /** Switches the board on or off: without power no connection holds, and all pins float. */
+  /** Switches the board on or off; when off, connections drop and all pins float. */
   public void power(boolean on) {
     synchronized (lock) {
       powered = on;
@@ -74,8 +73,8 @@ public final class IoioTcpServer implements AutoCloseable {
   }
 
   /**
-   * Freezes the board, or lets it go on: frozen, it neither takes nor sends bytes, and its pins
-   * keep their state.
+   * Freezes or resumes the board. While frozen it neither reads nor sends, and its pins keep their
+   * state.
    */
   public void hold(boolean on) {
     synchronized (lock) {
@@ -92,7 +91,7 @@ public final class IoioTcpServer implements AutoCloseable {
           listen(socket);
         }
       } catch (IOException e) {
-        continue; // of this host: it is gone, and the next one may come
+        continue; // host disconnected; accept the next
       } finally {
         synchronized (lock) {
           hangUp();
@@ -145,7 +144,7 @@ public final class IoioTcpServer implements AutoCloseable {
           lock.wait(PAUSE_MS);
         }
       } catch (InterruptedException e) {
-        Thread.currentThread().interrupt(); // nobody interrupts it but to end it
+        Thread.currentThread().interrupt(); // interrupted only to shut down
       }
     }
   }
@@ -172,7 +171,7 @@ public final class IoioTcpServer implements AutoCloseable {
     }
   }
 
-  /** A host that does not read is waited for; meanwhile the board's queue runs over. */
+  /** Blocks on a slow host; the board's queue may overflow meanwhile. */
   private void sendTo(Socket receiver, byte[] buffer, int count) {
     try {
       OutputStream out = receiver.getOutputStream();
@@ -193,7 +192,7 @@ public final class IoioTcpServer implements AutoCloseable {
     }
   }
 
-  /** The caller holds the lock. */
+  /** Call with the lock held. */
   private void hangUp() {
     Socket socket = host;
     host = null;
@@ -208,7 +207,7 @@ public final class IoioTcpServer implements AutoCloseable {
     try {
       socket.close();
     } catch (Exception e) {
-      throw new IllegalStateException("a socket does not close", e);
+      throw new IllegalStateException("cannot close a socket", e);
     }
   }
 
@@ -218,7 +217,7 @@ public final class IoioTcpServer implements AutoCloseable {
     }
   }
 
-  /** Ends all connections and threads. */
+  /** Closes all connections and stops all threads. */
   @Override
   public void close() {
     synchronized (lock) {

@@ -3,8 +3,8 @@ package org.u2sa.sim.ioio;
 import java.util.Arrays;
 
 /**
- * Types of messages of the IOIO's protocol and how long their fixed part is. From the firmware's
- * {@code protocol_defs.h}; the same number means one thing to the board and another one from it.
+ * IOIO protocol message types and the length of their fixed part. After the firmware's {@code
+ * protocol_defs.h}; the same number has different meanings to and from the board.
  */
 final class Message {
   static final int HARD_RESET = 0x00;
@@ -36,11 +36,11 @@ final class Message {
   static final int SOFT_CLOSE = 0x1D;
   static final int SYNC = 0x23;
 
-  /** The longest: type, fixed part, 64 bytes of a UART. */
+  /** Maximum message length: type, fixed part, 64 UART bytes. */
   static final int LONGEST = 66;
 
   private static final int UNKNOWN = -1;
-  private static final int[] LENGTHS = new int[SYNC + 1]; // of messages to the board
+  private static final int[] LENGTHS = new int[SYNC + 1]; // lengths of messages to the board
 
   static {
     Arrays.fill(LENGTHS, UNKNOWN);
@@ -67,9 +67,7 @@ final class Message {
 
   private Message() {}
 
-  /**
-   * Bytes after the type, without data of variable length; −1 if the board takes no such message.
-   */
+  /** Length after the type, without variable data; −1 if the board does not accept the type. */
   static int argumentLength(int type) {
     return type < LENGTHS.length ? LENGTHS[type] : UNKNOWN;
   }

@@ -3,11 +3,11 @@ package org.u2sa.sim.ioio;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Cuts the bytes to the board into messages, wherever the connection cut them. */
+/** Splits the byte stream to the board into messages. */
 final class MessageReader {
   private static final int SIX_BITS = 0x3F;
 
-  /** Takes whole messages; returns false if one is wrong, which ends the connection. */
+  /** Handles a complete message; returning false ends the connection. */
   interface Handler {
     boolean handle(int type, Bits arguments);
   }
@@ -15,12 +15,12 @@ final class MessageReader {
   private final byte[] message = new byte[Message.LONGEST];
   private int length;
 
-  /** Forgets a message that is half there. */
+  /** Discards a partial message. */
   void reset() {
     length = 0;
   }
 
-  /** Takes bytes; returns false at the first message that the board does not take. */
+  /** Consumes bytes; returns false at the first message the board rejects. */
   boolean accept(byte[] bytes, int offset, int count, Handler handler) {
     for (int i = offset; i < offset + count; i++) {
       message[length++] = bytes[i];
@@ -54,7 +54,7 @@ final class MessageReader {
 
   /** The arguments of one message: packed bit fields, least significant first. */
   record Bits(byte[] bytes, int offset, int length) {
-    /** The field of some bits that begins at a bit of a byte. */
+    /** A bit field starting at a bit of a byte. */
     int field(int index, int firstBit, int bits) {
       return octet(index) >> firstBit & (1 << bits) - 1;
     }
@@ -74,7 +74,7 @@ final class MessageReader {
       return octet(index) | octet(index + 1) << 8;
     }
 
-    /** All of it as characters. */
+    /** All arguments as text. */
     String text() {
       return new String(bytes, offset, length, StandardCharsets.ISO_8859_1);
     }

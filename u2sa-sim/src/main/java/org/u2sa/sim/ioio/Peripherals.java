@@ -1,6 +1,6 @@
 package org.u2sa.sim.ioio;
 
-/** All modules of one board, and how time passes in them. */
+/** All modules of a board, stepped together. */
 final class Peripherals {
   private static final int UARTS = 4;
 
@@ -37,7 +37,7 @@ final class Peripherals {
     return nowMicros;
   }
 
-  /** Everything is off and all pins float, as after power-up. */
+  /** Resets all modules; all pins float, as after power-up. */
   void reset() {
     pwm.reset();
     pins.reset();
@@ -51,7 +51,7 @@ final class Peripherals {
     }
   }
 
-  /** A millisecond has passed. */
+  /** Advances by 1 ms. */
   void tick(long now) {
     nowMicros = now;
     digital.tick();
@@ -65,7 +65,7 @@ final class Peripherals {
     report();
   }
 
-  /** What the firmware's main loop does in every round. */
+  /** One pass of the firmware's main loop. */
   void report() {
     for (UartModule uart : uarts) {
       uart.report();

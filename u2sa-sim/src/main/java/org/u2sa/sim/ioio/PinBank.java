@@ -2,12 +2,12 @@ package org.u2sa.sim.ioio;
 
 import java.util.Arrays;
 
-/** What each pin is set to, and what the world at the pins therefore sees. */
+/** Pin modes and the resulting outputs at the pins. */
 final class PinBank {
   private static final int NO_MODULE = -1;
   private static final int LED = 0;
 
-  /** What a pin gives: nothing, a level, or pulses. */
+  /** Output of a pin: none, a level, or pulses. */
   private record Signal(boolean drives, boolean high, PulseTrain pulses) {
     static final Signal NOTHING = new Signal(false, false, PulseTrain.NONE);
   }
@@ -18,8 +18,8 @@ final class PinBank {
   private final boolean[] output;
   private final boolean[] level;
   private final boolean[] analog;
-  private final int[] pwmModule; // that is led to the pin
-  private final int[] uartModule; // whose transmit line is led to the pin
+  private final int[] pwmModule; // routed to the pin
+  private final int[] uartModule; // whose TX is routed to the pin
   private final Signal[] seen;
 
   PinBank(IoioBoard board, Pins world, PwmModules pwm) {
@@ -38,7 +38,7 @@ final class PinBank {
     Arrays.fill(seen, Signal.NOTHING);
   }
 
-  /** All pins are inputs again; the LED is off. */
+  /** Resets all pins to inputs; the LED is off. */
   void reset() {
     for (int pin = 0; pin < board.pins(); pin++) {
       becomes(pin, pin == LED, true, false);
@@ -57,7 +57,7 @@ final class PinBank {
     becomes(pin, false, level[pin], true);
   }
 
-  /** Each of these modes takes the pin away from whatever was led to it. */
+  /** Each of these modes disconnects any peripheral from the pin. */
   private void becomes(int pin, boolean isOutput, boolean high, boolean isAnalog) {
     output[pin] = isOutput;
     level[pin] = high;
@@ -74,14 +74,14 @@ final class PinBank {
     return analog[pin];
   }
 
-  /** Leads a PWM module to a pin, or takes it away; a pin that cannot have one stays as it is. */
+  /** Routes a PWM module to a pin, or disconnects it; no effect on a pin without PWM. */
   void leadPwm(int pin, int module, boolean enable) {
     if (board.hasPeripheralOutput(pin)) {
       lead(pin, enable ? module : NO_MODULE, NO_MODULE);
     }
   }
 
-  /** Leads the transmit line of a UART to a pin, or takes it away. */
+  /** Routes a UART's TX to a pin, or disconnects it. */
   void leadUart(int pin, int module, boolean enable) {
     if (board.hasPeripheralOutput(pin)) {
       lead(pin, NO_MODULE, enable ? module : NO_MODULE);
@@ -94,7 +94,7 @@ final class PinBank {
     refresh(pin);
   }
 
-  /** Shows at the pins what a PWM module gives now. */
+  /** Updates the pins driven by a PWM module. */
   void pwmChanged(int module) {
     for (int pin = 0; pin < board.pins(); pin++) {
       if (pwmModule[pin] == module) {
@@ -103,7 +103,7 @@ final class PinBank {
     }
   }
 
-  /** The pins to which the transmit line of a UART is led get bytes. */
+  /** Sends bytes to the pins driven by a UART's TX. */
   void transmit(int module, int baud, byte[] bytes, int length) {
     for (int pin = 0; pin < board.pins(); pin++) {
       if (uartModule[pin] == module) {

@@ -1,66 +1,63 @@
 package org.u2sa.sim.ioio;
 
 /**
- * What is wired to the pins of a simulated IOIO: a vehicle with its motor controller, its GPS, its
- * receiver. The board calls it, on one thread at a time; pins are numbered as on the board.
+ * Hardware wired to the pins of a simulated IOIO: a vehicle with motor controller, GPS and
+ * receiver. Called by the board from one thread at a time; pin numbers are the board's.
  *
- * <p>All methods have a default that does what a pin with nothing on it does, so that a vehicle
- * says only what it has. A device sends bytes whenever it has them: the board adds the time that
- * they take on the line.
+ * <p>Default methods model an unconnected pin, so implementations override only what they use.
+ * Devices may send bytes at any time: the board models line delay.
  */
 public interface Pins {
   /**
-   * Brings the world behind the pins to this moment. Called before the pins are read, with what
-   * drives the pins unchanged since the last call.
+   * Advances the hardware to this time. Called before the pins are read; outputs are constant since
+   * the previous call.
    *
-   * @param nowMicros the run's time [µs], never less than at the last call
+   * @param nowMicros time of the run [µs], non-decreasing
    */
   default void advance(long nowMicros) {}
 
   /**
-   * A pin gives these pulses from now on; {@link PulseTrain#NONE} or a width of 0: it stays low.
+   * A pin outputs these pulses from now on; {@link PulseTrain#NONE} or a width of 0 keeps it low.
    *
    * @param pin a pin with a PWM module
    */
   default void driven(int pin, PulseTrain pulses) {}
 
-  /** A digital output has this level from now on. The LED, pin 0, is lit when low. */
+  /** Sets a digital output. The LED, pin 0, is lit when low. */
   default void driven(int pin, boolean high) {}
 
   /**
-   * A pin drives nothing from now on: it is an input, or the board was reset or lost its
-   * connection. A motor controller sees no more pulses.
+   * A pin stops driving: it became an input, or the board was reset or disconnected. A motor
+   * controller receives no more pulses.
    */
   default void released(int pin) {}
 
   /**
    * The board sent bytes to the device at this transmit pin of a UART.
    *
-   * @param baud the UART's rate [bit/s]; the usual one if the board's divider comes near it
-   * @param bytes the first {@code length} are new; the board uses the array again
+   * @param baud the UART's rate [bit/s], rounded to the standard rate if the board's divider is
+   *     close to it
+   * @param bytes the first {@code length} are valid; the array is reused
    */
   default void transmitted(int pin, int baud, byte[] bytes, int length) {}
 
   /**
-   * Takes bytes that the device at this receive pin of a UART has sent. The board asks again until
-   * the answer is 0.
+   * Reads bytes sent by the device at this UART receive pin. Called repeatedly until it returns 0.
    *
-   * @param baud the UART's rate [bit/s]; a device at another rate is not understood, and gives none
-   * @param buffer where to put them
-   * @return how many were put there
+   * @param baud the UART's rate [bit/s]; a device at another rate returns none
+   * @param buffer destination
+   * @return number of bytes
    */
   default int received(int pin, int baud, byte[] buffer) {
     return 0;
   }
 
-  /** Voltage at an analog input [V]; the board measures 0…3.3 V and clips what is outside. */
+  /** Voltage at an analog input [V]; the board clips to 0…3.3 V. */
   default double volts(int pin) {
     return 0.0;
   }
 
-  /**
-   * Pulses that arrive at an input, as from a radio receiver; {@link PulseTrain#NONE} if none do.
-   */
+  /** Pulses at an input, such as from a radio receiver; {@link PulseTrain#NONE} for none. */
   default PulseTrain pulses(int pin) {
     return PulseTrain.NONE;
   }

@@ -1,8 +1,8 @@
 package org.u2sa.sim.ioio;
 
 /**
- * One module that measures the time between two edges at a pin, at most 200 times a second. From
- * the firmware's {@code incap.c}. Pulses are taken to rise at whole multiples of their period.
+ * A capture module that measures the time between two edges at a pin, at most 200 times per second.
+ * After the firmware's {@code incap.c}. Assumes rising edges at multiples of the period.
  */
 final class PulseCapture {
   static final int COUNT = 9;
@@ -53,14 +53,14 @@ final class PulseCapture {
     armedMicros = (Math.floor(afterMicros / REARM_MICROS) + 1.0) * REARM_MICROS;
   }
 
-  /** Reports what was measured up to now. */
+  /** Reports completed measurements. */
   void tick(long nowMicros) {
     if (mode == 0 || pin == NO_PIN) {
       return;
     }
     PulseTrain train = world.pulses(pin);
     if (!train.present()) {
-      armedMicros = Math.max(armedMicros, nowMicros); // edges count from when there are any
+      armedMicros = Math.max(armedMicros, nowMicros); // ignore edges before the first
       return;
     }
     double periodMicros = train.periodS() * MICROS;

@@ -1,9 +1,9 @@
 package org.u2sa.sim.ioio;
 
 /**
- * Pulses that repeat, as a servo, a motor controller or a radio receiver knows them.
+ * A repeating pulse signal, as used by servos, motor controllers and radio receivers.
  *
- * @param widthS time that each pulse is high [s], 0 if the line is low all the time
+ * @param widthS high time of each pulse [s], 0 for a constantly low line
  * @param periodS time from one rising edge to the next [s], 0 if there are none
  */
 public record PulseTrain(double widthS, double periodS) {
@@ -26,7 +26,7 @@ public record PulseTrain(double widthS, double periodS) {
     }
   }
 
-  /** Whether there are edges to count: a line that is always low, or always high, has none. */
+  /** Whether there are edges; constantly low or high lines have none. */
   public boolean present() {
     return widthS > 0.0 && widthS < periodS;
   }

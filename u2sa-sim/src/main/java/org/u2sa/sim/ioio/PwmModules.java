@@ -1,11 +1,11 @@
 package org.u2sa.sim.ioio;
 
-/** The nine PWM modules. From the firmware's {@code pwm.c}. */
+/** The nine PWM modules. After the firmware's {@code pwm.c}. */
 final class PwmModules {
   static final int COUNT = 9;
 
   private static final double SYSTEM_CLOCK_HZ = 16.0e6;
-  private static final int[] DIVIDERS = {1, 256, 64, 8}; // by the scale's two bits
+  private static final int[] DIVIDERS = {1, 256, 64, 8}; // indexed by the two scale bits
   private static final double QUARTER = 0.25;
 
   private final int[] period = new int[COUNT]; // 0: off
@@ -19,7 +19,7 @@ final class PwmModules {
     }
   }
 
-  /** A new period begins with a duty cycle of 0. */
+  /** Sets the period and resets the duty cycle to 0. */
   void setPeriod(int module, int newPeriod, int scale) {
     period[module] = newPeriod;
     divider[module] = DIVIDERS[scale];
@@ -32,7 +32,7 @@ final class PwmModules {
     quarters[module] = fraction;
   }
 
-  /** What the module gives: the registers count from 0, and 0 of the duty cycle is no pulse. */
+  /** Output of the module: registers count from 0; a duty cycle of 0 means no pulse. */
   PulseTrain pulses(int module) {
     if (period[module] == 0) {
       return PulseTrain.NONE;

@@ -1,6 +1,6 @@
 package org.u2sa.sim.ioio;
 
-/** One UART: bytes take their time on the line. From the firmware's {@code uart.c}. */
+/** A UART with line delay. After the firmware's {@code uart.c}. */
 final class UartModule {
   private static final int BUFFER = 256;
   private static final int PACKET = 64;
@@ -9,7 +9,7 @@ final class UartModule {
   private static final int FRAME_BITS = 10; // start, 8 data, stop
   private static final double TICK_S = 1.0e-3;
   private static final int NO_PIN = -1;
-  private static final double TOLERANCE = 0.025; // by which the two ends of a line may differ
+  private static final double TOLERANCE = 0.025; // maximum baud-rate mismatch
   private static final int[] USUAL_BAUDS = {
     1200, 2400, 4800, 9600, 14_400, 19_200, 38_400, 57_600, 115_200, 230_400
   };
@@ -20,7 +20,7 @@ final class UartModule {
   private final ByteQueue out; // to the host
   private final ByteQueue received = new ByteQueue(BUFFER);
   private final ByteQueue toSend = new ByteQueue(BUFFER);
-  private final ByteQueue line = new ByteQueue(1 << 16); // sent by the device, still on its way
+  private final ByteQueue line = new ByteQueue(1 << 16); // sent by the device, still in transit
   private final byte[] scratch = new byte[BUFFER];
   private int receivePin = NO_PIN;
   private int baud; // 0: off
@@ -41,7 +41,7 @@ final class UartModule {
     configure(0, false, false, 0);
   }
 
-  /** Sets the rate up, or with 0 turns the UART off. The host is told only if it asked. */
+  /** Sets the rate, or turns the UART off with 0. The host is notified only on request. */
   void configure(int rate, boolean fast, boolean twoStopBits, int parity) {
     received.clear();
     toSend.clear();
@@ -56,7 +56,7 @@ final class UartModule {
     }
   }
 
-  /** The usual rate that a device has which understands this one. */
+  /** Standard baud rate compatible with this one. */
   private static int nominal(double exact) {
     for (int usual : USUAL_BAUDS) {
       if (Math.abs(exact - usual) <= TOLERANCE * usual) {
@@ -70,7 +70,7 @@ final class UartModule {
     out.push(Message.UART_STATUS, number | (baud > 0 ? 0x80 : 0));
   }
 
-  /** Leads a pin to the receive line, or none. */
+  /** Routes a pin to RX, or disconnects it. */
   void receiveAt(int pin, boolean enable) {
     receivePin = enable ? pin : NO_PIN;
   }
@@ -79,7 +79,7 @@ final class UartModule {
     toSend.push(bytes, 0, bytes.length);
   }
 
-  /** A millisecond passes on the lines. */
+  /** Advances the lines by 1 ms. */
   void tick() {
     if (baud == 0) {
       return;
@@ -89,7 +89,7 @@ final class UartModule {
     int arrived = line.pull(scratch, (int) Math.min(receiveCredit, scratch.length));
     receiveCredit -= arrived;
     for (int i = 0; i < arrived; i++) {
-      received.push(scratch, i, 1); // one by one: what finds the buffer full is lost
+      received.push(scratch, i, 1); // byte by byte: bytes beyond the capacity are lost
     }
     sendCredit = toSend.size() == 0 ? 0.0 : sendCredit + bytesPerTick;
     int sent = toSend.pull(scratch, (int) Math.min(sendCredit, scratch.length));
@@ -110,7 +110,7 @@ final class UartModule {
     }
   }
 
-  /** Hands the host what was received, and tells it how many bytes more it may send. */
+  /** Passes received bytes to the host and reports its remaining send credit. */
   void report() {
     int count = received.pull(scratch, PACKET);
     if (count > 0) {

@@ -1,6 +1,6 @@
 /**
- * A simulated IOIO board: its firmware's wire protocol and what happens at its pins, served over
- * TCP or within the process. Vehicles behind the pins belong in other packages, and so does the
- * library that talks to the board: nothing here depends on it.
+ * A simulated IOIO board: the firmware's wire protocol and pin behaviour, served over TCP or
+ * in-process. Vehicles behind the pins and the host-side IOIO library belong elsewhere; nothing
+ * here depends on them.
  */
 package org.u2sa.sim.ioio;

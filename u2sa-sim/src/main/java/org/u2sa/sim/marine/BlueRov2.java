@@ -9,8 +9,8 @@ import org.u2sa.sim.world.World;
  * The BlueROV2 with six T200 thrusters: four vectored in the plane, two vertical.
  *
  * <p>Masses and drag after Wu: 6-DoF Modelling and Control of a Remotely Operated Vehicle (master's
- * thesis, Flinders University, 2018), as widely used since; thrust is the T200's at 14 V, rounded.
- * The small excess of buoyancy lets it rise when it does nothing.
+ * thesis, Flinders University, 2018), as widely used since; thrust of the T200 at 14 V, rounded.
+ * Slightly positive buoyancy makes it rise when idle.
  */
 public final class BlueRov2 {
   /** Thrust of one thruster at full command [N]. */
@@ -28,7 +28,7 @@ public final class BlueRov2 {
 
   private BlueRov2() {}
 
-  /** Its hull. */
+  /** Hull parameters. */
   public static Hull hull() {
     return new Hull(
         11.5,
@@ -45,9 +45,7 @@ public final class BlueRov2 {
         0.25);
   }
 
-  /**
-   * Its thrusters THRUSTER 1…6: front right and left, rear right and left, vertical right and left.
-   */
+  /** Thrusters THRUSTER 1…6: front right and left, rear right and left, vertical right and left. */
   public static List<VesselThruster> thrusters() {
     return List.of(
         thruster(1, Point.of(AHEAD_M, ASIDE_M, 0.0), Point.of(HALF, -HALF, 0.0)),
@@ -64,7 +62,7 @@ public final class BlueRov2 {
   }
 
   /**
-   * One at rest.
+   * * Creates a vehicle at rest.
    *
    * @param world with water
    * @param start east, north, up [m]

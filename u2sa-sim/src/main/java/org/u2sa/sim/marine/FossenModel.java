@@ -9,12 +9,12 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.RungeKutta;
 
 /**
- * Equations of motion of a vessel in a steady current without rotation: M ν̇ᵣ + C(νᵣ) νᵣ + D(νᵣ) νᵣ
- * + g(η) = τ (Fossen 2021, equations 10.1 and 10.130–10.136; with a rigid-body C that does not
- * depend on linear velocity, the current is in νᵣ alone).
+ * Equations of motion of a vessel in a steady, irrotational current: M ν̇ᵣ + C(νᵣ) νᵣ + D(νᵣ) νᵣ +
+ * g(η) = τ (Fossen 2021, equations 10.1 and 10.130–10.136; with a rigid-body C that does not depend
+ * on linear velocity, the current is in νᵣ alone).
  *
- * <p>State: north, east, down [m]; quaternion of the attitude (w, x, y, z); velocity through the
- * water u, v, w [m/s]; p, q, r [rad/s]; a thrust for each thruster [N].
+ * <p>State: north, east, down [m]; quaternion of the attitude (w, x, y, z); velocity relative to
+ * the water u, v, w [m/s]; p, q, r [rad/s]; thrust of each thruster [N].
  */
 final class FossenModel implements RungeKutta.Motion {
   static final int NED = 0;
@@ -26,10 +26,10 @@ final class FossenModel implements RungeKutta.Motion {
   private final Hull hull;
   private final List<VesselThruster> thrusters;
   private final double[] inverse = new double[36]; // of M, by rows
-  private final double[] targetN; // thrust that each thruster is heading for
+  private final double[] targetN; // steady-state thrust commanded to each thruster
   private final double currentNorth;
   private final double currentEast;
-  private final double surfaceDown; // where the water's surface is [m], down
+  private final double surfaceDown; // down coordinate of the water surface [m]
   private final double[] force = new double[6];
 
   FossenModel(
@@ -70,7 +70,7 @@ final class FossenModel implements RungeKutta.Motion {
     return THRUST + thrusters.size();
   }
 
-  /** Commands a thruster −1…1. */
+  /** Sets a thruster command, −1…1. */
   void command(int thruster, double value) {
     targetN[thruster] = thrusters.get(thruster).thrustN(value);
   }
@@ -194,13 +194,13 @@ final class FossenModel implements RungeKutta.Motion {
     force[5] -= u * y - v * x + p * l - q * k;
   }
 
-  /** Weight and buoyancy, less of which as the hull comes out of the water. */
+  /** Weight and buoyancy; buoyancy decreases as the hull surfaces. */
   private void restore(double[] s) {
     double w = s[QUATERNION];
     double x = s[QUATERNION + 1];
     double y = s[QUATERNION + 2];
     double z = s[QUATERNION + 3];
-    double dx = 2 * (x * z - w * y); // down along the vehicle's axes
+    double dx = 2 * (x * z - w * y); // down direction in vehicle axes
     double dy = 2 * (y * z + w * x);
     double dz = 1 - 2 * (x * x + y * y);
     double under = 0.5 + (s[NED + 2] - surfaceDown) / hull.heightM();

@@ -4,22 +4,22 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * The rigid body and the water around it, about its reference point, in forward, right and down
- * axes. Points hold one number for each axis.
+ * Rigid-body and hydrodynamic parameters about the reference point, in forward, right, down axes.
+ * Points hold one value per axis.
  *
- * @param massKg [kg]
- * @param inertia about the axes through the reference point [kg m²]
- * @param addedMass of the water, linear: −X_u̇, −Y_v̇, −Z_ẇ [kg]
- * @param addedInertia of the water, angular: −K_ṗ, −M_q̇, −N_ṙ [kg m²]
- * @param drag linear: −X_u, −Y_v, −Z_w [N s/m]
- * @param angularDrag linear: −K_p, −M_q, −N_r [N m s]
- * @param squareDrag quadratic: −X_|u|u, … [N s²/m²]
- * @param squareAngularDrag quadratic: −K_|p|p, … [N m s²]
- * @param gravityCentre [m]
- * @param buoyancyCentre [m]
- * @param buoyancyN of the submerged hull [N]
- * @param heightM of the hull, half of it above the reference point, for the buoyancy at the surface
- *     [m]
+ * @param massKg mass [kg]
+ * @param inertia moments of inertia about the reference point [kg m²]
+ * @param addedMass added mass, linear: −X_u̇, −Y_v̇, −Z_ẇ [kg]
+ * @param addedInertia added inertia, angular: −K_ṗ, −M_q̇, −N_ṙ [kg m²]
+ * @param drag linear damping: −X_u, −Y_v, −Z_w [N s/m]
+ * @param angularDrag linear angular damping: −K_p, −M_q, −N_r [N m s]
+ * @param squareDrag quadratic damping: −X_|u|u, … [N s²/m²]
+ * @param squareAngularDrag quadratic angular damping: −K_|p|p, … [N m s²]
+ * @param gravityCentre centre of gravity [m]
+ * @param buoyancyCentre centre of buoyancy [m]
+ * @param buoyancyN buoyancy of the submerged hull [N]
+ * @param heightM hull height [m], half of it above the reference point; used for buoyancy at the
+ *     surface
  */
 public record Hull(
     double massKg,

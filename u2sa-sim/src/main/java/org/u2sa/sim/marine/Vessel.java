@@ -15,11 +15,11 @@ import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
 
 /**
- * One simulated vessel with thrusters, on or under the water of its world, whose current it drifts
- * with. It steps at 200 Hz inside. Not safe for several threads.
+ * A simulated vessel with thrusters, on or under water, drifting with the world's current.
+ * Integrates internally at 200 Hz. Not thread-safe.
  */
 public final class Vessel implements SimulatedVehicle {
-  /** Rate of the physics inside [1/s]. */
+  /** Internal integration rate [1/s]. */
   public static final int TICKS_PER_SECOND = 200;
 
   private final World world;
@@ -32,7 +32,7 @@ public final class Vessel implements SimulatedVehicle {
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
 
   /**
-   * At rest in the water.
+   * Creates a vessel at rest.
    *
    * @param world with water
    * @param start east, north, up [m]
@@ -106,7 +106,7 @@ public final class Vessel implements SimulatedVehicle {
     Rotation nedFromFrd = attitude.nedFromFrd();
     Point rate = at(state, FossenModel.RATES);
     Point through = at(state, FossenModel.VELOCITY);
-    Point turning = // ν̇ in axes that turn: ω × v
+    Point turning = // transport term ω × v of the rotating axes
         Point.of(
             rate.y() * through.z() - rate.z() * through.y(),
             rate.z() * through.x() - rate.x() * through.z(),
@@ -121,7 +121,7 @@ public final class Vessel implements SimulatedVehicle {
         enu(acceleration));
   }
 
-  /** Velocity through the water: forward, right, down [m/s]. */
+  /** Velocity relative to the water: forward, right, down [m/s]. */
   public Point throughWater() {
     return at(state, FossenModel.VELOCITY);
   }

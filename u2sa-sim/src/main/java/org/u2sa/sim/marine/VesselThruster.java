@@ -4,17 +4,16 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A propeller at the hull, in forward, right and down axes. Its thrust follows its command by a lag
- * of first order.
+ * A thruster on the hull, in forward, right, down axes, with first-order lag.
  *
- * @param name as commands address it
- * @param place from the reference point [m]
- * @param direction of its thrust on the hull at a positive command, of length 1
+ * @param name name used in commands
+ * @param place position relative to the reference point [m]
+ * @param direction unit vector of the thrust on the hull at a positive command
  * @param forwardN thrust at full command [N]
  * @param reverseN thrust at full command astern [N]
- * @param deadband share of the command below which it does not turn, 0…1
- * @param exponent of the thrust's growth with the command beyond the deadband
- * @param timeConstantS of the lag [s]
+ * @param deadband command magnitude below which it does not turn, 0…1
+ * @param exponent exponent of the thrust curve beyond the dead band
+ * @param timeConstantS time constant of the lag [s]
  */
 public record VesselThruster(
     String name,
@@ -28,7 +27,8 @@ public record VesselThruster(
   private static final double UNIT = 1e-6;
 
   /**
-   * @throws IllegalArgumentException if the direction is not of length 1 or a number out of range
+   * @throws IllegalArgumentException if the direction is not a unit vector or a value is out of
+   *     range
    */
   public VesselThruster {
     Arguments.requireInside("deadband of " + name, deadband, 0.0, 0.9);
@@ -38,7 +38,7 @@ public record VesselThruster(
         "length of the direction of " + name, direction.distance(), 1.0 - UNIT, 1.0 + UNIT);
   }
 
-  /** Thrust in the long run at a command −1…1 [N]. */
+  /** Steady-state thrust at a command −1…1 [N]. */
   double thrustN(double command) {
     double beyond = (StrictMath.abs(command) - deadband) / (1.0 - deadband);
     if (!(beyond > 0.0)) {

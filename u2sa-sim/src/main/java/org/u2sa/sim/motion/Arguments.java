@@ -1,6 +1,6 @@
 package org.u2sa.sim.motion;
 
-/** Refuses arguments that physics, or a device, has no answer to. */
+/** Validates arguments of models and devices. */
 public final class Arguments {
   private Arguments() {}
 

@@ -1,6 +1,6 @@
 package org.u2sa.sim.motion;
 
-/** The classical fourth-order step, with its working space. For one thread. */
+/** Classical fourth-order Runge–Kutta integrator with reusable buffers. Not thread-safe. */
 public final class RungeKutta {
   private final double[] k1;
   private final double[] k2;
@@ -20,10 +20,10 @@ public final class RungeKutta {
   }
 
   /**
-   * Moves a state on by one step.
+   * Advances a state by one step.
    *
    * @param state read and replaced
-   * @param dtS length of the step [s]
+   * @param dtS step size [s]
    */
   public void step(Motion motion, double[] state, double dtS) {
     motion.derivatives(state, k1);
@@ -44,13 +44,13 @@ public final class RungeKutta {
     }
   }
 
-  /** Equations of motion: how fast each number of a state vector changes. */
+  /** Equations of motion: derivative of a state vector. */
   public interface Motion {
     /**
-     * Gives the rates of change at a state.
+     * Computes the derivative at a state.
      *
-     * @param state not changed
-     * @param rate filled, of the same length; per second
+     * @param state input, not modified
+     * @param rate output of the same length, per second
      */
     void derivatives(double[] state, double[] rate);
   }

@@ -1,5 +1,2 @@
-/**
- * Integration of equations of motion over time. The equations belong to the packages of the
- * vehicles.
- */
+/** Numerical integration of equations of motion. The equations belong to the vehicle packages. */
 package org.u2sa.sim.motion;
