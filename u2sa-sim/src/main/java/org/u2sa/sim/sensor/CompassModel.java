@@ -4,9 +4,8 @@ import java.util.Random;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * What a magnetometer on a level vehicle measures, and the heading that comes of it: the earth's
- * field and what disturbs it at this place, through the iron of the vehicle and the currents of its
- * motors.
+ * Model of a magnetometer on a level vehicle and its heading: the earth's field plus local
+ * disturbances, distorted by the vehicle's iron and motor currents.
  */
 public final class CompassModel {
   private static final double TURN_RAD = 2.0 * Math.PI;
@@ -14,13 +13,13 @@ public final class CompassModel {
   private final CompassParameters p;
   private final Random noise;
 
-  /** Takes the stream {@code compass}. */
+  /** Uses the random stream {@code compass}. */
   public CompassModel(CompassParameters parameters, NoiseStreams streams) {
     this.p = parameters;
     this.noise = streams.of("compass");
   }
 
-  /** Magnetic heading [rad, 0…2π) of a vehicle that moves like this among these fields. */
+  /** Measured magnetic heading [rad, 0…2π) for a vehicle state and disturbance. */
   public double sample(VehicleTruth truth, Disturbance field) {
     double east = p.horizontalUt() * StrictMath.sin(p.declinationRad()) + field.eastUt();
     double north = p.horizontalUt() * StrictMath.cos(p.declinationRad()) + field.northUt();
@@ -46,15 +45,15 @@ public final class CompassModel {
   }
 
   /**
-   * What disturbs a compass besides the earth's field.
+   * Disturbances of a compass besides the earth's field.
    *
-   * @param eastUt field of something at this place, towards east [µT]
-   * @param northUt towards north [µT]
+   * @param eastUt local magnetic disturbance, east [µT]
+   * @param northUt local magnetic disturbance, north [µT]
    * @param leftA current of the left, or only, motor, driving forward positive [A]
    * @param rightA current of the right motor [A]
    */
   public record Disturbance(double eastUt, double northUt, double leftA, double rightA) {
-    /** Nothing. */
+    /** No disturbance. */
     public static Disturbance none() {
       return new Disturbance(0.0, 0.0, 0.0, 0.0);
     }

@@ -3,19 +3,19 @@ package org.u2sa.sim.sensor;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A two-axis magnetometer on a level vehicle, with what its calibration left over.
+ * A two-axis magnetometer on a level vehicle, with residual errors after calibration.
  *
- * @param rateHz headings in a second
- * @param declinationRad magnetic north, east of true north [rad]
+ * @param rateHz headings per second
+ * @param declinationRad magnetic declination, east positive [rad]
  * @param horizontalUt the earth's horizontal field [µT]
- * @param hardForwardUt field of the vehicle's own magnets, along it [µT]
- * @param hardRightUt to the right [µT]
- * @param softForward by which iron strengthens the field along the vehicle
- * @param softRight across it
- * @param softCross by which a field along gives one across, and the other way round
- * @param forwardUtPerA of each motor's current, along the vehicle [µT/A]
- * @param rightUtPerA of the left motor's current to the right; the right one's is opposite [µT/A]
- * @param noiseUt of each axis and reading [µT]
+ * @param hardForwardUt hard-iron field, forward [µT]
+ * @param hardRightUt hard-iron field, right [µT]
+ * @param softForward soft-iron gain along the vehicle
+ * @param softRight soft-iron gain across the vehicle
+ * @param softCross soft-iron cross-coupling between both axes
+ * @param forwardUtPerA field per motor current, forward [µT/A]
+ * @param rightUtPerA field per left-motor current, right; opposite for the right motor [µT/A]
+ * @param noiseUt noise per axis and reading [µT]
  */
 public record CompassParameters(
     double rateHz,
@@ -47,21 +47,21 @@ public record CompassParameters(
   }
 
   /**
-   * A calibrated smart compass as Sparton's SP3004D: 0.3° of noise, half a degree that calibration
-   * left, another half for 10 A in the motors. The field is that of the eastern United States.
+   * A calibrated smart compass such as the Sparton SP3004D: 0.3° noise, 0.5° residual calibration
+   * error, another 0.5° at 10 A of motor current. Field of the eastern United States.
    */
   public static CompassParameters calibrated(double declinationRad) {
     return new CompassParameters(
         20.0, declinationRad, 21.0, 0.12, -0.15, 0.004, -0.003, 0.003, 0.004, 0.01, 0.1);
   }
 
-  /** A telephone's magnetometer beside the motors: several degrees of everything. */
+  /** A phone's magnetometer next to the motors: several degrees of each error. */
   public static CompassParameters phone(double declinationRad) {
     return new CompassParameters(
         20.0, declinationRad, 21.0, 1.2, -1.5, 0.03, -0.04, 0.02, 0.03, 0.05, 0.5);
   }
 
-  /** One without error. */
+  /** An ideal compass. */
   public static CompassParameters perfect(double declinationRad) {
     return new CompassParameters(20.0, declinationRad, 21.0, 0, 0, 0, 0, 0, 0, 0, 0);
   }

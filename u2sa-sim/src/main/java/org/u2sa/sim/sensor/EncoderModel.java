@@ -3,7 +3,7 @@ package org.u2sa.sim.sensor;
 import java.util.Random;
 import org.u2sa.sim.motion.Arguments;
 
-/** Counts of a wheel encoder: whole ones, and some are missed. */
+/** Wheel encoder with quantisation and missed counts. */
 public final class EncoderModel {
   private static final double TURN_RAD = 2.0 * Math.PI;
 
@@ -14,9 +14,9 @@ public final class EncoderModel {
   private long counted;
 
   /**
-   * @param countsPerTurn of the wheel, above 0
-   * @param missed share of counts that get lost, 0…1
-   * @param name of its random stream
+   * @param countsPerTurn counts per wheel revolution, above 0
+   * @param missed share of counts lost, 0…1
+   * @param name name of its random stream
    */
   public EncoderModel(double countsPerTurn, double missed, NoiseStreams streams, String name) {
     Arguments.requirePositive("counts per turn", countsPerTurn);
@@ -29,7 +29,7 @@ public final class EncoderModel {
   /**
    * Counts since the start, forward positive.
    *
-   * @param angleRad by which the wheel has turned since the start [rad]
+   * @param angleRad wheel rotation since the start [rad]
    */
   public long sample(double angleRad) {
     long now = (long) StrictMath.floor(angleRad / TURN_RAD * countsPerTurn);

@@ -1,6 +1,6 @@
 package org.u2sa.sim.sensor;
 
-/** A message that a u-blox receiver can send after each position, by its UBX class and id. */
+/** Messages a u-blox receiver can send after each position, by UBX class and id. */
 public enum GpsMessage {
   /** NMEA: position, quality, altitude. */
   GGA(0xF0, 0x00),
@@ -12,13 +12,13 @@ public enum GpsMessage {
   GST(0xF0, 0x07),
   /** UBX: position and its accuracy. */
   POSLLH(UbxGpsMessages.NAV, UbxGpsMessages.POSLLH),
-  /** UBX: kind of fix. */
+  /** UBX: fix type. */
   STATUS(UbxGpsMessages.NAV, UbxGpsMessages.STATUS),
-  /** UBX: kind of fix, satellites, position and velocity in the earth's axes. */
+  /** UBX: fix type, satellites, ECEF position and velocity. */
   SOL(UbxGpsMessages.NAV, UbxGpsMessages.SOL),
   /** UBX: velocity and its accuracy. */
   VELNED(UbxGpsMessages.NAV, UbxGpsMessages.VELNED),
-  /** UBX: all in one, from u-blox 7 on. */
+  /** UBX: complete navigation solution, u-blox 7 and later. */
   PVT(UbxGpsMessages.NAV, UbxGpsMessages.PVT);
 
   private static final int NMEA = 0xF0;

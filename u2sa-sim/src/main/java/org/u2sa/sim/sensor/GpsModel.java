@@ -5,7 +5,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
-/** A satellite receiver's errors: white noise, wandering bias, drop-outs. */
+/** GNSS error model: white noise, slowly varying bias, outages. */
 public final class GpsModel {
   private final GpsParameters p;
   private final LocalPlane plane;
@@ -18,7 +18,7 @@ public final class GpsModel {
   private double nextOutageS;
   private double outageEndsS;
 
-  /** Takes the streams {@code gps} and {@code gps outages}. */
+  /** Uses the random streams {@code gps} and {@code gps outages}. */
   public GpsModel(GpsParameters parameters, LocalPlane plane, NoiseStreams streams) {
     this.p = parameters;
     this.plane = plane;
@@ -32,10 +32,11 @@ public final class GpsModel {
   }
 
   /**
-   * The next position. The noise goes on during drop-outs, so that one changes nothing after it.
+   * Computes the next position. Noise advances during outages, so an outage does not change later
+   * errors.
    *
-   * @param timeS simulated time, later than at the last call [s]
-   * @param blocked whether something keeps the satellites from being seen
+   * @param timeS simulated time, strictly increasing [s]
+   * @param blocked whether the sky is blocked
    */
   public GpsSample sample(double timeS, VehicleTruth truth, boolean blocked) {
     double dtS = timeS - lastS;
@@ -77,14 +78,14 @@ public final class GpsModel {
     return timeS < outageEndsS;
   }
 
-  /** Time to the next of events that come at random, on average after this long. */
+  /** Time to the next event of a Poisson process with this mean interval. */
   private double waitS(double meanS) {
     return -meanS * StrictMath.log(1.0 - outages.nextDouble());
   }
 
   /**
-   * A bias that wanders but stays bounded: the first-order Gauss-Markov process (Gelb, Applied
-   * Optimal Estimation, chapter 2), discretised exactly, stationary from the beginning.
+   * A first-order Gauss-Markov bias (Gelb, Applied Optimal Estimation, chapter 2), discretised
+   * exactly and stationary from the start.
    */
   static final class GaussMarkov {
     private final double sigma;
@@ -93,8 +94,8 @@ public final class GpsModel {
     private double value;
 
     /**
-     * @param sigma its standard deviation
-     * @param tauS time in which it forgets all but 1/e of its value [s]
+     * @param sigma standard deviation
+     * @param tauS correlation time [s]
      */
     GaussMarkov(double sigma, double tauS, Random noise) {
       this.sigma = sigma;

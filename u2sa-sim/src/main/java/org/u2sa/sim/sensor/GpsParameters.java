@@ -3,19 +3,19 @@ package org.u2sa.sim.sensor;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * The errors of a satellite receiver. Standard deviations are those of each axis.
+ * GNSS error parameters. Standard deviations are per axis.
  *
- * @param rateHz positions in a second, at most
- * @param latencyS from the moment that a position is of to its first byte [s]
- * @param whiteM noise of each position [m]
- * @param biasM error that wanders slowly, Gauss-Markov [m]
+ * @param rateHz maximum position rate [Hz]
+ * @param latencyS delay from the time of the position to its first byte [s]
+ * @param whiteM white noise per position [m]
+ * @param biasM Gauss-Markov bias [m]
  * @param biasTauS its time constant [s]
- * @param verticalFactor by which vertical errors are larger than horizontal ones
- * @param velocityMps noise of the velocity [m/s]
- * @param betweenOutagesS mean time between drop-outs [s], 0 for none
- * @param outageS mean duration of a drop-out [s]
+ * @param verticalFactor ratio of vertical to horizontal errors
+ * @param velocityMps velocity noise [m/s]
+ * @param betweenOutagesS mean time between outages [s], 0 for none
+ * @param outageS mean duration of an outage [s]
  * @param satellites used when there is a fix
- * @param quality of the fix as GGA says it: 1 autonomous, 4 RTK fixed
+ * @param quality GGA fix quality: 1 autonomous, 4 RTK fixed
  */
 public record GpsParameters(
     double rateHz,
@@ -47,32 +47,32 @@ public record GpsParameters(
   }
 
   /**
-   * Survey grade: 2 cm in all, most of it white, at 10 Hz. Real-time kinematic receivers claim 1 cm
-   * + 1 ppm and 0.05 m/s (u-blox ZED-F9P data sheet).
+   * Survey grade: 2 cm in total, mostly white, at 10 Hz. RTK receivers specify 1 cm + 1 ppm and
+   * 0.05 m/s (u-blox ZED-F9P data sheet).
    */
   public static GpsParameters survey() {
     return new GpsParameters(10.0, 0.06, 0.016, 0.012, 60.0, 1.5, 0.03, 0.0, 1.0, 16, 4);
   }
 
   /**
-   * A telephone's receiver under open sky: 3 m that wander over two minutes, once a second, late.
-   * The thesis found such receivers too poor for its vehicle (4.6.3); smartphones in the open are
-   * typically within 4.9 m, 95 % (van Diggelen and Enge 2015).
+   * A phone's receiver under open sky: 3 m bias with a correlation time of two minutes, 1 Hz,
+   * delayed. The thesis found such receivers too poor for its vehicle (4.6.3); smartphones in the
+   * open are typically within 4.9 m, 95 % (van Diggelen and Enge 2015).
    */
   public static GpsParameters phone() {
     return new GpsParameters(1.0, 0.25, 0.5, 3.0, 120.0, 1.5, 0.15, 900.0, 5.0, 9, 1);
   }
 
   /**
-   * A stand-alone aviation receiver without corrections: 1.5 m that wander over two minutes, 0.3 m
-   * of noise, five times a second. High-quality single-frequency receivers do better: 1.9 m, 95 %
+   * A stand-alone aviation receiver without corrections: 1.5 m bias with a correlation time of two
+   * minutes, 0.3 m noise, 5 Hz. High-quality single-frequency receivers do better: 1.9 m, 95 %
    * (gps.gov, GPS Accuracy).
    */
   public static GpsParameters aviation() {
     return new GpsParameters(5.0, 0.15, 0.3, 1.5, 120.0, 1.8, 0.1, 0.0, 1.0, 10, 1);
   }
 
-  /** What the receiver says of each horizontal axis [m]. */
+  /** Standard deviation reported per horizontal axis [m]. */
   double horizontalSigmaM() {
     return StrictMath.sqrt(whiteM * whiteM + biasM * biasM);
   }

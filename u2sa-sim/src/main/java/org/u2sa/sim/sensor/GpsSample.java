@@ -1,20 +1,20 @@
 package org.u2sa.sim.sensor;
 
 /**
- * A position as a receiver computed it.
+ * A position computed by a receiver.
  *
- * @param timeS simulated time that it is of [s]
- * @param valid whether there is a fix; without one no other number counts
+ * @param timeS simulated time of the position [s]
+ * @param valid whether there is a fix; if not, the other values are undefined
  * @param latitudeDeg WGS-84 [°]
  * @param longitudeDeg WGS-84 [°]
- * @param altitudeM above mean sea level, taken as the ellipsoid [m]
- * @param eastMps [m/s]
- * @param northMps [m/s]
- * @param upMps [m/s]
- * @param horizontalSigmaM standard deviation of each horizontal axis, as the receiver estimates [m]
- * @param verticalSigmaM [m]
- * @param velocitySigmaMps of each axis [m/s]
- * @param satellites used
+ * @param altitudeM altitude above mean sea level, taken equal to the ellipsoid [m]
+ * @param eastMps east velocity [m/s]
+ * @param northMps north velocity [m/s]
+ * @param upMps up velocity [m/s]
+ * @param horizontalSigmaM standard deviation per horizontal axis, as estimated by the receiver [m]
+ * @param verticalSigmaM vertical standard deviation [m]
+ * @param velocitySigmaMps velocity standard deviation per axis [m/s]
+ * @param satellites number of satellites used
  * @param quality as in GGA: 0 without a fix
  */
 public record GpsSample(

@@ -3,17 +3,17 @@ package org.u2sa.sim.sensor;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * A compass that sends its heading by itself, as NMEA 0183 sentences. Its time moves in {@link
- * #advance}. Not safe for several threads.
+ * A compass that streams its heading as NMEA 0183 sentences. Time advances in {@link #advance}. Not
+ * thread-safe.
  */
 public final class NmeaCompassDevice {
-  /** Which sentence it sends. */
+  /** Sentence type. */
   public enum Sentence {
     /** Magnetic heading. */
     HDM,
-    /** Magnetic heading, and the declination that the compass was told. */
+    /** Magnetic heading and the configured declination. */
     HDG,
-    /** True heading, with the declination that the compass was told. */
+    /** True heading, using the configured declination. */
     HDT
   }
 
@@ -30,7 +30,7 @@ public final class NmeaCompassDevice {
   private long nextUs;
 
   /**
-   * @param baud of its line [bit/s]; 4800 is NMEA's own
+   * @param baud line rate [bit/s]; 4800 is the NMEA 0183 default
    */
   public NmeaCompassDevice(
       int baud, Sentence sentence, CompassParameters parameters, NoiseStreams streams) {
@@ -42,10 +42,10 @@ public final class NmeaCompassDevice {
   }
 
   /**
-   * Time passes; the compass measures and sends at its own rate.
+   * Advances time; the compass measures and sends at its own rate.
    *
-   * @param micros the run's time [µs], not before that of the last call
-   * @param field what disturbs it
+   * @param micros time of the run [µs], non-decreasing
+   * @param field current magnetic disturbance
    */
   public void advance(long micros, VehicleTruth truth, CompassModel.Disturbance field) {
     if (micros >= nextUs) {
@@ -68,19 +68,19 @@ public final class NmeaCompassDevice {
     };
   }
 
-  /** A sentence with a heading of 0…359.9 degrees: what rounds to 360 is 0. */
+  /** A sentence with a heading of 0…359.9 degrees; values that round to 360 become 0. */
   private static NmeaOutput heading(String sentence, double radians) {
     double rounded = Math.round(Math.toDegrees(radians) * 10.0) / 10.0;
     return new NmeaOutput(sentence)
         .number(rounded >= TURN_DEG ? rounded - TURN_DEG : rounded, 1, 1);
   }
 
-  /** When {@link #advance} next has something to do [µs]. */
+  /** Time at which {@link #advance} next has work [µs]. */
   public long nextUs() {
     return nextUs;
   }
 
-  /** The line on which it sends. */
+  /** Its transmit line. */
   public UartTransmitter line() {
     return line;
   }

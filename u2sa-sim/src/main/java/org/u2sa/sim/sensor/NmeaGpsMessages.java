@@ -4,8 +4,8 @@ import java.time.LocalDateTime;
 
 /**
  * The NMEA 0183 sentences of a u-blox receiver (u-blox 6 Receiver Description, NMEA protocol
- * version 2.3). Without a fix their fields stay empty, as the receivers leave them. The geoid is
- * taken as the ellipsoid, as everywhere in U2SA.
+ * version 2.3). Without a fix, fields are empty, as with real receivers. The geoid is taken equal
+ * to the ellipsoid, as everywhere in U2SA.
  */
 final class NmeaGpsMessages {
   private static final double KNOTS_PER_MPS = 3600.0 / 1852.0;
@@ -15,8 +15,8 @@ final class NmeaGpsMessages {
   private final int minuteDecimals;
 
   /**
-   * @param minuteDecimals of a minute of arc: 5 (1.9 cm) as u-blox receivers have it, 7 in their
-   *     high precision mode
+   * @param minuteDecimals decimals of an arc minute: 5 (1.9 cm) for u-blox receivers, 7 in their
+   *     high-precision mode
    */
   NmeaGpsMessages(UtcTime utc, int minuteDecimals) {
     this.utc = utc;
@@ -83,7 +83,7 @@ final class NmeaGpsMessages {
       return sentence.blank(7).bytes();
     }
     return sentence
-        .number(s.horizontalSigmaM(), 1, 3) // of the ranges: of the same size
+        .number(s.horizontalSigmaM(), 1, 3) // range residual RMS: same magnitude
         .blank(3)
         .number(s.horizontalSigmaM(), 1, 3)
         .number(s.horizontalSigmaM(), 1, 3)
@@ -97,7 +97,7 @@ final class NmeaGpsMessages {
         .angle(s.longitudeDeg(), 3, minuteDecimals, "E", "W");
   }
 
-  /** In 0…359.99: what rounds to 360 is 0. */
+  /** Normalises to 0…359.99; values that round to 360 become 0. */
   private static double courseDeg(GpsSample s) {
     double course = s.courseDeg();
     return course >= 359.995 ? 0.0 : course;
@@ -112,7 +112,7 @@ final class NmeaGpsMessages {
     };
   }
 
-  /** Horizontal dilution of precision for that many satellites, as it usually is. */
+  /** Typical HDOP for a number of satellites. */
   static double dilution(GpsSample s) {
     return s.satellites() >= 12 ? 0.8 : 1.2;
   }

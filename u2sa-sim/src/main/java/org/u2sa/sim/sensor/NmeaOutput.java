@@ -14,7 +14,7 @@ final class NmeaOutput {
     text.append(name);
   }
 
-  /** An empty field, or several. */
+  /** Appends empty fields. */
   NmeaOutput blank(int count) {
     for (int i = 0; i < count; i++) {
       text.append(',');
@@ -37,7 +37,11 @@ final class NmeaOutput {
     Decimals.append(text.append(','), time.getHour(), 2, 0);
     Decimals.append(text, time.getMinute(), 2, 0);
     Decimals.append(text, time.getSecond(), 2, 0);
-    Decimals.append(text.append('.'), time.getNano() / NS_PER_CENTISECOND, 2, 0); // never 60.00
+    Decimals.append(
+        text.append('.'),
+        time.getNano() / NS_PER_CENTISECOND,
+        2,
+        0); // truncation never yields 60.00
     return this;
   }
 
@@ -53,7 +57,7 @@ final class NmeaOutput {
   NmeaOutput angle(
       double degrees, int digits, int minuteDecimals, String positive, String negative) {
     double scale = StrictMath.pow(10.0, minuteDecimals);
-    long units = Math.round(Math.abs(degrees) * MINUTES * scale); // rounds before it splits
+    long units = Math.round(Math.abs(degrees) * MINUTES * scale); // round before splitting
     long unitsADegree = Math.round(MINUTES * scale);
     Decimals.append(text.append(','), (double) (units / unitsADegree), digits, 0);
     Decimals.append(text, (units % unitsADegree) / scale, 2, minuteDecimals);
@@ -74,15 +78,15 @@ final class NmeaOutput {
     return Character.toUpperCase(Character.forDigit(nibble, 16));
   }
 
-  /** Writes numbers as instruments do: fixed digits, a point, nothing of the machine's language. */
+  /** Locale-independent decimal formatting with fixed digits. */
   private static final class Decimals {
     private Decimals() {}
 
     /**
      * Appends a number, rounded.
      *
-     * @param digits before the point at least, filled with zeros
-     * @param decimals after it, 0…9
+     * @param digits minimum digits before the point, zero-padded
+     * @param decimals digits after the point, 0…9
      */
     static StringBuilder append(StringBuilder text, double value, int digits, int decimals) {
       long scale = 1;

@@ -3,8 +3,8 @@ package org.u2sa.sim.sensor;
 import java.util.Random;
 
 /**
- * The random streams of a run: one for each name, all from one seed. A sensor that is added takes a
- * stream of its own, so that no other sensor's noise changes.
+ * Named random streams of a run, all derived from one seed. Adding a sensor does not change the
+ * noise of others.
  */
 public final class NoiseStreams {
   private static final long GOLDEN = 0x9E3779B97F4A7C15L;
@@ -16,7 +16,8 @@ public final class NoiseStreams {
   }
 
   /**
-   * A new generator for a sensor, for one thread at a time; the same name gives the same numbers.
+   * Creates the generator of a name; the same name gives the same sequence. The generator is not
+   * thread-safe.
    */
   public Random of(String sensor) {
     long mixed = seed;

@@ -3,21 +3,21 @@ package org.u2sa.sim.sensor;
 import java.util.Random;
 
 /**
- * The numbers of {@link Random}, to the bit, for one thread at a time: without its atomic updates
- * and its lock, which cost more than the numbers themselves.
+ * Bit-identical, unsynchronised {@link Random}, because its atomic updates and lock cost more than
+ * the numbers. Not thread-safe.
  */
 final class SensorNoise extends Random {
   private static final long serialVersionUID = 1L;
-  private static final long MULTIPLIER = 0x5DEECE66DL; // as Random's documentation has them
+  private static final long MULTIPLIER = 0x5DEECE66DL; // from Random's documentation
   private static final long ADDEND = 0xBL;
   private static final long MASK = (1L << 48) - 1;
 
   private long state;
-  private double second; // of a pair of Gaussian numbers
+  private double second; // second value of a Gaussian pair
   private boolean hasSecond;
 
   SensorNoise(long seed) {
-    super(seed); // which calls setSeed
+    super(seed); // calls setSeed
   }
 
   @Override

@@ -4,18 +4,17 @@ import java.io.ByteArrayOutputStream;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * A Sparton smart compass (SP3004D and its successors) as its host sees it, in the legacy binary
- * protocol of Sparton's Software Interface User's Manual: A4, command, data, A0. It answers
+ * Device side of a Sparton smart compass (SP3004D and successors), legacy binary protocol of
+ * Sparton's Software Interface User's Manual: A4, command, data, A0. It answers
  *
  * <ul>
- *   <li>02 true heading and 09 magnetic heading, a turn being 4096
+ *   <li>02 true heading and 09 magnetic heading, 4096 units per turn
  *   <li>06 pitch and roll, both 0 here
  *   <li>83 set the declination in tenths of a degree
- *   <li>57 set the rate of the line
+ *   <li>57 set the baud rate
  * </ul>
  *
- * and AE for what it does not know. Its time moves in {@link #advance}. Not safe for several
- * threads.
+ * and AE for unknown commands. Time advances in {@link #advance}. Not thread-safe.
  */
 public final class SpartonDevice {
   private static final int BUFFER = 256;
@@ -43,7 +42,7 @@ public final class SpartonDevice {
   private int declinationTenths;
 
   /**
-   * @param baud of its line [bit/s]; from the factory 115200
+   * @param baud line rate [bit/s]; factory setting 115200
    */
   public SpartonDevice(int baud, CompassParameters parameters, NoiseStreams streams) {
     model = new CompassModel(parameters, streams);
@@ -52,10 +51,10 @@ public final class SpartonDevice {
   }
 
   /**
-   * Time passes; the compass measures at its own rate.
+   * Advances time; the compass measures at its own rate.
    *
    * @param micros the run's time [µs], not before that of the last call
-   * @param field what disturbs it
+   * @param field current magnetic disturbance
    */
   public void advance(long micros, VehicleTruth truth, CompassModel.Disturbance field) {
     nowUs = micros;
@@ -65,22 +64,22 @@ public final class SpartonDevice {
     }
   }
 
-  /** When {@link #advance} next has something to do [µs]. */
+  /** Time at which {@link #advance} next has work [µs]. */
   public long nextUs() {
     return nextUs;
   }
 
-  /** The line on which it answers. */
+  /** Its transmit line. */
   public UartTransmitter line() {
     return line;
   }
 
   /**
-   * The host sent bytes.
+   * Receives bytes from the host.
    *
    * @param micros the run's time [µs], not before that of the last call
-   * @param baud the host's rate: what comes at another than the compass's is not understood
-   * @param length how many of them count
+   * @param baud the host's rate; bytes at a different rate than the compass's are ignored
+   * @param length number of valid bytes
    */
   public void accept(long micros, int baud, byte[] bytes, int length) {
     nowUs = micros;
@@ -102,7 +101,7 @@ public final class SpartonDevice {
     }
   }
 
-  /** Length of the request that began. */
+  /** Length of the current request. */
   private int wanted() {
     if (size < 2) {
       return 3;
@@ -128,7 +127,7 @@ public final class SpartonDevice {
     }
   }
 
-  /** Echoes at the old rate, and again at the new one. */
+  /** Echoes at the old rate and again at the new rate. */
   private void changeBaud(int code) {
     byte[] echo = {(byte) BEGIN, (byte) BAUD, (byte) code, (byte) END};
     line.send(nowUs, echo);

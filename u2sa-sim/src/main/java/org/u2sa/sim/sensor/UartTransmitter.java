@@ -4,8 +4,8 @@ import java.util.ArrayDeque;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A device's transmit line: bytes leave one after the other at the line's rate, eight bits with a
- * start and a stop bit. A message that finds the device's buffer full is dropped as a whole.
+ * A device's transmit line: bytes leave serially at the line rate (8N1). A message that does not
+ * fit into the device's buffer is dropped whole.
  */
 public final class UartTransmitter {
   private static final long BITS_A_BYTE = 10;
@@ -21,7 +21,7 @@ public final class UartTransmitter {
 
   /**
    * @param baud the line's rate [bit/s], above 0
-   * @param capacity bytes that the device's buffer holds, above 0
+   * @param capacity capacity of the device's buffer [bytes], above 0
    */
   public UartTransmitter(int baud, int capacity) {
     Arguments.requireInside("transmit buffer", capacity, 1, 1 << 20);
@@ -29,7 +29,7 @@ public final class UartTransmitter {
     baud(baud);
   }
 
-  /** Changes the line's rate for messages that come from now on. */
+  /** Changes the line rate for subsequent messages. */
   public void baud(int newBaud) {
     Arguments.requireInside("baud rate", newBaud, 300, 10_000_000);
     baud = newBaud;
@@ -41,15 +41,15 @@ public final class UartTransmitter {
     return baud;
   }
 
-  /** How many messages found no room so far. */
+  /** Number of messages dropped so far. */
   public long dropped() {
     return dropped;
   }
 
   /**
-   * Begins to send a message, or queues it.
+   * Starts sending a message, or queues it.
    *
-   * @param micros the time [µs], not before that of the last call
+   * @param micros time [µs], non-decreasing
    */
   public void send(long micros, byte[] message) {
     long nowNs = micros * NS_PER_US;
@@ -64,10 +64,10 @@ public final class UartTransmitter {
   }
 
   /**
-   * Takes the bytes that have arrived whole at the other end.
+   * Reads the bytes that have fully arrived at the other end.
    *
-   * @param listeningBaud the other end's rate: bytes of another one are not understood and lost
-   * @return how many were put into the buffer; ask again if it is full
+   * @param listeningBaud the receiver's rate; bytes at a different rate are lost
+   * @return number of bytes read; call again if the buffer was filled
    */
   public int take(long micros, int listeningBaud, byte[] buffer) {
     long nowNs = micros * NS_PER_US;
@@ -85,7 +85,7 @@ public final class UartTransmitter {
     return count;
   }
 
-  /** Forgets the bytes that arrived before this time, as nobody listened. */
+  /** Discards bytes that arrived before this time without a listener. */
   public void forget(long micros) {
     long beforeNs = micros * NS_PER_US - 1;
     while (!messages.isEmpty() && messages.peek().arrived(beforeNs)) {
@@ -100,7 +100,7 @@ public final class UartTransmitter {
     private final byte[] bytes;
     private final long byteNs;
     private final int baud;
-    private long nextNs; // when the next byte has arrived
+    private long nextNs; // arrival time of the next byte
     private int at;
 
     Message(byte[] bytes, long startNs, long byteNs, int baud) {

@@ -6,11 +6,11 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * A u-blox receiver as its host sees it: bytes at a line's rate, NMEA or UBX, and answers to what
- * it is told. It obeys CFG-MSG, CFG-RATE and CFG-PRT, acknowledges CFG-CFG and CFG-NAV5, which
- * change nothing here, and refuses the rest of the configuration class.
+ * Device side of a u-blox receiver: sends NMEA or UBX at the line rate and answers configuration
+ * messages. It applies CFG-MSG, CFG-RATE and CFG-PRT, acknowledges CFG-CFG and CFG-NAV5 without
+ * effect, and rejects the rest of the configuration class.
  *
- * <p>Its time moves in {@link #advance}. Not safe for several threads.
+ * <p>Time advances in {@link #advance}. Not thread-safe.
  */
 public final class UbloxReceiver {
   private static final int BUFFER = 1024;
@@ -23,8 +23,8 @@ public final class UbloxReceiver {
   private static final int CFG_NAV5 = 0x24;
   private static final int ACK = 0x05;
   private static final int UART_1 = 1;
-  private static final int UART_OF_SIX = 1; // in the six rates of CFG-MSG: DDC, UART 1, …
-  private static final int UBX = 1; // in the masks of CFG-PRT
+  private static final int UART_OF_SIX = 1; // index among the six rates of CFG-MSG: DDC, UART 1, …
+  private static final int UBX = 1; // bit in the masks of CFG-PRT
   private static final int NMEA = 2;
   private static final double MS_PER_S = 1e3;
 
@@ -36,16 +36,16 @@ public final class UbloxReceiver {
   private final UartTransmitter line;
   private final UbxMessage.Reader requests = new UbxMessage.Reader(this::obey);
   private final Set<GpsMessage> messages = EnumSet.noneOf(GpsMessage.class);
-  private int protocols = UBX | NMEA; // that it sends
+  private int protocols = UBX | NMEA; // enabled output protocols
   private long periodUs;
   private long nextUs;
-  private GpsSample computed; // not sent yet
+  private GpsSample computed; // pending
   private long sendUs;
   private long nowUs;
 
   /**
-   * @param parameters how good it is; its rate and latency count here
-   * @param utc what time it is
+   * @param parameters error parameters, including rate and latency
+   * @param utc maps simulated time to UTC
    */
   public UbloxReceiver(
       UbloxSettings settings,
@@ -68,10 +68,10 @@ public final class UbloxReceiver {
   }
 
   /**
-   * Time passes. Positions are computed at whole multiples of their period.
+   * Advances time. Positions are computed at multiples of their period.
    *
-   * @param micros the run's time [µs], not before that of the last call; often enough for its rate
-   * @param blocked whether something keeps the satellites from being seen
+   * @param micros time of the run [µs], non-decreasing; call at least at the position rate
+   * @param blocked whether the sky is blocked
    */
   public void advance(long micros, VehicleTruth truth, boolean blocked) {
     nowUs = micros;
@@ -80,7 +80,7 @@ public final class UbloxReceiver {
     }
     if (micros >= nextUs) {
       if (computed != null) {
-        send(); // slower than its rate: late rather than lost
+        send(); // when called too rarely, positions are late rather than lost
       }
       computed = model.sample(micros / US_PER_S, truth, blocked);
       sendUs = micros + latencyUs;
@@ -88,7 +88,7 @@ public final class UbloxReceiver {
     }
   }
 
-  /** When {@link #advance} next has something to do [µs]. */
+  /** Time at which {@link #advance} next has work [µs]. */
   public long nextUs() {
     return computed == null ? nextUs : Math.min(nextUs, sendUs);
   }
@@ -116,17 +116,17 @@ public final class UbloxReceiver {
     };
   }
 
-  /** The line on which it sends. */
+  /** Its transmit line. */
   public UartTransmitter line() {
     return line;
   }
 
   /**
-   * The host sent bytes.
+   * Receives bytes from the host.
    *
-   * @param micros the run's time [µs], not before that of the last call
-   * @param baud the host's rate: what comes at another than the receiver's is not understood
-   * @param length how many of them count
+   * @param micros time of the run [µs], non-decreasing
+   * @param baud the host's rate; bytes at a different rate than the receiver's are ignored
+   * @param length number of valid bytes
    */
   public void accept(long micros, int baud, byte[] bytes, int length) {
     nowUs = micros;
@@ -151,12 +151,15 @@ public final class UbloxReceiver {
     if (answers) {
       line.send(nowUs, new UbxMessage(ACK, obeyed ? 1 : 0, 2).u1(messageClass).u1(id).bytes());
     }
-    if (obeyed && id == CFG_PRT) { // answered at the old rate
+    if (obeyed && id == CFG_PRT) { // acknowledged at the old rate
       line.baud(number(payload, 8) | number(payload, 10) << 16);
     }
   }
 
-  /** One rate for this port, or six of which one is for it; any rate above 0 counts as each. */
+  /**
+   * One rate for this port, or six of which one applies to it; any rate above 0 means every
+   * position.
+   */
   private boolean configureMessage(byte[] payload) {
     if (payload.length != 3 && payload.length != 8) {
       return false;
@@ -172,7 +175,7 @@ public final class UbloxReceiver {
         return true;
       }
     }
-    return rate == 0; // others are off already
+    return rate == 0; // other messages are off anyway
   }
 
   private boolean configurePort(byte[] payload) {

@@ -5,46 +5,46 @@ import java.util.Set;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * What a receiver does after power-up, until it is told otherwise.
+ * Power-up configuration of a receiver.
  *
- * @param baud of its line [bit/s]
- * @param rateHz positions in a second; no more than the receiver can
- * @param messages after each position
- * @param minuteDecimals of a minute of arc in NMEA, 5…7
+ * @param baud line rate [bit/s]
+ * @param rateHz position rate [Hz], limited by the receiver
+ * @param messages messages sent after each position
+ * @param minuteDecimals decimals of an arc minute in NMEA, 5…7
  */
 public record UbloxSettings(int baud, double rateHz, Set<GpsMessage> messages, int minuteDecimals) {
   private static final int FACTORY_BAUD = 9600;
   private static final int BITS_A_BYTE = 10;
-  private static final int NMEA_BYTES = 250; // at most, of the four sentences
+  private static final int NMEA_BYTES = 250; // maximum length of the four sentences
   private static final int UBX_BYTES = 104;
 
-  /** Takes a copy of the set. */
+  /** Copies the set. */
   public UbloxSettings {
     Arguments.requireInside("GPS rate", rateHz, 0.1, 100.0);
     Arguments.requireInside("decimals of a minute", minuteDecimals, 5, 7);
     messages = Set.copyOf(messages);
   }
 
-  /** As from the factory: NMEA once a second at 9600 baud. */
+  /** Factory setting: NMEA at 1 Hz and 9600 baud. */
   public static UbloxSettings factory() {
     return new UbloxSettings(FACTORY_BAUD, 1.0, nmea(), 5);
   }
 
   /**
-   * NMEA with all the digits that a survey receiver has: 11 characters more a sentence.
+   * NMEA with the full resolution of a survey receiver: 11 more characters per sentence.
    *
-   * @param baud 38400 is needed for four sentences ten times a second
-   * @throws IllegalArgumentException if the line does not carry that much
+   * @param baud 38400 is needed for four sentences at 10 Hz
+   * @throws IllegalArgumentException if the line rate is too low
    */
   public static UbloxSettings precise(int baud, double rateHz) {
     return fitting(baud, rateHz, nmea(), 7, NMEA_BYTES);
   }
 
   /**
-   * POSLLH, STATUS and VELNED, 104 bytes a position, which is all that a LEA-6 needs to say.
+   * POSLLH, STATUS and VELNED, 104 bytes per position, all that is needed from a LEA-6.
    *
-   * @param baud 9600 carries nine positions a second
-   * @throws IllegalArgumentException if the line does not carry that much
+   * @param baud 9600 allows 9 positions per second
+   * @throws IllegalArgumentException if the line rate is too low
    */
   public static UbloxSettings binary(int baud, double rateHz) {
     Set<GpsMessage> messages = EnumSet.of(GpsMessage.POSLLH, GpsMessage.STATUS, GpsMessage.VELNED);

@@ -4,7 +4,7 @@ import java.time.LocalDateTime;
 
 /**
  * UBX navigation messages: POSLLH, STATUS, SOL and VELNED of the u-blox 6 Receiver Description
- * (GPS.G6-SW-10018), PVT of the u-blox 8 / M8 one (UBX-13003221).
+ * (GPS.G6-SW-10018), PVT of the u-blox 8 / M8 Receiver Description (UBX-13003221).
  */
 final class UbxGpsMessages {
   static final int NAV = 0x01;
@@ -28,7 +28,7 @@ final class UbxGpsMessages {
     this.utc = utc;
   }
 
-  /** Position and how good it is. */
+  /** Position and its accuracy. */
   byte[] posllh(GpsSample s) {
     return new UbxMessage(NAV, POSLLH, 28)
         .i4(utc.timeOfWeekMs(s.timeS()))
@@ -41,7 +41,7 @@ final class UbxGpsMessages {
         .bytes();
   }
 
-  /** Kind of fix. */
+  /** Fix type. */
   byte[] status(GpsSample s) {
     return new UbxMessage(NAV, STATUS, 16)
         .i4(utc.timeOfWeekMs(s.timeS()))
@@ -54,7 +54,7 @@ final class UbxGpsMessages {
         .bytes();
   }
 
-  /** Velocity and how good it is. */
+  /** Velocity and its accuracy. */
   byte[] velned(GpsSample s) {
     double up2 = s.upMps() * s.upMps();
     double speed3d = StrictMath.sqrt(s.speedMps() * s.speedMps() + up2);
@@ -102,12 +102,12 @@ final class UbxGpsMessages {
         .i4(s.courseDeg(), 1e5)
         .i4(accuracy(s, s.velocitySigmaMps(), MM))
         .i4(2.0, 1e5) // of the course
-        .u2(s.valid() ? 150 : 9999) // dilution of the position
+        .u2(s.valid() ? 150 : 9999) // PDOP
         .skip(14) // flags 3, reserved, heading of vehicle, declination and its accuracy
         .bytes();
   }
 
-  /** Kind of fix, satellites; position and velocity in the earth's axes. */
+  /** Fix type, satellites, ECEF position and velocity. */
   byte[] sol(GpsSample s) {
     double latitude = StrictMath.toRadians(s.latitudeDeg());
     double longitude = StrictMath.toRadians(s.longitudeDeg());
@@ -117,8 +117,8 @@ final class UbxGpsMessages {
     double cosLon = StrictMath.cos(longitude);
     double n = WGS84_A_M / StrictMath.sqrt(1.0 - WGS84_E2 * sinLat * sinLat);
     double outward = (n + s.altitudeM()) * cosLat;
-    double away = s.upMps() * cosLat - s.northMps() * sinLat; // from the earth's axis
-    double share = s.valid() ? 1.0 : 0.0; // without a fix all is 0
+    double away = s.upMps() * cosLat - s.northMps() * sinLat; // velocity away from the earth's axis
+    double share = s.valid() ? 1.0 : 0.0; // all zeros without a fix
     long timeMs = utc.timeOfWeekMs(s.timeS());
     return new UbxMessage(NAV, SOL, 52)
         .i4(timeMs)
@@ -134,7 +134,7 @@ final class UbxGpsMessages {
         .i4(share * (away * sinLon + s.eastMps() * cosLon), CM)
         .i4(share * (s.northMps() * cosLat + s.upMps() * sinLat), CM)
         .i4(accuracy(s, s.velocitySigmaMps(), CM))
-        .u2(s.valid() ? 150 : 9999) // dilution of the position
+        .u2(s.valid() ? 150 : 9999) // PDOP
         .u1(0)
         .u1(s.satellites())
         .i4(0)

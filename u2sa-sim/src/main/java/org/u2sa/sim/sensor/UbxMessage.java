@@ -30,13 +30,13 @@ final class UbxMessage {
     return this;
   }
 
-  /** Four bytes, of either sign. */
+  /** Appends a signed 32-bit integer. */
   UbxMessage i4(long value) {
     buffer.putInt((int) value);
     return this;
   }
 
-  /** A number in units of {@code 1 / scale}, rounded, in four bytes. */
+  /** Appends a value in units of {@code 1 / scale}, rounded to a signed 32-bit integer. */
   UbxMessage i4(double value, double scale) {
     return i4(Math.round(value * scale));
   }
@@ -50,7 +50,7 @@ final class UbxMessage {
   byte[] bytes() {
     if (buffer.position() != HEADER + length) {
       throw new IllegalStateException(
-          "payload of " + (buffer.position() - HEADER) + " bytes, said " + length);
+          "payload of " + (buffer.position() - HEADER) + " bytes, declared " + length);
     }
     byte[] bytes = buffer.array();
     int sum = checksum(bytes, 2, HEADER + length);
@@ -59,7 +59,7 @@ final class UbxMessage {
     return bytes;
   }
 
-  /** 8-bit Fletcher sums of a part of a message: the first in the upper byte. */
+  /** 8-bit Fletcher checksum of a range; the first sum is in the upper byte. */
   static int checksum(byte[] bytes, int from, int to) {
     int a = 0;
     int b = 0;
@@ -70,11 +70,11 @@ final class UbxMessage {
     return a << 8 | b;
   }
 
-  /** Finds UBX messages in what a host sends; anything else is passed over, as the receivers do. */
+  /** Extracts UBX messages from host bytes; other bytes are skipped, as by real receivers. */
   static final class Reader {
     private static final int LONGEST = 512;
 
-    /** Takes one message whose checksum is right. */
+    /** Handles a message with a valid checksum. */
     interface Listener {
       void request(int messageClass, int id, byte[] payload);
     }

@@ -5,9 +5,9 @@ import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 
 /**
- * The times that satellite receivers tell, made of simulated time.
+ * Converts simulated time to UTC and GPS time.
  *
- * @param begin when the simulation's time was 0
+ * @param begin UTC instant of simulated time 0
  */
 public record UtcTime(Instant begin) {
   private static final long GPS_EPOCH_S = 315_964_800L; // 1980-01-06 in Unix time
@@ -23,12 +23,12 @@ public record UtcTime(Instant begin) {
     return LocalDateTime.ofEpochSecond(Math.floorDiv(ms, 1000L), nano, ZoneOffset.UTC);
   }
 
-  /** Milliseconds since the GPS week began: iTOW. */
+  /** GPS time of week, iTOW [ms]. */
   long timeOfWeekMs(double timeS) {
     return Math.floorMod(gpsMs(timeS), WEEK_MS);
   }
 
-  /** Weeks since 1980-01-06, without roll-over. */
+  /** GPS week number since 1980-01-06, without roll-over. */
   int week(double timeS) {
     return (int) Math.floorDiv(gpsMs(timeS), WEEK_MS);
   }

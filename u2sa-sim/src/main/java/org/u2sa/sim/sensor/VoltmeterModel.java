@@ -3,22 +3,19 @@ package org.u2sa.sim.sensor;
 import java.util.Random;
 import org.u2sa.sim.motion.Arguments;
 
-/**
- * A battery's voltage behind a divider, as an analog input gets it: resistors that are not what is
- * printed on them, and noise.
- */
+/** Battery voltage at an analog input behind a divider, with resistor tolerance and noise. */
 public final class VoltmeterModel {
-  private static final double TOLERANCE = 0.01; // of common resistors
+  private static final double TOLERANCE = 0.01; // of common resistors, relative
 
   private final double ratio;
   private final double noiseV;
   private final Random noise;
 
   /**
-   * Takes the stream {@code voltmeter}.
+   * Uses the random stream {@code voltmeter}.
    *
-   * @param ratio voltage at the input by the battery's, 0…1
-   * @param noiseV at the input [V]
+   * @param ratio input voltage relative to the battery's, 0…1
+   * @param noiseV noise at the input [V]
    */
   public VoltmeterModel(double ratio, double noiseV, NoiseStreams streams) {
     Arguments.requireInside("divider", ratio, 1e-3, 1.0);
@@ -28,7 +25,7 @@ public final class VoltmeterModel {
     this.noiseV = noiseV;
   }
 
-  /** Voltage at the input [V], 0 or more. */
+  /** Voltage at the input [V], at least 0. */
   public double sample(double batteryV) {
     return Math.max(0.0, ratio * batteryV + noiseV * noise.nextGaussian());
   }

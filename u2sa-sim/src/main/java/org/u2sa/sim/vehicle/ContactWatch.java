@@ -6,13 +6,13 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.messages.ObjectDescription;
 
-/** Counts how often a vehicle runs into obstacles: a touch that lasts is one. For one thread. */
+/** Counts a vehicle's obstacle contacts; a continuous contact counts once. Not thread-safe. */
 public final class ContactWatch {
   /**
-   * The begin of a touch.
+   * Start of a contact.
    *
    * @param timeS simulated time [s]
-   * @param object what was touched
+   * @param object the object touched
    */
   public record Contact(double timeS, ObjectDescription object) {}
 
@@ -20,13 +20,13 @@ public final class ContactWatch {
   private Set<String> touching = new HashSet<>();
 
   /**
-   * @param listener is told of every touch that begins
+   * @param listener notified of each new contact
    */
   public ContactWatch(Consumer<Contact> listener) {
     this.listener = listener;
   }
 
-  /** Looks at a vehicle as it is now; call it after every step. */
+  /** Checks the vehicle's current state; call after every step. */
   public void look(SimulatedVehicle vehicle, VehicleTruth truth) {
     if (vehicle.world().obstacles().isEmpty()) {
       return;

@@ -1,23 +1,23 @@
 package org.u2sa.sim.vehicle;
 
-/** Cuts steps of any length into ticks of one length. For one thread. */
+/** Splits steps of any length into fixed-length ticks. Not thread-safe. */
 public final class FixedStep {
   private static final double LONGEST_STEP_S = 60.0;
-  private static final double ROUNDING = 1e-6; // of a tick
+  private static final double ROUNDING = 1e-6; // relative to a tick
 
   private final int ticksPerSecond;
   private long ticks;
   private double dueS;
 
   /**
-   * @param ticksPerSecond rate of the physics inside [1/s]
+   * @param ticksPerSecond internal integration rate [1/s]
    */
   public FixedStep(int ticksPerSecond) {
     this.ticksPerSecond = ticksPerSecond;
   }
 
   /**
-   * Ticks for a step, one call each; the rest is kept for the next step.
+   * Runs the ticks of a step; the remainder carries over to the next step.
    *
    * @throws IllegalArgumentException if dt is not above 0 and at most 60 s
    */

@@ -5,37 +5,37 @@ import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /**
- * One simulated vehicle in a world. It steps at a rate of its own inside, whatever steps it is
- * asked for, and gives the same doubles for the same start, world and commands on every machine.
- * Not safe for several threads: {@link VehicleRun} is.
+ * A simulated vehicle in a world. Integrates internally at a fixed rate, independent of the
+ * requested steps, and is bit-identical on every machine for the same start, world and commands.
+ * Not thread-safe; {@link VehicleRun} is.
  */
 public interface SimulatedVehicle {
-  /** The names of its actuators, as commands address them. */
+  /** Actuator names used in commands. */
   List<String> actuators();
 
   /**
-   * Commands an actuator until the next command.
+   * Sets an actuator command, held until the next one.
    *
-   * @param value −1…1, or 0…1 for one that has no other direction; NaN where no signal comes
-   * @throws IllegalArgumentException if there is no such actuator, or it cannot do that
+   * @param value −1…1, or 0…1 for one-directional actuators; NaN for no signal
+   * @throws IllegalArgumentException if the actuator is unknown or the value out of range
    */
   void command(String actuator, double value);
 
   /**
-   * Moves on in time. What does not fill a step of its own is kept for the next call, so that many
-   * small steps equal one large one.
+   * Advances time. The remainder of an internal step carries over to the next call, so many small
+   * steps equal one large step.
    *
-   * @param dtS above 0, at most 60 s
+   * @param dtS time step [s], above 0, at most 60
    * @throws IllegalArgumentException if dt is outside its range
    */
   void step(double dtS);
 
-  /** The vehicle as it is now. */
+  /** Current true state. */
   VehicleTruth truth();
 
-  /** The space that it takes up. */
+  /** Collision outline. */
   Footprint footprint();
 
-  /** What surrounds it. */
+  /** The world around it. */
   World world();
 }

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
- * A vehicle in a run. Sensors, actuators and observers share it: whoever comes first at a time
- * moves the vehicle on to it. Its time begins with the first call. Safe for all threads; the same
- * calls in the same order give the same run.
+ * A vehicle shared by sensors, actuators and observers of a run: the first access at a time
+ * advances the vehicle to it. Time starts at the first call. Thread-safe; deterministic for the
+ * same sequence of calls.
  */
 public final class VehicleRun {
   private static final double US_PER_S = 1e6;
@@ -19,7 +19,7 @@ public final class VehicleRun {
   private long steppedMicros;
 
   /**
-   * @param vehicle that nobody else steps
+   * @param vehicle vehicle, stepped only by this object
    */
   public VehicleRun(SimulatedVehicle vehicle) {
     this.vehicle = vehicle;
@@ -27,7 +27,7 @@ public final class VehicleRun {
   }
 
   /**
-   * The vehicle at a time; as it is now if that has passed.
+   * State at a time; the current state if that time has passed.
    *
    * @param nowMicros of the run's clock [µs]
    */
@@ -46,7 +46,7 @@ public final class VehicleRun {
   }
 
   /**
-   * Commands an actuator from a time on; see {@link SimulatedVehicle#command}.
+   * Sets an actuator command from a time onward; see {@link SimulatedVehicle#command}.
    *
    * @param nowMicros of the run's clock [µs]
    */
@@ -55,12 +55,12 @@ public final class VehicleRun {
     vehicle.command(actuator, value);
   }
 
-  /** The vehicle, for what does not change: its actuators, footprint and world. */
+  /** The vehicle, for immutable properties: actuators, footprint and world. */
   public SimulatedVehicle vehicle() {
     return vehicle;
   }
 
-  /** Every touch of an obstacle so far. */
+  /** All obstacle contacts so far. */
   public List<ContactWatch.Contact> contacts() {
     return List.copyOf(contacts);
   }

@@ -5,16 +5,16 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The true state of a vehicle at one moment, that of its reference point. East, north and level are
- * those of the world's plane; far from its origin a vehicle that follows the earth's curvature
- * takes its own level and true north.
+ * Ground-truth state of a vehicle's reference point at one time. East, north and level refer to the
+ * world's plane; vehicles that follow the earth's curvature use local level and true north far from
+ * the origin.
  *
  * @param timeS simulated time since the start [s]
  * @param position east, north, up on the world's plane [m]
  * @param attitude of forward-right-down axes against north, east, down [rad]
- * @param velocity over ground: east, north, up [m/s]
+ * @param velocity velocity over ground: east, north, up [m/s]
  * @param rates p, q, r about the forward, right and down axes [rad/s]
- * @param acceleration of the velocity: east, north, up [m/s²]; 0 at rest
+ * @param acceleration time derivative of the velocity: east, north, up [m/s²]; 0 at rest
  */
 public record VehicleTruth(
     double timeS,
@@ -24,7 +24,7 @@ public record VehicleTruth(
     Point rates,
     Point acceleration) {
 
-  /** Speed over ground, the climb left out [m/s]. */
+  /** Horizontal speed over ground [m/s]. */
   public double speedMps() {
     return StrictMath.sqrt(velocity.x() * velocity.x() + velocity.y() * velocity.y());
   }
@@ -35,8 +35,8 @@ public record VehicleTruth(
   }
 
   /**
-   * What accelerometers feel: acceleration without gravity, forward, right, down [m/s²]; about −g
-   * downwards at rest.
+   * Specific force measured by accelerometers: forward, right, down [m/s²]; about −g in the down
+   * axis at rest.
    */
   public Point specificForce() {
     Point ned =

@@ -1,5 +1,5 @@
 /**
- * What all simulated vehicles have in common: steps, actuators, truth and contacts. The physics of
- * each kind of vehicle belongs to a package of its own.
+ * Common to all simulated vehicles: stepping, actuators, ground truth and contacts. The physics of
+ * each kind of vehicle has its own package.
  */
 package org.u2sa.sim.vehicle;

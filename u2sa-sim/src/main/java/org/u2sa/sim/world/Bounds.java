@@ -1,8 +1,8 @@
 package org.u2sa.sim.world;
 
-/** The smallest box along the world's axes around something. */
+/** An axis-aligned bounding box. */
 record Bounds(double x0, double y0, double z0, double x1, double y1, double z1) {
-  /** Nothing at all. */
+  /** The empty box. */
   static final Bounds NONE =
       new Bounds(
           Double.POSITIVE_INFINITY,
@@ -12,14 +12,14 @@ record Bounds(double x0, double y0, double z0, double x1, double y1, double z1) 
           Double.NEGATIVE_INFINITY,
           Double.NEGATIVE_INFINITY);
 
-  private static final double ROUNDING = 1e-9; // more than a ray's rounding makes of a face [m]
+  private static final double ROUNDING = 1e-9; // exceeds the rounding error at a face [m]
 
-  /** Around a point, so far to each side. */
+  /** Box around a point, extending this far to each side. */
   static Bounds around(double x, double y, double z, double flatM, double upM) {
     return new Bounds(x - flatM, y - flatM, z - upM, x + flatM, y + flatM, z + upM);
   }
 
-  /** Around both. */
+  /** Union of both boxes. */
   Bounds and(Bounds b) {
     return new Bounds(
         Math.min(x0, b.x0),
@@ -34,12 +34,12 @@ record Bounds(double x0, double y0, double z0, double x1, double y1, double z1) 
     return x0 <= b.x1 && b.x0 <= x1 && y0 <= b.y1 && b.y0 <= y1 && z0 <= b.z1 && b.z0 <= z1;
   }
 
-  /** A distance along the ray before which it is not inside; infinite if it never is. */
+  /** Distance along the ray to its entry; infinite for a miss. */
   double enteredM(Ray ray) {
     double in = Math.max(0.0, first(ray.x(), ray.dx(), x0, x1));
     double out = last(ray.x(), ray.dx(), x0, x1);
     if (in > out) {
-      return Double.POSITIVE_INFINITY; // beside it, as most are: no need to look further
+      return Double.POSITIVE_INFINITY; // early exit for the common case
     }
     in = Math.max(in, first(ray.y(), ray.dy(), y0, y1));
     out = Math.min(out, last(ray.y(), ray.dy(), y0, y1));
@@ -69,7 +69,7 @@ record Bounds(double x0, double y0, double z0, double x1, double y1, double z1) 
     return value >= low - ROUNDING && value <= high + ROUNDING;
   }
 
-  /** Cuts a span of a line to where one coordinate is inside; false if none is left. */
+  /** Clips a span of a line to the interval of one coordinate; false if nothing remains. */
   static boolean cut(double[] span, double start, double change, double low, double high) {
     if (change == 0.0) {
       return start >= low && start <= high;

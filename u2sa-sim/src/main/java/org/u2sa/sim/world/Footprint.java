@@ -4,22 +4,22 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The space that a vehicle takes up: an upright prism over a convex outline, which turns with the
- * vehicle's heading and stays upright when it rolls or pitches.
+ * Collision shape of a vehicle: an upright prism over a convex outline that rotates with heading
+ * but ignores roll and pitch.
  */
 public final class Footprint {
-  private static final double ROUNDING = 1e-6; // more than turning makes of a corner's place [m]
+  private static final double ROUNDING = 1e-6; // exceeds the rounding error of a rotated corner [m]
 
   private final double[] ahead; // corners, in order
   private final double[] right;
   private final double bottomM;
   private final double topM;
-  private final double reachM; // of the farthest corner, on the map
+  private final double reachM; // horizontal distance of the farthest corner
 
   /**
-   * @param corners of the outline in order, x ahead and y to the right of the reference point [m]
-   * @param bottomM above the reference point, negative below [m]
-   * @param topM above the reference point [m]
+   * @param corners outline corners in order, x ahead and y right of the reference point [m]
+   * @param bottomM height of the bottom above the reference point, negative below [m]
+   * @param topM height of the top above the reference point [m]
    * @throws IllegalArgumentException if the outline is not convex, or the top below the bottom
    */
   public Footprint(List<Point> corners, double bottomM, double topM) {
@@ -54,10 +54,10 @@ public final class Footprint {
   }
 
   /**
-   * A rectangle, from the ground that the reference point stands on up.
+   * A rectangular footprint that starts at the ground under the reference point.
    *
-   * @param aheadM how far it reaches ahead of the reference point [m]
-   * @param behindM how far it reaches behind it [m]
+   * @param aheadM extent ahead of the reference point [m]
+   * @param behindM extent behind the reference point [m]
    */
   public static Footprint rectangle(
       double aheadM, double behindM, double widthM, double bottomM, double topM) {
@@ -72,7 +72,7 @@ public final class Footprint {
         topM);
   }
 
-  /** A box around a vehicle at a place [east, north, up], whatever its heading. */
+  /** Bounding box of a vehicle at a position [east, north, up], for any heading. */
   Bounds around(Point place) {
     double reach = reachM + ROUNDING;
     return new Bounds(
@@ -84,7 +84,10 @@ public final class Footprint {
         place.z() + topM);
   }
 
-  /** The prism in the world, for a vehicle at a place [east, north, up] with a heading [rad]. */
+  /**
+   * The prism in world coordinates, for a vehicle at a position [east, north, up] with a heading
+   * [rad].
+   */
   Prism at(Point place, double headingRad) {
     double sin = StrictMath.sin(headingRad);
     double cos = StrictMath.cos(headingRad);

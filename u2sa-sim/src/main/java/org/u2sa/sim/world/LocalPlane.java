@@ -4,17 +4,17 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The level plane of a simulated world, and where on earth it lies. Within 2 km of the origin
- * distances are those on the ground to a millimetre; north is that of the origin, which differs
- * from a place's own by its easting times the tangent of the latitude by the earth's radius: 0.02°
- * at 2 km and 50°.
+ * The local tangent plane of a simulated world and its location on earth. Within 2 km of the
+ * origin, distances are accurate to a millimetre. North is the origin's; it differs from local
+ * north by easting · tan(latitude) / earth radius: 0.02° at 2 km and 50° latitude.
  *
  * @param origin the plane's east 0, north 0, up 0
  */
 public record LocalPlane(Geodetic origin) {
 
   /**
-   * The place of a point on the plane or above it; its altitude is the origin's and {@code upM}.
+   * Geographic position of a point on or above the plane; its altitude is the origin's plus {@code
+   * upM}.
    */
   public Geodetic at(double eastM, double northM, double upM) {
     Geodetic onTangent = origin.fromEnu(Point.of(eastM, northM, 0.0));
@@ -22,7 +22,7 @@ public record LocalPlane(Geodetic origin) {
         onTangent.longitudeDeg(), onTangent.latitudeDeg(), origin.altitudeM() + upM);
   }
 
-  /** A place's point on the plane or above it: the way back of {@link #at}. */
+  /** Local point of a geographic position: the inverse of {@link #at}. */
   public Point point(Geodetic place) {
     Point enu =
         origin.enuOf(new Geodetic(place.longitudeDeg(), place.latitudeDeg(), origin.altitudeM()));

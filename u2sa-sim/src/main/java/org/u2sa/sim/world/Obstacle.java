@@ -13,21 +13,21 @@ import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 
-/** One object's shape in the world's axes, as rays and footprints meet it. */
+/** Collision shape of an object in world axes, for rays and footprints. */
 sealed interface Obstacle {
   double NEVER = Double.POSITIVE_INFINITY;
 
   Bounds bounds();
 
-  /** Distance along a ray to it [m]; 0 inside, infinite if they do not meet. */
+  /** Distance along a ray [m]; 0 inside, infinite for a miss. */
   double distanceM(Ray ray);
 
   boolean touches(Prism footprint);
 
   /**
-   * The shape of an object.
+   * Creates the shape of an object.
    *
-   * @throws IllegalArgumentException if its frame is one of a vehicle, or its shape unknown
+   * @throws IllegalArgumentException if its frame is a vehicle frame or its shape is unsupported
    */
   static Obstacle of(ObjectDescription object, LocalPlane plane) {
     ReferenceFrame frame = object.referenceFrame();
@@ -63,7 +63,7 @@ sealed interface Obstacle {
             + object.uid()
             + "\" is a "
             + object.type().name()
-            + ", which has no shape here");
+            + ", which is not a supported shape");
   }
 
   private static List<Point> inWorld(
@@ -74,7 +74,7 @@ sealed interface Obstacle {
     return earth ? points.stream().map(point -> plane.point(Geodetic.of(point))).toList() : points;
   }
 
-  /** An upright box, or a level rectangle, which is one without height. */
+  /** An upright box; without height, a level rectangle. */
   record Block(Point centre, double cos, double sin, double ahead, double aside, double up)
       implements Obstacle {
     static Block of(Point centre, double psi, double length, double width, double height) {
@@ -119,7 +119,7 @@ sealed interface Obstacle {
     }
   }
 
-  /** An upright cylinder, or a level disc, which is one without height. */
+  /** An upright cylinder; without height, a level disc. */
   record Pillar(double x, double y, double z, double radius, double up) implements Obstacle {
     @Override
     public Bounds bounds() {
@@ -141,7 +141,7 @@ sealed interface Obstacle {
     }
   }
 
-  /** A ball. */
+  /** A sphere. */
   record Ball(double x, double y, double z, double radius) implements Obstacle {
     @Override
     public Bounds bounds() {
@@ -163,7 +163,7 @@ sealed interface Obstacle {
     }
   }
 
-  /** Points, alone or joined by straights: too thin for any ray. */
+  /** Points or polylines: infinitely thin, so rays never hit them. */
   record Wire(List<Point> points, boolean joined) implements Obstacle {
     @Override
     public Bounds bounds() {
@@ -192,14 +192,14 @@ sealed interface Obstacle {
     }
   }
 
-  /** Cuts a span of a line to where it is within a radius of the origin; false if none is left. */
+  /** Clips a span of a line to a disc around the origin; false if nothing remains. */
   private static boolean cutRound(
       double[] span, double x, double y, double z, double dx, double dy, double dz, double r) {
     double squared = dx * dx + dy * dy + dz * dz;
     if (squared == 0.0) {
       return x * x + y * y + z * z <= r * r;
     }
-    // The nearest point of the line first: its distance loses no digits far away.
+    // Starts from the line's closest point, which keeps precision for distant lines.
     double nearest = -(x * dx + y * dy + z * dz) / squared;
     double cx = x + nearest * dx;
     double cy = y + nearest * dy;

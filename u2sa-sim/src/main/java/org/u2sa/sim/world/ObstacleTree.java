@@ -5,13 +5,10 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.u2sa.messages.ObjectDescription;
 
-/**
- * Obstacles in boxes that halve their number, so that a ray looks at few of them. Immutable: built
- * once a world.
- */
+/** Bounding-volume hierarchy of obstacles for fast ray casting. Immutable, built once per world. */
 final class ObstacleTree {
   private final Bounds bounds;
-  private final Leaf leaf; // null: the halves are set
+  private final Leaf leaf; // null for inner nodes
   private final ObstacleTree one;
   private final ObstacleTree other;
 
@@ -47,7 +44,7 @@ final class ObstacleTree {
         all, null, of(ordered.subList(0, half)), of(ordered.subList(half, ordered.size())));
   }
 
-  /** The nearest hit of a ray; what it is given if that is nearer than any here. */
+  /** Nearest hit of a ray, or the given one if it is closer. */
   Nearest nearest(Ray ray, Nearest soFar) {
     if (leaf != null) {
       double distance = leaf.shape.distanceM(ray);
@@ -66,16 +63,16 @@ final class ObstacleTree {
     return nearest;
   }
 
-  /** What was hit, how far away; the object is null for the ground or nothing. */
+  /** A hit and its distance; the object is null for the ground or a miss. */
   record Nearest(double distanceM, ObjectDescription object) {}
 
-  /** Whether the box around an obstacle reaches into another. */
+  /** Whether an obstacle's bounding box intersects another. */
   boolean reaches(Bounds around) {
     return bounds.overlaps(around)
         && (leaf != null || one.reaches(around) || other.reaches(around));
   }
 
-  /** Gives every obstacle that a footprint touches. */
+  /** Reports every obstacle a footprint touches. */
   void touched(Prism footprint, Bounds around, Consumer<ObjectDescription> found) {
     if (!bounds.overlaps(around)) {
       return;

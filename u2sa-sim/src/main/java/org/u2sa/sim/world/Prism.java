@@ -1,8 +1,8 @@
 package org.u2sa.sim.world;
 
-/** An upright prism over a convex polygon in the world's axes, for what touches it. */
+/** An upright prism over a convex polygon in world axes, for contact tests. */
 record Prism(double[] x, double[] y, double low, double high) {
-  /** The smallest upright box around it. */
+  /** Its bounding box. */
   Bounds bounds() {
     double west = x[0];
     double south = y[0];
@@ -17,12 +17,12 @@ record Prism(double[] x, double[] y, double low, double high) {
     return new Bounds(west, south, low, east, north, high);
   }
 
-  /** How far above or below it something from {@code bottom} to {@code top} is [m]; 0 beside it. */
+  /** Vertical gap to a span from {@code bottom} to {@code top} [m]; 0 if they overlap in height. */
   double verticalM(double bottom, double top) {
     return Math.max(0.0, Math.max(bottom - high, low - top));
   }
 
-  /** Distance on the map from a place to the polygon [m]; 0 inside. */
+  /** Horizontal distance from a point to the polygon [m]; 0 inside. */
   double distanceM(double px, double py) {
     double nearest = Double.POSITIVE_INFINITY;
     int left = 0;
@@ -42,9 +42,9 @@ record Prism(double[] x, double[] y, double low, double high) {
     return left == x.length || right == x.length ? 0.0 : nearest;
   }
 
-  /** Whether the segment between two points of space meets it. */
+  /** Whether a line segment intersects the prism. */
   boolean meets(double ax, double ay, double az, double bx, double by, double bz) {
-    double[] span = {0.0, 1.0}; // share of the segment that is left
+    double[] span = {0.0, 1.0}; // remaining part of the segment
     boolean inside = keep(span, high - az, az - bz) && keep(span, az - low, bz - az);
     double turn = Math.signum(area());
     for (int i = 0; inside && i < x.length; i++) {
@@ -57,9 +57,7 @@ record Prism(double[] x, double[] y, double low, double high) {
     return inside;
   }
 
-  /**
-   * Cuts the span to where {@code start + change · share} is not negative; false if none is left.
-   */
+  /** Clips the span to where {@code start + change · share} ≥ 0; false if nothing remains. */
   private static boolean keep(double[] span, double start, double change) {
     if (change == 0.0) {
       return start >= 0.0;
@@ -82,7 +80,7 @@ record Prism(double[] x, double[] y, double low, double high) {
     return twice;
   }
 
-  /** Whether the polygons of both have a place in common: no edge of either parts them. */
+  /** Whether both polygons overlap (separating-axis test). */
   boolean overlaps(Prism other) {
     return !parts(other) && !other.parts(this);
   }
@@ -100,7 +98,7 @@ record Prism(double[] x, double[] y, double low, double high) {
     return false;
   }
 
-  /** The farthest along a direction. */
+  /** Maximum extent along a direction. */
   private double reach(double alongX, double alongY) {
     double farthest = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < x.length; i++) {

@@ -5,35 +5,36 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * A ramp of boards on level ground: it rises, may have a flat top, and falls again, with the same
- * profile over all its width. Its sides are upright. Rays meet its sharp edges; wheels feel edges
- * rounded, as a vehicle of that wheelbase does: {@link #WHEELBASE_M}.
+ * A ramp of boards on level ground: rises, may have a flat top, and descends, with a constant
+ * profile across its width and vertical sides. Rays see sharp edges; wheels see edges smoothed over
+ * {@link #WHEELBASE_M}.
  *
- * <p>Convex, so that a ray meets it at most once: the last of the planes that it enters by.
+ * <p>Convex, so a ray enters it at most once, at the last entered plane.
  */
 public final class Ramp {
-  /** Between the wheels of what drives over it; {@link #rise} is felt between both [m]. */
+  /** Wheelbase over which {@link #rise} is averaged [m]. */
   public static final double WHEELBASE_M = 0.4;
 
-  private static final double STRAIGHT_M = 0.02; // by which points may lie beside their line
-  private static final double GROUND_M = 1e-3; // by which its feet may be off the ground
+  private static final double STRAIGHT_M = 0.02; // maximum lateral deviation of points
+  private static final double GROUND_M = 1e-3; // maximum height of the feet above ground
 
-  private static final double BESIDE_M = 1e-3; // more than rounding
+  private static final double BESIDE_M = 1e-3; // exceeds rounding errors
 
-  private final double eastM; // of its first foot
+  private final double eastM; // position of the first foot
   private final double northM;
-  private final double cos; // of its direction, anticlockwise from east
+  private final double cos; // cosine of its direction, anticlockwise from east
   private final double sin;
   private final double halfM;
-  private final double[] along; // of each edge across, from the first foot [m]
+  private final double[] along; // position of each edge, from the first foot [m]
   private final double[] up;
   private final double highestM;
-  private final double[] area; // of the profile from the first foot to each edge [m²]
+  private final double[] area; // profile area from the first foot to each edge [m²]
 
   /**
-   * @param profile along its middle: east, north, up [m]; both feet on the ground
-   * @param widthM across it [m]
-   * @throws IllegalArgumentException if it is not straight from above, not convex, or has no width
+   * @param profile profile along its centre line: east, north, up [m]; both feet on the ground
+   * @param widthM width [m]
+   * @throws IllegalArgumentException if it is not straight in plan view, not convex, or has no
+   *     width
    */
   public Ramp(List<Point> profile, double widthM) {
     if (profile.size() < 3 || !(widthM > 0.0)) {
@@ -77,22 +78,22 @@ public final class Ramp {
     return (up[part + 1] - up[part]) / (along[part + 1] - along[part]);
   }
 
-  /** How far along it a place is, from its first foot [m]. */
+  /** Distance along the ramp from its first foot [m]. */
   public double along(double placeEastM, double placeNorthM) {
     return (placeEastM - eastM) * cos + (placeNorthM - northM) * sin;
   }
 
-  /** How far to the left of its middle a place is [m]. */
+  /** Distance left of the centre line [m]. */
   public double left(double placeEastM, double placeNorthM) {
     return (placeNorthM - northM) * cos - (placeEastM - eastM) * sin;
   }
 
-  /** From foot to foot [m]. */
+  /** Length from foot to foot [m]. */
   public double lengthM() {
     return along[along.length - 1];
   }
 
-  /** Across it [m]. */
+  /** Width [m]. */
   public double widthM() {
     return 2.0 * halfM;
   }
@@ -102,18 +103,18 @@ public final class Ramp {
     return highestM;
   }
 
-  /** Its steepest part, up or down [1]. */
+  /** Maximum slope magnitude [1]. */
   public double steepest() {
     return Math.max(slope(0), -slope(along.length - 2));
   }
 
-  /** Whether boards are under a place. */
+  /** Whether a point is on the ramp. */
   public boolean carries(double placeEastM, double placeNorthM) {
     double on = along(placeEastM, placeNorthM);
     return on >= 0.0 && on <= lengthM() && Math.abs(left(placeEastM, placeNorthM)) <= halfM;
   }
 
-  /** Height of the wheels' middle at a place [m]; 0 beside it. */
+  /** Height of the wheel centre line at a point [m]; 0 off the ramp. */
   double heightM(double placeEastM, double placeNorthM) {
     if (Math.abs(left(placeEastM, placeNorthM)) > halfM) {
       return 0.0;
@@ -122,7 +123,7 @@ public final class Ramp {
     return (below(on + 0.5 * WHEELBASE_M) - below(on - 0.5 * WHEELBASE_M)) / WHEELBASE_M;
   }
 
-  /** Height gained along it for each metre, between front and rear wheels [1]. */
+  /** Slope along the ramp between front and rear wheels [1]. */
   double rise(double placeEastM, double placeNorthM) {
     if (Math.abs(left(placeEastM, placeNorthM)) > halfM) {
       return 0.0;
@@ -144,7 +145,7 @@ public final class Ramp {
     return part < 0 ? 0.0 : up[part] + slope(part) * (on - along[part]);
   }
 
-  /** The profile's area up to there [m²]. */
+  /** Profile area up to a position [m²]. */
   private double below(double on) {
     int part = part(on);
     if (part < 0) {
@@ -153,7 +154,7 @@ public final class Ramp {
     return area[part] + 0.5 * (up[part] + sharp(on)) * (on - along[part]);
   }
 
-  /** Which part of the profile is there; −1: none. */
+  /** Index of the profile segment at a position; −1 if none. */
   private int part(double on) {
     if (on <= 0.0 || on >= lengthM()) {
       return -1;
@@ -165,7 +166,7 @@ public final class Ramp {
     return part;
   }
 
-  /** Whether a ray from above it is beside it all the way from its top down to the ground. */
+  /** Whether a ray from above passes beside the ramp all the way down to the ground. */
   private boolean passes(double s, double a, double z, double ds, double da, double dz) {
     if (dz >= 0.0) {
       return true;
@@ -183,10 +184,10 @@ public final class Ramp {
   }
 
   /**
-   * Where a ray meets it.
+   * Intersection with a ray.
    *
-   * @param normal takes which way the surface looks there: east, north, up; null: nobody asks
-   * @return in lengths of the direction; 0 if it starts inside, infinite if it does not meet it
+   * @param normal receives the surface normal: east, north, up; may be null
+   * @return distance in lengths of the direction; 0 if the ray starts inside, infinite for a miss
    */
   public double meets(
       double x, double y, double z, double dx, double dy, double dz, double[] normal) {
@@ -239,7 +240,7 @@ public final class Ramp {
     into[2] = by;
   }
 
-  /** A place on it from above: so far along, so far to the left; east, north, its height [m]. */
+  /** Point on the surface at a distance along and to the left: east, north, height [m]. */
   public Point at(double alongM, double leftM) {
     return Point.of(
         eastM + alongM * cos - leftM * sin, northM + alongM * sin + leftM * cos, sharp(alongM));

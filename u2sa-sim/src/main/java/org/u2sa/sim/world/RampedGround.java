@@ -3,13 +3,13 @@ package org.u2sa.sim.world;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
-/** A level lawn with ramps of boards on it, which do not overlap: terrain and surface. */
+/** Terrain and surface of a level lawn with non-overlapping board ramps. */
 public final class RampedGround implements Terrain, Surface {
   private final List<Ramp> ramps;
   private final Surface lawn = Surface.lawn();
   private final Surface boards = Surface.concrete();
 
-  /** Level ground with these on it. */
+  /** Creates level ground with these ramps. */
   public RampedGround(List<Ramp> ramps) {
     this.ramps = List.copyOf(ramps);
   }
@@ -41,7 +41,7 @@ public final class RampedGround implements Terrain, Surface {
     return sum;
   }
 
-  /** Of the ways up and down; the sides are upright. */
+  /** Maximum slope of the ramps' ascents and descents; the vertical sides are excluded. */
   @Override
   public double steepest() {
     return ramps.stream().mapToDouble(Ramp::steepest).max().orElse(0.0);
@@ -63,13 +63,13 @@ public final class RampedGround implements Terrain, Surface {
     return nearest <= rangeM ? nearest : Double.POSITIVE_INFINITY;
   }
 
-  /** That of the lawn everywhere: boards get wet and dirty. */
+  /** The lawn's value everywhere, because boards get wet and dirty. */
   @Override
   public double grip(double eastM, double northM) {
     return lawn.grip(eastM, northM);
   }
 
-  /** Boards are as hard as concrete. */
+  /** Boards roll like concrete. */
   @Override
   public double rollingResistance(double eastM, double northM) {
     boolean isOnBoards = ramps.stream().anyMatch(ramp -> ramp.carries(eastM, northM));

@@ -3,21 +3,21 @@ package org.u2sa.sim.world;
 import org.u2sa.messages.frame.Point;
 
 /**
- * A half-line in the world's axes, east, north, up [m]; the direction has length 1.
+ * A ray in world axes (east, north, up [m]) with a unit direction.
  *
- * @param x where it starts, east [m]
- * @param y north [m]
- * @param z up [m]
+ * @param x origin, east [m]
+ * @param y origin, north [m]
+ * @param z origin, up [m]
  * @param dx direction, east
- * @param dy north
- * @param dz up
+ * @param dy direction, north
+ * @param dz direction, up
  */
 public record Ray(double x, double y, double z, double dx, double dy, double dz) {
   private static final double UNIT = 1e-9;
 
   /**
-   * @throws IllegalArgumentException if the direction has not the length 1, or the start is no
-   *     place
+   * @throws IllegalArgumentException if the direction is not a unit vector or the origin is not
+   *     finite
    */
   public Ray {
     if (!(Math.abs(dx * dx + dy * dy + dz * dz - 1.0) < UNIT) || !Double.isFinite(x + y + z)) {
@@ -29,9 +29,9 @@ public record Ray(double x, double y, double z, double dx, double dy, double dz)
   }
 
   /**
-   * A ray by its azimuth, clockwise from north, and its elevation above the horizon [rad].
+   * A ray given by azimuth, clockwise from north, and elevation above the horizon [rad].
    *
-   * @param from east, north, up [m]
+   * @param from origin: east, north, up [m]
    */
   public static Ray of(Point from, double azimuthRad, double elevationRad) {
     double flat = StrictMath.cos(elevationRad);
@@ -44,7 +44,7 @@ public record Ray(double x, double y, double z, double dx, double dy, double dz)
         StrictMath.sin(elevationRad));
   }
 
-  /** The point at a distance from its start. */
+  /** The point at a distance along the ray. */
   public Point at(double distanceM) {
     return Point.of(x + distanceM * dx, y + distanceM * dy, z + distanceM * dz);
   }

@@ -2,12 +2,12 @@ package org.u2sa.sim.world;
 
 import org.u2sa.sim.motion.Arguments;
 
-/** Ground to drive on: how slippery and how soft it is at each place of the local plane. */
+/** Driving surface: friction and rolling resistance at each point of the local plane. */
 public interface Surface {
-  /** Coefficient of friction between tyre and ground at a place, above 0. */
+  /** Coefficient of friction between tyre and ground at a point, above 0. */
   double grip(double eastM, double northM);
 
-  /** Rolling resistance by load at a place, 0 or more. */
+  /** Rolling-resistance coefficient at a point, at least 0. */
   double rollingResistance(double eastM, double northM);
 
   /**
@@ -24,15 +24,15 @@ public interface Surface {
   }
 
   /**
-   * A wet, soft field: grip 0.45 (sliding, wet earth road) and rolling resistance 0.1 (the least of
-   * a field), from the same tables.
+   * A wet, soft field: grip 0.45 (sliding, wet earth road) and rolling resistance 0.1 (lowest value
+   * for a field), from the same tables.
    */
   static Surface field() {
     return even(0.45, 0.1);
   }
 
   /**
-   * Ground that is the same everywhere.
+   * A uniform surface.
    *
    * @throws IllegalArgumentException if a coefficient is outside its range
    */

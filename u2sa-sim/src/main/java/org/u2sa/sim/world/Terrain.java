@@ -3,40 +3,41 @@ package org.u2sa.sim.world;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Height of the ground at each place of the world's plane. Slopes are gentle: ways along them are
- * taken as long as on the map, which is 1.5 % too short at 10°.
+ * Ground height at each point of the world's plane. Slopes are assumed gentle: distances along them
+ * equal their horizontal projection, 1.5 % too short at 10°.
  */
 public interface Terrain {
   /** Shortest step along a ray [m]. */
   double LEAST_STEP_M = 1e-4;
 
-  /** To which a ray's distance is found [m]. */
+  /** Accuracy of ray distances [m]. */
   double EXACT_M = 1e-9;
 
   /** Height above the local plane [m]. */
   double heightM(double eastM, double northM);
 
-  /** Height gained for each metre to the east [1]. */
+  /** Slope toward east [1]. */
   double riseEast(double eastM, double northM);
 
-  /** Height gained for each metre to the north [1]. */
+  /** Slope toward north [1]. */
   double riseNorth(double eastM, double northM);
 
-  /** Bound of the slope everywhere: height gained for each metre on the map [1]. */
+  /** Upper bound of the slope [1]. */
   double steepest();
 
-  /** Bound of the height everywhere [m]; infinite if there is none. */
+  /** Upper bound of the height [m]; infinite if unbounded. */
   double highestM();
 
   /**
-   * Distance along a ray to the ground [m]; 0 if it starts below, infinite if it meets none within
-   * the range.
+   * Distance along a ray to the ground [m]; 0 if it starts below, infinite if there is no hit
+   * within the range.
    *
-   * <p>Each step is as long as the steepest ground allows without passing through it, so that
-   * nothing is stepped over but a crest that the ray cuts by less than 0.1 mm.
+   * <p>Each step is as long as the steepest ground allows without tunnelling, so only crests cut by
+   * less than 0.1 mm are missed.
    */
   default double distanceM(Ray ray, double rangeM) {
-    double closing = steepest() * Math.hypot(ray.dx(), ray.dy()) - ray.dz(); // at most [m/m]
+    double closing =
+        steepest() * Math.hypot(ray.dx(), ray.dy()) - ray.dz(); // maximum closing rate [m/m]
     double above = aboveM(ray, 0.0);
     double before = 0.0;
     double after = 0.0;
@@ -72,10 +73,10 @@ public interface Terrain {
   }
 
   /**
-   * Ground that rises evenly.
+   * A uniform slope.
    *
    * @param slopeRad steepness, 0…0.5 [rad]
-   * @param towardsRad direction in which it rises, clockwise from north [rad]
+   * @param towardsRad uphill direction, clockwise from north [rad]
    * @throws IllegalArgumentException if the slope is outside its range
    */
   static Terrain slope(double slopeRad, double towardsRad) {
@@ -86,12 +87,12 @@ public interface Terrain {
   }
 
   /**
-   * A round hill on level ground, a cosine from foot to foot: steepest half way up.
+   * A round hill on level ground with a cosine profile, steepest halfway up.
    *
    * @param eastM of its top [m]
    * @param northM of its top [m]
    * @param radiusM of its foot [m]
-   * @param steepestRad slope half way up, 0…0.5 [rad]
+   * @param steepestRad slope halfway up, 0…0.5 [rad]
    * @throws IllegalArgumentException if a value is outside its range
    */
   static Terrain hill(double eastM, double northM, double radiusM, double steepestRad) {
@@ -105,8 +106,8 @@ public interface Terrain {
   /**
    * A plane through the origin.
    *
-   * @param riseEast height gained for each metre to the east [1]
-   * @param riseNorth height gained for each metre to the north [1]
+   * @param riseEast slope toward east [1]
+   * @param riseNorth slope toward north [1]
    */
   record Plane(double riseEast, double riseNorth) implements Terrain {
     private static final Plane LEVEL = new Plane(0.0, 0.0);
@@ -146,12 +147,12 @@ public interface Terrain {
   }
 
   /**
-   * A hill whose height is a cosine of the distance from its top, H (1 + cos(π r / R)) / 2.
+   * A hill with height H (1 + cos(π r / R)) / 2 at distance r from its top.
    *
    * @param eastM of the top [m]
    * @param northM of the top [m]
-   * @param radiusM R, of the foot [m]
-   * @param steepest rise half way up, π H / 2 R [1]
+   * @param radiusM R, radius of the foot [m]
+   * @param steepest slope halfway up, π H / 2 R [1]
    */
   record Hill(double eastM, double northM, double radiusM, double steepest) implements Terrain {
     @Override

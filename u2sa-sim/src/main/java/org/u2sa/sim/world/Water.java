@@ -5,9 +5,9 @@ import org.u2sa.sim.motion.Arguments;
 /**
  * A body of water without waves; its bed is the terrain.
  *
- * @param surfaceM height of its surface on the world's plane [m]
- * @param currentEastMps velocity of the water [m/s]
- * @param currentNorthMps velocity of the water [m/s]
+ * @param surfaceM surface height above the world's plane [m]
+ * @param currentEastMps east velocity of the water [m/s]
+ * @param currentNorthMps north velocity of the water [m/s]
  */
 public record Water(double surfaceM, double currentEastMps, double currentNorthMps) {
   /**
@@ -19,7 +19,7 @@ public record Water(double surfaceM, double currentEastMps, double currentNorthM
     Arguments.requireInside("current north [m/s]", currentNorthMps, -20.0, 20.0);
   }
 
-  /** Depth of a place below the surface [m]; negative above it. */
+  /** Depth of a point below the surface [m]; negative above it. */
   public double depthM(double upM) {
     return surfaceM - upM;
   }

@@ -11,9 +11,8 @@ import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.atmosphere.WindField;
 
 /**
- * Everything around the vehicles of a run: ground, obstacles, wind and water. Places are east,
- * north, up [m] on a plane that touches the earth at the origin. Immutable, so that every thread
- * may look at it; what changes is a new world with the same rest.
+ * The environment of a run: ground, obstacles, wind and water. Positions are east, north, up [m] on
+ * a plane tangent to the earth at the origin. Immutable and thread-safe; changes create a copy.
  */
 public final class World {
   private final LocalPlane plane;
@@ -25,11 +24,11 @@ public final class World {
   private final Optional<ObstacleTree> tree;
 
   /**
-   * The nearest thing on a ray.
+   * Nearest hit of a ray.
    *
-   * @param distanceM from the start of the ray [m]
-   * @param at where, east, north, up [m]
-   * @param object what; empty: the ground
+   * @param distanceM distance from the ray's origin [m]
+   * @param at position: east, north, up [m]
+   * @param object object hit; empty for the ground
    */
   public record Hit(double distanceM, Point at, Optional<ObjectDescription> object) {}
 
@@ -50,7 +49,7 @@ public final class World {
     this.tree = tree;
   }
 
-  /** A level lawn without obstacles or wind, as high everywhere as its origin. */
+  /** A level lawn at the origin's altitude, without obstacles or wind. */
   public static World at(Geodetic origin) {
     return new World(
         new LocalPlane(origin),
@@ -62,32 +61,32 @@ public final class World {
         Optional.empty());
   }
 
-  /** The same with other ground under it. */
+  /** Copy with another terrain. */
   public World with(Terrain newTerrain) {
     return new World(plane, newTerrain, surface, wind, water, obstacles, tree);
   }
 
-  /** The same on another surface. */
+  /** Copy with another surface. */
   public World with(Surface newSurface) {
     return new World(plane, terrain, newSurface, wind, water, obstacles, tree);
   }
 
-  /** The same in another wind. */
+  /** Copy with another wind. */
   public World with(Wind newWind) {
     return new World(plane, terrain, surface, newWind, water, obstacles, tree);
   }
 
-  /** The same with water in it. */
+  /** Copy with water. */
   public World with(Water newWater) {
     return new World(plane, terrain, surface, wind, Optional.of(newWater), obstacles, tree);
   }
 
   /**
-   * The same with these obstacles instead. Their frame is LOCAL_ENU or LOCAL_NED about the world's
-   * origin, or GLOBAL or UTM, where z is the altitude. Flat shapes, lines and points lie where they
-   * are: rays from above meet a disc or a rectangle, no ray meets a line or a point.
+   * Copy with these obstacles. Their frame is LOCAL_ENU or LOCAL_NED about the world's origin, or
+   * GLOBAL or UTM, where z is the altitude. Flat shapes keep their height: rays from above hit
+   * discs and rectangles, but never lines or points.
    *
-   * @throws IllegalArgumentException if one is in a vehicle's frame or of an unknown shape
+   * @throws IllegalArgumentException if one has a vehicle frame or an unsupported shape
    */
   public World with(List<? extends ObjectDescription> newObstacles) {
     List<ObstacleTree.Leaf> leaves = new ArrayList<>();
@@ -105,17 +104,17 @@ public final class World {
         leaves.isEmpty() ? Optional.empty() : Optional.of(ObstacleTree.of(leaves)));
   }
 
-  /** Where on earth it is. */
+  /** Location on earth. */
   public LocalPlane plane() {
     return plane;
   }
 
-  /** Height and slope of the ground. */
+  /** Terrain. */
   public Terrain terrain() {
     return terrain;
   }
 
-  /** How slippery and soft the ground is. */
+  /** Driving surface. */
   public Surface surface() {
     return surface;
   }
@@ -125,7 +124,7 @@ public final class World {
     return wind;
   }
 
-  /** The wind along the way of one vehicle of that span [m]. */
+  /** The wind for a vehicle with this span [m]. */
   public WindField windAround(double spanM) {
     return new WindField(wind, spanM);
   }
@@ -135,7 +134,7 @@ public final class World {
     return water;
   }
 
-  /** All obstacles, as they were given. */
+  /** All obstacles, as given. */
   public List<ObjectDescription> obstacles() {
     return obstacles;
   }
@@ -143,12 +142,12 @@ public final class World {
   /**
    * Elevation of the ground above mean sea level [m] at a WGS-84 position [°].
    *
-   * @throws IllegalStateException if the terrain gives no number there
+   * @throws IllegalStateException if the terrain has no finite height there
    */
   public double elevationM(double longitudeDeg, double latitudeDeg) {
     double origin = plane.origin().altitudeM();
     if (terrain == Terrain.flat()) {
-      return origin; // as far as anything flies
+      return origin; // far beyond the flight range
     }
     Point on = plane.point(new Geodetic(longitudeDeg, latitudeDeg, origin));
     double elevation = origin + terrain.heightM(on.x(), on.y());
@@ -161,7 +160,7 @@ public final class World {
     return elevation;
   }
 
-  /** The nearest of ground and obstacles on a ray; empty if there is nothing within the range. */
+  /** Nearest hit of ground or obstacles; empty if there is none within the range. */
   public Optional<Hit> cast(Ray ray, double rangeM) {
     ObstacleTree.Nearest nearest = nearest(ray, rangeM);
     return nearest.distanceM() <= rangeM
@@ -173,7 +172,7 @@ public final class World {
         : Optional.empty();
   }
 
-  /** The distance of {@link #cast} alone [m]; infinite if there is nothing within the range. */
+  /** Distance of {@link #cast} [m]; infinite if there is no hit within the range. */
   public double distanceM(Ray ray, double rangeM) {
     double nearest = nearest(ray, rangeM).distanceM();
     return nearest <= rangeM ? nearest : Double.POSITIVE_INFINITY;
@@ -181,17 +180,17 @@ public final class World {
 
   private ObstacleTree.Nearest nearest(Ray ray, double rangeM) {
     ObstacleTree.Nearest none =
-        new ObstacleTree.Nearest(Math.nextUp(rangeM), null); // what is at the range is seen
+        new ObstacleTree.Nearest(Math.nextUp(rangeM), null); // includes hits exactly at the range
     ObstacleTree.Nearest hit = tree.isEmpty() ? none : tree.get().nearest(ray, none);
     double ground = terrain.distanceM(ray, Math.min(rangeM, hit.distanceM()));
     return ground < hit.distanceM() ? new ObstacleTree.Nearest(ground, null) : hit;
   }
 
   /**
-   * The obstacles that a vehicle touches. The ground is none of them: it stands on that.
+   * Obstacles a vehicle touches, excluding the ground it stands on.
    *
-   * @param place of the vehicle's reference point, east, north, up [m]
-   * @param headingRad clockwise from north [rad]
+   * @param place position of the vehicle's reference point: east, north, up [m]
+   * @param headingRad heading, clockwise from north [rad]
    */
   public List<ObjectDescription> contacts(Footprint footprint, Point place, double headingRad) {
     List<ObjectDescription> found = new ArrayList<>();

@@ -1,5 +1,5 @@
 /**
- * What surrounds simulated vehicles: ground, obstacles, wind and water, and what a ray or a
- * footprint meets there. Vehicles and the errors of sensors belong to packages of their own.
+ * The environment of simulated vehicles: ground, obstacles, wind and water, with ray casting and
+ * contact tests. Vehicles and sensor errors have their own packages.
  */
 package org.u2sa.sim.world;
