@@ -31,7 +31,7 @@ import org.u2sa.interfaces.BadInputException
 
 private const val REFRESH_MS = 200L
 
-/** The first screen: how the vehicle is, where it is, and the buttons that start and stop it. */
+/** Main screen: vehicle status, position, and buttons to start and stop it. */
 class MainActivity : Activity(), Orders {
     private val main = Handler(Looper.getMainLooper())
     private val connection = VehicleConnection(this)
@@ -62,7 +62,7 @@ class MainActivity : Activity(), Orders {
     }
 
     override fun onDestroy() {
-        dialog?.dismiss() // a dialog does not outlive its screen
+        dialog?.dismiss() // a dialog must not outlive its activity
         super.onDestroy()
     }
 
@@ -76,7 +76,7 @@ class MainActivity : Activity(), Orders {
 
     private fun missingPermissions() = Permissions(this).missing(settings.board, looks())
 
-    /** Whether the chosen system looks through the camera. What is wrong with its file is said when it is started. */
+    /** Whether the chosen system uses the camera. File errors are reported at start. */
     private fun looks(): Boolean = try {
         CameraHook(SystemFile.read(vehicleFiles(this).system(settings.system).toPath())).isWanted
     } catch (e: BadInputException) {
@@ -98,10 +98,10 @@ class MainActivity : Activity(), Orders {
             .show()
     }
 
-    /** Starts with what is allowed: a GPS at the board does without the phone's location, for example. */
+    /** Starts with the permissions granted; a board GPS, for example, needs no phone location. */
     override fun onRequestPermissionsResult(request: Int, permissions: Array<String>, results: IntArray) {
         if (request != START_REQUEST || results.isEmpty()) {
-            return // was interrupted
+            return // request was interrupted
         }
         val missing = missingPermissions()
         if (missing.isNotEmpty()) {
@@ -178,7 +178,7 @@ class MainActivity : Activity(), Orders {
             type = LogProvider.MIME_TYPE
             putExtra(Intent.EXTRA_STREAM, uri)
             putExtra(Intent.EXTRA_SUBJECT, Text.LOGS_SUBJECT.of(this@MainActivity))
-            clipData = ClipData.newRawUri("", uri) // carries the permission to read it
+            clipData = ClipData.newRawUri("", uri) // grants read permission
             addFlags(Intent.FLAG_GRANT_READ_URI_PERMISSION)
         }
         startActivity(Intent.createChooser(send, Text.MENU_LOGS.of(this)))

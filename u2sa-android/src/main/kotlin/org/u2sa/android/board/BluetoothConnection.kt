@@ -10,9 +10,9 @@ private val SERIAL_PORT_PROFILE = UUID.fromString("00001101-0000-1000-8000-00805
 private const val READ_BYTES = 64
 
 /**
- * The board behind a paired Bluetooth adapter, as a serial port.
+ * Connects to the board through a paired Bluetooth adapter (Serial Port Profile).
  *
- * @param adapter null where the phone has no Bluetooth
+ * @param adapter null if the phone has no Bluetooth
  * @param device its hardware address
  */
 internal class BluetoothConnection(
@@ -27,7 +27,7 @@ internal class BluetoothConnection(
         if (!present.isEnabled) {
             throw IOException("Bluetooth is switched off")
         }
-        // unauthenticated as well: the cheap dongles that fit the board know no more than a PIN
+        // insecure socket: the cheap dongles that fit the board support only a PIN
         val made = present.getRemoteDevice(device).createInsecureRfcommSocketToServiceRecord(SERIAL_PORT_PROFILE)
         socket = made // for abort
         try {

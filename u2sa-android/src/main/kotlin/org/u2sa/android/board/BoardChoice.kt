@@ -4,22 +4,22 @@ import org.u2sa.interfaces.BadInputException
 
 /** How the phone reaches the IOIO board. */
 sealed class BoardChoice {
-    /** As the system's own configuration file says, for example tcp:192.168.0.2:4545 with a simulator. */
+    /** As in the system's configuration file, for example tcp:192.168.0.2:4545 for a simulator. */
     object Configured : BoardChoice() {
         override fun toString() = "configured"
     }
 
-    /** The IOIO is the host of the USB cable, the phone its accessory's other end. */
+    /** USB cable with the IOIO as host and the phone as accessory. */
     object Usb : BoardChoice() {
         override fun toString() = "usb"
     }
 
-    /** A Bluetooth adapter that was paired in Android's settings. */
+    /** A Bluetooth adapter paired in Android's settings. */
     data class Bluetooth(val device: String) : BoardChoice() {
         override fun toString() = "bluetooth:$device"
     }
 
-    /** A board, or a simulated one, behind a TCP port. */
+    /** A real or simulated board on a TCP port. */
     data class Tcp(val host: String, val port: Int) : BoardChoice() {
         override fun toString() = "tcp:$host:$port"
     }
@@ -31,7 +31,7 @@ sealed class BoardChoice {
         private const val HIGHEST_PORT = 65_535
 
         /**
-         * Reads what [toString] wrote.
+         * Parses the output of [toString].
          *
          * @throws BadInputException naming the text and what was expected
          */

@@ -1,6 +1,6 @@
 package org.u2sa.android.board
 
-/** Whether the board's connection stands; null if there is none to be watched from here. */
+/** Whether the board is connected; null if there is no connection to monitor. */
 fun interface BoardCondition {
     fun connected(): Boolean?
 }

@@ -5,17 +5,16 @@ import java.util.concurrent.atomic.AtomicReference
 import org.u2sa.drivers.ioio.BoardConnection
 
 /**
- * The way to the board by the phone's Bluetooth or USB, and how it is, for whoever shows that or stops the vehicle for it. Safe
- * from any thread.
+ * Connection to the board over the phone's Bluetooth or USB, with its status for the screen and the failsafe. Thread-safe.
  *
- * @param address for the log
- * @param attempt makes the connection of one attempt, which reports to the link that it is given
+ * @param address address shown in the log
+ * @param attempt creates the connection of one attempt, which reports to the given link
  */
 internal class BoardLink(private val address: String, private val attempt: (BoardLink) -> IOIOConnection) :
     BoardConnection, BoardCondition {
     private val standing = AtomicReference<IOIOConnection>()
 
-    /** What went wrong last; empty if nothing. */
+    /** Last fault; empty if none. */
     @Volatile
     var trouble = ""
         private set
@@ -31,7 +30,7 @@ internal class BoardLink(private val address: String, private val attempt: (Boar
         trouble = ""
     }
 
-    /** The end of an older connection than the one that stands changes nothing. */
+    /** Ignores the end of any connection but the current one. */
     fun lost(connection: IOIOConnection, words: String) {
         if (standing.compareAndSet(connection, null) || standing.get() == null) {
             trouble = words.ifEmpty { trouble }

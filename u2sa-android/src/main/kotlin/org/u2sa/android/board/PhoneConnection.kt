@@ -8,11 +8,11 @@ import java.io.InputStream
 import java.io.OutputStream
 
 /**
- * One attempt to reach the board by what the phone has, and the connection that comes of it; for the next attempt another one is
- * made. Whether what carries it is a Bluetooth socket or a USB cable is the subclass's concern.
+ * One connection attempt to the board and the resulting connection; each attempt uses a new instance. Subclasses implement
+ * Bluetooth and USB.
  */
 internal abstract class PhoneConnection(private val link: BoardLink) : IOIOConnection {
-    /** Two directions, and what ends both. */
+    /** Input and output streams, and an action that closes both. */
     protected class Streams(val input: InputStream, val output: OutputStream, val end: Closeable)
 
     private val lock = Any()
@@ -20,14 +20,14 @@ internal abstract class PhoneConnection(private val link: BoardLink) : IOIOConne
     private var ended = false
 
     /**
-     * Makes the connection; may take seconds.
+     * Connects; may block for seconds.
      *
-     * @throws IOException if that fails
+     * @throws IOException if connecting fails
      */
     @Throws(IOException::class)
     protected abstract fun connect(): Streams
 
-    /** Makes a [connect] on another thread fail soon, if that can be done. */
+    /** Aborts a [connect] on another thread, if supported. */
     @Throws(IOException::class)
     protected abstract fun abort()
 
@@ -37,7 +37,7 @@ internal abstract class PhoneConnection(private val link: BoardLink) : IOIOConne
             connect()
         } catch (e: IOException) {
             throw lost(e)
-        } catch (e: SecurityException) { // the permission was taken away
+        } catch (e: SecurityException) { // permission revoked
             throw lost(e)
         }
         synchronized(lock) {
@@ -69,7 +69,7 @@ internal abstract class PhoneConnection(private val link: BoardLink) : IOIOConne
             abort()
             open?.end?.close()
         } catch (e: IOException) {
-            link.lost(this, "does not close: ${e.message}") // nothing of it is used any more
+            link.lost(this, "does not close: ${e.message}") // the connection is no longer used
         }
     }
 
@@ -81,7 +81,7 @@ internal abstract class PhoneConnection(private val link: BoardLink) : IOIOConne
 
     private fun standing(): Streams = synchronized(lock) { streams } ?: throw ConnectionLostException()
 
-    /** The bytes from the board: that a connection broke shows in reading first. */
+    /** Bytes from the board; a broken connection shows up here first. */
     private inner class Watched(private val source: InputStream) : InputStream() {
         override fun read(): Int = noting { source.read() }
 

@@ -8,13 +8,13 @@ import java.io.FileInputStream
 import java.io.FileOutputStream
 import java.io.IOException
 
-private const val READ_BYTES = 1_024 // some phones give an accessory's bytes in whole buffers only
+private const val READ_BYTES = 1_024 // some phones deliver accessory data only in whole buffers
 private const val OPEN = 0
 private const val OPENED = 1
 
 /**
- * The board as the host of the USB cable, to which the phone is an accessory's other end (Android Open Accessory). The board
- * cannot see that the cable's other end went away, so both sides say a byte before they talk.
+ * USB connection with the board as host (Android Open Accessory). The board cannot detect a vanished peer, so both sides
+ * exchange a byte before talking.
  */
 internal class UsbConnection(private val usb: UsbManager, link: BoardLink) : PhoneConnection(link) {
     @Volatile private var descriptor: ParcelFileDescriptor? = null
@@ -42,7 +42,7 @@ internal class UsbConnection(private val usb: UsbManager, link: BoardLink) : Pho
         val output = FileOutputStream(made.fileDescriptor)
         output.write(OPEN)
         while (true) {
-            when (input.read()) { // what the board had sent before, to whoever was here before, comes first
+            when (input.read()) { // skip bytes left from an earlier connection
                 OPENED -> return Streams(input, output, made)
                 -1 -> throw IOException("the IOIO at the USB port went away")
             }
@@ -53,11 +53,11 @@ internal class UsbConnection(private val usb: UsbManager, link: BoardLink) : Pho
         descriptor?.close()
     }
 
-    /** The library then ends the talk by a message: an open accessory cannot be closed from this side alone. */
+    /** The library then ends the session by a message, because an accessory cannot be closed from this side alone. */
     override fun canClose() = false
 
     companion object {
-        /** As the firmware calls itself (app_layer_v1/main.c); also in res/xml/accessory_filter.xml. */
+        /** Name used by the firmware (app_layer_v1/main.c) and in res/xml/accessory_filter.xml. */
         const val MANUFACTURER = "IOIO Open Source Project"
         const val MODEL = "IOIO"
     }

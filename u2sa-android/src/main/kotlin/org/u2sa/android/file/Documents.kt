@@ -8,31 +8,31 @@ import java.io.FileNotFoundException
 
 private const val DEPTH_AT_MOST = 6
 
-/** The files of this application. */
+/** Sources of files for import. */
 fun vehicleFiles(context: Context) = VehicleFiles(context.filesDir)
 
-/** What came with the application: its assets config and missions. */
+/** The shipped assets: config and missions. */
 fun shippedFiles(context: Context): Sequence<VehicleFiles.Source> =
     sequenceOf("config", "missions").flatMap { assetsBelow(context, it) }
 
 private fun assetsBelow(context: Context, path: String): Sequence<VehicleFiles.Source> {
     val children = context.assets.list(path).orEmpty()
-    return if (children.isEmpty()) { // Android tells files and empty folders apart by opening them
+    return if (children.isEmpty()) { // files and empty folders can only be told apart by opening them
         if (path.endsWith(".xml")) sequenceOf(VehicleFiles.Source(path) { context.assets.open(path) }) else emptySequence()
     } else {
         children.asSequence().flatMap { assetsBelow(context, "$path/$it") }
     }
 }
 
-/** What the Storage Access Framework's pickers gave: documents of any application, read while they are needed. */
+/** Documents of any app, chosen by the Storage Access Framework's pickers and read on demand. */
 class Documents(private val context: Context) {
-    /** A document's name, as its application shows it. */
+    /** Display name of a document. */
     fun name(document: Uri): String = rows(document).firstOrNull()?.name ?: document.lastPathSegment.orEmpty()
 
     /** All files in the folder of a tree that the user chose. */
     fun below(tree: Uri): Sequence<VehicleFiles.Source> = below(tree, DocumentsContract.getTreeDocumentId(tree), "", 0)
 
-    /** The name of that folder. */
+    /** Name of the folder. */
     fun treeName(tree: Uri): String =
         name(DocumentsContract.buildDocumentUriUsingTree(tree, DocumentsContract.getTreeDocumentId(tree)))
 

@@ -5,12 +5,12 @@ import java.io.OutputStream
 import java.util.zip.ZipEntry
 import java.util.zip.ZipOutputStream
 
-/** The logs of all runs in one ZIP file, made while it is read: nothing is left lying about. */
+/** All logs as one ZIP file, created while it is read, so no temporary file remains. */
 class LogArchive(private val logs: File) {
-    /** Whether there is anything in it. */
+    /** Whether it has any content. */
     fun isEmpty(): Boolean = files().none()
 
-    /** Writes all of it; lines that services write meanwhile may be in it or not. */
+    /** Writes the archive; lines logged meanwhile may be missing. */
     fun writeTo(out: OutputStream) {
         ZipOutputStream(out).use { zip ->
             for (file in files().sortedBy(File::getPath)) {

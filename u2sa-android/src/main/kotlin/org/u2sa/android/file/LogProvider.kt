@@ -16,7 +16,7 @@ import kotlin.concurrent.thread
 private const val NAME = "u2sa-logs.zip"
 private const val TYPE = "application/zip"
 
-/** Gives the logs to the application that the user shares them with, and to no other: it is not exported. */
+/** Provides the logs only to the app the user shares them with; the provider is not exported. */
 class LogProvider : ContentProvider() {
     override fun onCreate() = true
 
@@ -42,7 +42,7 @@ class LogProvider : ContentProvider() {
         thread(name = "u2sa-log-archive", isDaemon = true) {
             try {
                 ParcelFileDescriptor.AutoCloseOutputStream(to).use(archive::writeTo)
-            } catch (e: IOException) { // whoever read went away
+            } catch (e: IOException) { // the reader disconnected
                 Log.w("u2sa", "sharing logs: $e")
             }
         }
@@ -58,10 +58,10 @@ class LogProvider : ContentProvider() {
         throw UnsupportedOperationException("$uri can only be read")
 
     companion object {
-        /** The one document that it has. */
+        /** URI of its only document. */
         fun uri(context: Context): Uri = Uri.parse("content://${context.packageName}.logs/$NAME")
 
-        /** What it is called for whoever takes it. */
+        /** Display name for the receiving app. */
         const val MIME_TYPE = TYPE
     }
 }

@@ -11,26 +11,26 @@ private const val FILE_BYTES_AT_MOST = 4L shl 20
 private const val FILES_AT_MOST = 500
 
 /**
- * The application's own folder: configurations, missions, logs and whether the vehicle runs. What comes from outside is copied
- * here and checked before anything uses it; names from outside never lead out of it.
+ * The app's private folder: configurations, missions, logs and the run state. External files are copied here and validated
+ * before use; external names never resolve outside it.
  *
- * @param root the folder, made if need be
+ * @param root the folder, created if absent
  */
 class VehicleFiles(private val root: File) {
     private val systems = File(root, "system")
     private val missions = File(root, "missions")
 
-    /** Where the logs of all runs are, a folder each. */
+    /** Folder of all logs, one subfolder per run. */
     val logs = File(root, "logs")
 
-    /** Whether a vehicle runs. */
+    /** Marks whether a vehicle is running. */
     val runState = File(root, "run-state")
 
-    /** A file from outside: its path below the folder that was chosen, and its content. */
+    /** An external file: its path relative to the chosen folder, and its content. */
     class Source(val path: String, val open: () -> InputStream)
 
     /**
-     * Copies the files that came with the application, in place of those of another version of it.
+     * Installs the files shipped with the app, replacing those of another version.
      *
      * @throws BadInputException if they cannot be copied
      */
@@ -40,15 +40,15 @@ class VehicleFiles(private val root: File) {
         if (!installed.isFile || installed.readText() != version) {
             folder.deleteRecursively()
             copyAll(shipped, folder)
-            copy(Source(installed.name) { version.byteInputStream() }, installed) // last: a broken copy is made anew
+            copy(Source(installed.name) { version.byteInputStream() }, installed) // written last, so an incomplete copy is repeated
         }
     }
 
     /**
-     * Copies a folder with a configuration, in place of one of the same name.
+     * Imports a configuration folder, replacing one of the same name.
      *
      * @return the system files in it, as [systemFiles] names them; at least one
-     * @throws BadInputException if it cannot be read, is too large, or lists no system; then the one before stays
+     * @throws BadInputException if it cannot be read, is too large, or lists no system; the previous one is then kept
      */
     fun import(name: String, files: Sequence<Source>): List<String> {
         val folder = File(systems, plain(name).ifEmpty { "imported" })
@@ -72,7 +72,7 @@ class VehicleFiles(private val root: File) {
         return systemFilesIn(folder).map(::nameOf)
     }
 
-    /** Names of all system files that can be chosen. */
+    /** Names of all available system files. */
     fun systemFiles(): List<String> = systems.listFiles().orEmpty()
         .filter { it.isDirectory && !it.name.endsWith(".next") }.sortedBy(File::getName).flatMap(::systemFilesIn).map(::nameOf)
 
@@ -82,9 +82,9 @@ class VehicleFiles(private val root: File) {
     private fun nameOf(file: File) = file.relativeTo(systems).invariantSeparatorsPath
 
     /**
-     * The system file of that name.
+     * Returns a system file by name.
      *
-     * @throws BadInputException if it is missing or wrong; names the line
+     * @throws BadInputException if it is missing or invalid; names the line
      */
     fun system(name: String): File {
         val file = inside(systems, name)
@@ -93,10 +93,10 @@ class VehicleFiles(private val root: File) {
     }
 
     /**
-     * Copies a mission, in place of one of the same name.
+     * Imports a mission, replacing one of the same name.
      *
      * @return its name for [mission]
-     * @throws BadInputException if it is wrong; names the line. The one before stays
+     * @throws BadInputException if it is invalid; names the line. The previous one is kept
      */
     fun importMission(name: String, open: () -> InputStream): String {
         missions.mkdirs()
@@ -114,7 +114,7 @@ class VehicleFiles(private val root: File) {
         return plain
     }
 
-    /** The mission of that name; null if it is not there any more. */
+    /** A mission by name; null if it no longer exists. */
     fun mission(name: String): File? = inside(missions, name).takeIf(File::isFile)
 
     private fun copyAll(files: Sequence<Source>, folder: File) {
@@ -133,7 +133,7 @@ class VehicleFiles(private val root: File) {
             source.open().use { from -> target.outputStream().use { bounded(source.path, from).copyTo(it) } }
         } catch (e: IOException) {
             throw BadInputException("${source.path}: cannot be copied: ${e.message}", e)
-        } catch (e: SecurityException) { // a provider that withdrew what it offered
+        } catch (e: SecurityException) { // the provider revoked access
             throw BadInputException("${source.path}: cannot be read: ${e.message}", e)
         }
     }
@@ -165,7 +165,7 @@ class VehicleFiles(private val root: File) {
     private fun plain(name: String) = name.replace(Regex("[^\\p{L}\\p{N}._ -]"), "_").trim('.', ' ')
 
     companion object {
-        /** The folder of what came with the application. */
+        /** Folder of the shipped files. */
         const val SHIPPED = "shipped"
     }
 }

@@ -6,7 +6,7 @@ import org.slf4j.event.Level
 import org.slf4j.helpers.LegacyAbstractLogger
 import org.slf4j.helpers.MessageFormatter
 
-/** A library's logger that writes to Android's log; what is below WARN only after `setprop log.tag.u2sa DEBUG`. */
+/** SLF4J logger that writes to logcat; levels below WARN require `setprop log.tag.u2sa DEBUG`. */
 internal class LogcatLogger(loggerName: String) : LegacyAbstractLogger() {
     private val tag = loggerName.substringAfterLast('.')
 
@@ -18,7 +18,7 @@ internal class LogcatLogger(loggerName: String) : LegacyAbstractLogger() {
 
     override fun isDebugEnabled() = Log.isLoggable(TAG, Log.DEBUG)
 
-    override fun isInfoEnabled() = isDebugEnabled // INFO is on by default, and libraries say much there
+    override fun isInfoEnabled() = isDebugEnabled // INFO is on by default, and libraries log too much at that level
 
     override fun isWarnEnabled() = true
 

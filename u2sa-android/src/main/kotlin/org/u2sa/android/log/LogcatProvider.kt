@@ -10,8 +10,7 @@ import org.slf4j.spi.MDCAdapter
 import org.slf4j.spi.SLF4JServiceProvider
 
 /**
- * Shows what libraries (Moquette, JmDNS) say in Android's own log; services have log files of their own. Found by SLF4J through
- * META-INF/services.
+ * Routes library logs (Moquette, JmDNS) to logcat; services have their own log files. Found by SLF4J through META-INF/services.
  */
 class LogcatProvider : SLF4JServiceProvider {
     private val loggers = ConcurrentHashMap<String, Logger>()
@@ -24,7 +23,7 @@ class LogcatProvider : SLF4JServiceProvider {
 
     override fun getMDCAdapter(): MDCAdapter = contexts
 
-    override fun getRequestedApiVersion() = "2.0.99" // any of SLF4J 2.0
+    override fun getRequestedApiVersion() = "2.0.99" // any SLF4J 2.0 version
 
     override fun initialize() = Unit
 }

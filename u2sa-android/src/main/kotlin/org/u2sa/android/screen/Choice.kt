@@ -14,25 +14,25 @@ import org.u2sa.interfaces.BadInputException
 private const val MISSION_REQUEST = 2
 private const val SYSTEM_REQUEST = 3
 
-/** Lets the user choose what runs, with Android's own file pickers, and says what is wrong with it. */
+/** Lets the user choose system and mission with Android's file pickers, and reports errors. */
 internal class Choice(private val activity: Activity, private val settings: PhoneSettings, private val tell: (String) -> Unit) {
     private val documents = Documents(activity.applicationContext)
     private val files = vehicleFiles(activity)
 
-    /** What is chosen. */
+    /** Description of the current choice. */
     fun words(): String {
         val own = settings.mission
         val mission = if (own.isEmpty()) Text.MISSION_OF_SYSTEM.of(activity) else Text.MISSION_WITHOUT_FENCE.of(activity, own)
         return Text.CHOSEN.of(activity, settings.system, mission)
     }
 
-    /** Any file: few applications know XML by its type. */
+    /** Any file type, because few apps report XML's MIME type. */
     fun pickMission() {
         val pick = Intent(Intent.ACTION_OPEN_DOCUMENT).addCategory(Intent.CATEGORY_OPENABLE).setType("*/*")
         activity.startActivityForResult(pick, MISSION_REQUEST)
     }
 
-    /** One that is known, or a folder with another. */
+    /** A known system, or a folder with a new one. */
     fun pickSystem(): AlertDialog {
         val known = files.systemFiles()
         val entries = known + Text.SYSTEM_FOLDER.of(activity)
@@ -49,13 +49,13 @@ internal class Choice(private val activity: Activity, private val settings: Phon
     }
 
     private fun useSystem(name: String): String {
-        files.system(name) // refuses what is wrong
+        files.system(name) // throws if invalid
         settings.system = name
-        settings.mission = "" // that of another vehicle
+        settings.mission = "" // belonged to another vehicle
         return Text.SYSTEM_TAKEN.of(activity, name)
     }
 
-    /** Takes what a picker gave. */
+    /** Handles a picker's result. */
     fun picked(request: Int, uri: Uri) = when (request) {
         MISSION_REQUEST -> take {
             settings.mission = files.importMission(documents.name(uri)) { documents.open(uri) }
@@ -65,7 +65,7 @@ internal class Choice(private val activity: Activity, private val settings: Phon
         else -> Unit
     }
 
-    /** Copies on a thread of its own: documents may come from a network. */
+    /** Copies on a background thread, because documents may come from a network. */
     private fun take(action: () -> String) {
         thread(name = "u2sa-import") {
             val words = try {

@@ -7,7 +7,7 @@ import android.util.DisplayMetrics
 import android.util.TypedValue
 import org.u2sa.android.vehicle.StatusLine
 
-/** Colours that can be told apart in the dark and in the sun, also by those who see no red or green. */
+/** Colours distinguishable in darkness, in sunlight and with red-green colour blindness. */
 internal class Palette(context: Context) {
     private val dark =
         context.resources.configuration.uiMode and Configuration.UI_MODE_NIGHT_MASK == Configuration.UI_MODE_NIGHT_YES
@@ -19,7 +19,7 @@ internal class Palette(context: Context) {
     val emergency: Int = Color.rgb(0xC6, 0x28, 0x28)
     val onEmergency: Int = Color.WHITE
 
-    /** Background of the status line; its text is white. */
+    /** Background of the status line; the text is white. */
     fun status(level: StatusLine.Level): Int = when (level) {
         StatusLine.Level.IDLE -> Color.rgb(0x45, 0x5A, 0x64)
         StatusLine.Level.GOOD -> Color.rgb(0x1B, 0x5E, 0x20)
@@ -28,5 +28,5 @@ internal class Palette(context: Context) {
     }
 }
 
-/** Pixels of one scaled pixel of text: what the user set as the size of text counts. */
+/** Pixels per scaled pixel (sp), respecting the user's text size. */
 internal fun DisplayMetrics.scaledDensity(): Float = TypedValue.applyDimension(TypedValue.COMPLEX_UNIT_SP, 1f, this)

@@ -25,7 +25,7 @@ private const val EMERGENCY_SP = 26f
 private const val STATUS_SP = 18f
 private const val PALE = 0.35f
 
-/** What [Panel]'s buttons ask for. */
+/** Actions of [Panel]'s buttons. */
 internal interface Orders {
     fun start()
 
@@ -38,7 +38,7 @@ internal interface Orders {
     fun clearEmergencyStop()
 }
 
-/** The views of the first screen: how the vehicle is, and the buttons. The emergency stop is always in sight. */
+/** Views of the main screen: vehicle status and buttons. The emergency stop is always visible. */
 internal class Panel(private val context: Context, private val orders: Orders) {
     private val palette = Palette(context)
     private val wording = Wording(context)
@@ -47,7 +47,7 @@ internal class Panel(private val context: Context, private val orders: Orders) {
     val status = text(STATUS_SP).apply {
         setTextColor(Color.WHITE)
         setTypeface(typeface, Typeface.BOLD)
-        accessibilityLiveRegion = View.ACCESSIBILITY_LIVE_REGION_ASSERTIVE // read aloud as soon as it changes
+        accessibilityLiveRegion = View.ACCESSIBILITY_LIVE_REGION_ASSERTIVE // read aloud on every change
     }
     val warnings = text().apply { accessibilityLiveRegion = View.ACCESSIBILITY_LIVE_REGION_POLITE }
     val track = TrackView(context)
@@ -67,7 +67,7 @@ internal class Panel(private val context: Context, private val orders: Orders) {
         minHeight = pixels(EMERGENCY_DP)
     }
 
-    /** All of it, side by side where the phone lies on its side. */
+    /** Root view; side by side in landscape. */
     val root: View = if (context.resources.configuration.orientation == Configuration.ORIENTATION_LANDSCAPE) {
         row(
             column(status, track to 1f),
@@ -83,7 +83,7 @@ internal class Panel(private val context: Context, private val orders: Orders) {
         )
     }.apply { fitsSystemWindows = true }
 
-    /** Shows the vehicle as it is now; what cannot be done now cannot be pressed. */
+    /** Updates the views; disables buttons that do not apply. */
     fun show(state: VehicleHost.State, snapshot: VehicleSnapshot, boardTrouble: String, chosenText: String) {
         val line = StatusLine.of(context, state, snapshot)
         status.show(line.words)
@@ -138,7 +138,7 @@ internal class Panel(private val context: Context, private val orders: Orders) {
 
     private fun heightIn(view: View) = if (view is Button) WRAP_CONTENT else MATCH_PARENT
 
-    /** Views below each other; one with a weight takes the room that is left. */
+    /** Stacks views vertically; a view with a weight takes the remaining space. */
     private fun column(vararg views: Any) = LinearLayout(context).apply {
         orientation = LinearLayout.VERTICAL
         gravity = Gravity.TOP

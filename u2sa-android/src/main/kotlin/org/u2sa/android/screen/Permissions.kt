@@ -7,12 +7,12 @@ import android.content.pm.PackageManager
 import android.os.Build
 import org.u2sa.android.board.BoardChoice
 
-/** What this phone's Android must be asked to allow, and why. */
+/** Runtime permissions to request on this Android version, with reasons. */
 internal class Permissions(private val context: Context) {
-    /** @property permissions those asked for together */
+    /** @property permissions permissions requested together */
     enum class Need(val permissions: List<String>, val why: Text, val short: Text) {
         LOCATION(
-            // From Android 12 on the user may choose the coarse one; both must be asked for.
+            // Since Android 12 the user may choose coarse location; both must be requested.
             listOf(Manifest.permission.ACCESS_FINE_LOCATION, Manifest.permission.ACCESS_COARSE_LOCATION),
             Text.PERMISSION_LOCATION,
             Text.PERMISSION_LOCATION_SHORT,
@@ -31,10 +31,10 @@ internal class Permissions(private val context: Context) {
     }
 
     /**
-     * What is not allowed yet and would be of use.
+     * Useful permissions not granted yet.
      *
-     * @param board how it is reached
-     * @param camera whether a service looks
+     * @param board connection to the board
+     * @param camera whether a service uses the camera
      */
     fun missing(board: BoardChoice, camera: Boolean): List<Need> = buildList {
         add(Need.LOCATION)
@@ -49,7 +49,7 @@ internal class Permissions(private val context: Context) {
         }
     }.filterNot(::isGiven)
 
-    /** Whether paired adapters may be listed and reached. */
+    /** Whether paired adapters may be listed and used. */
     fun mayUseBluetooth(): Boolean = Build.VERSION.SDK_INT < Build.VERSION_CODES.S || isGiven(Need.BLUETOOTH)
 
     private fun isGiven(need: Need) =

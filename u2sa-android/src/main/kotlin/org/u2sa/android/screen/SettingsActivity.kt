@@ -25,7 +25,7 @@ import org.u2sa.interfaces.BadInputException
 private const val PAD_DP = 16
 private const val BLUETOOTH_REQUEST = 1
 
-/** How the phone reaches the board, and what it watches over. What is changed here counts from the next start. */
+/** Settings of the board connection and the phone's failsafe. Changes take effect at the next start. */
 class SettingsActivity : Activity() {
     private lateinit var settings: PhoneSettings
     private lateinit var boards: RadioGroup
@@ -89,7 +89,7 @@ class SettingsActivity : Activity() {
             board(BoardChoice.Bluetooth(address).toString(), Text.SETTINGS_BOARD_BLUETOOTH.of(this, "$name ($address)"))
         }
         (settings.board as? BoardChoice.Bluetooth)?.takeIf { it.device !in known }?.let {
-            board(it.toString(), Text.SETTINGS_BOARD_BLUETOOTH.of(this, it.device)) // chosen before, not paired now
+            board(it.toString(), Text.SETTINGS_BOARD_BLUETOOTH.of(this, it.device)) // previously chosen, no longer paired
         }
         board(TCP, Text.SETTINGS_BOARD_TCP.of(this))
         val chosen = settings.board
@@ -105,7 +105,7 @@ class SettingsActivity : Activity() {
         },
     )
 
-    /** Names by hardware address; none without the permission. */
+    /** Device names by hardware address; empty without the permission. */
     private fun pairedAdapters(): Map<String, String> {
         if (!Permissions(this).mayUseBluetooth()) {
             return emptyMap()

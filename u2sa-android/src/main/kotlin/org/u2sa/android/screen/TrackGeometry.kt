@@ -10,7 +10,7 @@ import org.u2sa.messages.frame.Geodetic
 private const val LEAST_EXTENT_M = 20.0
 private const val SCALE_BAR_PART = 0.3
 
-/** Where the things of a snapshot lie on a picture of a size, north up: all of them are in it, with a margin around. */
+/** Maps a snapshot to an image, north up, so that everything fits with a margin. */
 internal class TrackGeometry(snapshot: VehicleSnapshot, private val width: Double, private val height: Double, margin: Double) {
     private val places = snapshot.track + snapshot.goals.map { it.place } + listOfNotNull(snapshot.motion?.place)
     private val origin: Geodetic? = places.firstOrNull()
@@ -20,16 +20,16 @@ internal class TrackGeometry(snapshot: VehicleSnapshot, private val width: Doubl
     private val south = flat.minOfOrNull { it.y() } ?: 0.0
     private val north = flat.maxOfOrNull { it.y() } ?: 0.0
 
-    /** Pixels of a metre. */
+    /** Scale [px/m]. */
     val pixelsPerMetre: Double = min(
         (width - 2.0 * margin) / maxOf(east - west, LEAST_EXTENT_M),
         (height - 2.0 * margin) / maxOf(north - south, LEAST_EXTENT_M),
     ).coerceAtLeast(0.0)
 
-    /** Whether there is anything to be drawn. */
+    /** Whether there is anything to draw. */
     val isEmpty: Boolean get() = origin == null
 
-    /** Pixels to the right and down of the picture's upper left corner. */
+    /** Pixel coordinates, right and down from the top left corner. */
     fun pixels(place: Geodetic): Pair<Float, Float> {
         val enu = requireNotNull(origin) { "nothing is drawn" }.enuOf(place)
         val x = width / 2.0 + (enu.x() - (west + east) / 2.0) * pixelsPerMetre
@@ -37,7 +37,7 @@ internal class TrackGeometry(snapshot: VehicleSnapshot, private val width: Doubl
         return Pair(x.toFloat(), y.toFloat())
     }
 
-    /** Length of a bar that fits the picture [m]: 1, 2 or 5 of a power of ten. */
+    /** Length of the scale bar [m]: 1, 2 or 5 times a power of ten. */
     fun scaleBarM(): Double {
         val longest = SCALE_BAR_PART * width / pixelsPerMetre
         val power = 10.0.pow(floor(log10(longest)))

@@ -16,7 +16,7 @@ private const val GOAL_DP = 6f
 private const val LINE_DP = 2f
 private const val TEXT_SP = 13f
 
-/** Where the vehicle was, is, looks to and shall go, without a map under it; north is up. */
+/** Draws track, position, heading and waypoints without a background map; north is up. */
 class TrackView(context: Context) : View(context) {
     private val palette = Palette(context)
     private val dp = resources.displayMetrics.density
@@ -32,7 +32,7 @@ class TrackView(context: Context) : View(context) {
     }
     private var snapshot = VehicleSnapshot()
 
-    /** Draws another picture, and describes it for those who do not see it. */
+    /** Shows a new snapshot and updates the accessibility description. */
     fun show(next: VehicleSnapshot) {
         if (next.track != snapshot.track || next.motion != snapshot.motion || next.goals != snapshot.goals) {
             snapshot = next
@@ -41,7 +41,7 @@ class TrackView(context: Context) : View(context) {
         }
     }
 
-    /** As high as it is told to be; at its least where it may choose, as between texts that scroll. */
+    /** Uses the imposed height, or the minimum height when free to choose, as in a scroll view. */
     override fun onMeasure(widthSpec: Int, heightSpec: Int) = setMeasuredDimension(
         getDefaultSize(suggestedMinimumWidth, widthSpec),
         if (MeasureSpec.getMode(heightSpec) == MeasureSpec.EXACTLY) MeasureSpec.getSize(heightSpec) else suggestedMinimumHeight,
@@ -72,7 +72,7 @@ class TrackView(context: Context) : View(context) {
 
     private fun drawGoals(canvas: Canvas, geometry: TrackGeometry) {
         text.textAlign = Paint.Align.LEFT
-        for (goal in snapshot.goals.asReversed()) { // the current one on top
+        for (goal in snapshot.goals.asReversed()) { // draw the current one on top
             val (x, y) = geometry.pixels(goal.place)
             line.color = palette.goal
             fill.color = palette.goal
@@ -115,7 +115,7 @@ class TrackView(context: Context) : View(context) {
     }
 
     private companion object {
-        /** Corners of the arrow: angle from its heading [rad] and distance from its middle. */
+        /** Arrow corners: angle from the heading [rad] and distance from the centre. */
         val ARROW = listOf(0.0 to 1.0, 2.5 to 0.8, Math.PI to 0.3, -2.5 to 0.8)
     }
 }

@@ -8,9 +8,9 @@ import android.content.ServiceConnection
 import android.os.IBinder
 import org.u2sa.android.vehicle.VehicleService
 
-/** A screen's hold on the service that carries the vehicle: from when it is seen until it is not. */
+/** Binds a screen to the vehicle service while the screen is visible. */
 internal class VehicleConnection(private val activity: Activity) : ServiceConnection {
-    /** Null while the screen is not connected. */
+    /** Null while not bound. */
     var service: VehicleService? = null
         private set
 
@@ -23,7 +23,7 @@ internal class VehicleConnection(private val activity: Activity) : ServiceConnec
         service = null
     }
 
-    /** Asks Android to let the service go on when this screen is gone, and to start the vehicle. */
+    /** Starts the vehicle in a service that outlives this screen. */
     fun startVehicle() {
         activity.startForegroundService(Intent(activity, VehicleService::class.java).setAction(VehicleService.START))
     }

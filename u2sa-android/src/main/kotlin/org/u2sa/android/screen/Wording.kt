@@ -5,9 +5,9 @@ import android.content.Context
 import org.u2sa.android.vehicle.VehicleSnapshot
 import org.u2sa.android.vehicle.hazardText
 
-/** A snapshot's numbers in words. */
+/** Formats a snapshot for display. */
 internal class Wording(private val context: Context) {
-    /** What the picture of the track shows. */
+    /** Text description of the track view. */
     fun track(snapshot: VehicleSnapshot): String {
         val motion = snapshot.motion ?: return Text.TRACK_NONE.of(context)
         val goal = snapshot.goals.firstOrNull { it.current }
@@ -23,7 +23,7 @@ internal class Wording(private val context: Context) {
 
     fun metres(metres: Double): String = Text.METRES.of(context, metres)
 
-    /** Each battery that has said something. */
+    /** All batteries with a reading. */
     fun batteries(snapshot: VehicleSnapshot): String = snapshot.batteries.entries.joinToString("\n") { (name, battery) ->
         listOfNotNull(
             battery.volts?.let { Text.BATTERY_VOLTS.of(context, name, it) },
@@ -40,7 +40,7 @@ internal class Wording(private val context: Context) {
             }
         }
 
-    /** What is wrong or keeps it from being armed; empty if nothing. */
+    /** Faults and reasons against arming; empty if none. */
     fun warnings(snapshot: VehicleSnapshot, boardTrouble: String): String = buildList {
         snapshot.hazards.forEach { add(hazardText(it).of(context)) }
         if (boardTrouble.isNotEmpty()) {

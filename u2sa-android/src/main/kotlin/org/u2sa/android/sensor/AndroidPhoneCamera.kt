@@ -26,14 +26,14 @@ private const val PICTURES_HELD = 2
 private const val NANOS_PER_MICRO = 1_000L
 
 /**
- * The camera on the phone's back, 640 × 480. Android calls back on a thread of its own, which ends with [close]. A camera that
- * another application takes away is a trouble, not an exception; the next start of the vehicle opens it anew.
+ * The phone's rear camera, 640 × 480. Callbacks run on a dedicated thread that ends with [close]. Losing the camera to another
+ * app is reported as trouble, not as an exception; the next vehicle start reopens it.
  */
 class AndroidPhoneCamera(private val context: Context, private val clock: Clock) : Camera {
     private val thread = HandlerThread("u2sa-phone-camera").apply { start() }
     private val handler = Handler(thread.looper)
     private val reader = ImageReader.newInstance(WIDTH, HEIGHT, ImageFormat.YUV_420_888, PICTURES_HELD)
-    private var device: CameraDevice? = null // touched by that thread only
+    private var device: CameraDevice? = null // confined to that thread
 
     @Volatile private var frame: Optional<CameraFrame> = Optional.empty()
     @Volatile private var isClosed = false
@@ -73,7 +73,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
         }
     }
 
-    @Suppress("DEPRECATION") // its successor is of Android 9 and wants an executor; this one is of all
+    @Suppress("DEPRECATION") // the replacement needs Android 9 and an executor; this one works everywhere
     private fun watch(camera: CameraDevice) {
         camera.createCaptureSession(
             listOf(reader.surface),
@@ -81,7 +81,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
                 override fun onConfigured(session: CameraCaptureSession) = trying {
                     val request = camera.createCaptureRequest(CameraDevice.TEMPLATE_PREVIEW).apply { addTarget(reader.surface) }
                     session.setRepeatingRequest(request.build(), null, handler)
-                    connections++ // by this thread only
+                    connections++ // confined to this thread
                     trouble = ""
                 }
 
@@ -98,7 +98,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
             action()
         } catch (e: CameraAccessException) {
             trouble = "the camera: ${e.message}"
-        } catch (e: IllegalStateException) { // closed by Android meanwhile
+        } catch (e: IllegalStateException) { // closed by Android in the meantime
             trouble = "the camera: ${e.message}"
         }
     }
@@ -116,7 +116,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
         }
     }
 
-    /** The brightness of YUV, without the bytes that pad its rows. */
+    /** Luma plane of a YUV image, without row padding. */
     private fun grey(image: Image): ByteArray {
         val plane = image.planes[0]
         val bytes = ByteArray(image.width * image.height)
@@ -127,7 +127,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
         return bytes
     }
 
-    /** As a Buffer: that ByteBuffer's own method has a result of its own is newer than Android 8. */
+    /** Cast to Buffer because ByteBuffer's covariant override is missing on Android 8. */
     private fun moveTo(buffer: Buffer, place: Int) {
         buffer.position(place)
     }

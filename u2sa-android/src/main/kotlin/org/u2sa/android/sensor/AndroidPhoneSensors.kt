@@ -23,8 +23,8 @@ private const val NANOS_PER_MICRO = 1_000L
 private const val PASCALS_PER_HECTOPASCAL = 100.0
 
 /**
- * The sensors of the phone that this runs on. What the phone lacks, or the user does not allow, is simply never measured.
- * Android calls back on a thread of its own, which ends with [close].
+ * The sensors of this phone. Absent sensors and denied permissions yield no readings. Callbacks run on a dedicated thread that
+ * ends with [close].
  */
 class AndroidPhoneSensors(private val context: Context, private val clock: Clock) : PhoneSensors {
     private val thread = HandlerThread("u2sa-phone-sensors").apply { start() }
@@ -41,7 +41,7 @@ class AndroidPhoneSensors(private val context: Context, private val clock: Clock
     private val motion = object : SensorEventListener {
         override fun onSensorChanged(event: SensorEvent) = take(event)
 
-        override fun onAccuracyChanged(sensor: Sensor, accuracy: Int) = Unit // the rotation vector says its own
+        override fun onAccuracyChanged(sensor: Sensor, accuracy: Int) = Unit // the rotation vector reports its own accuracy
     }
 
     private val location = object : LocationListener {
@@ -103,7 +103,7 @@ class AndroidPhoneSensors(private val context: Context, private val clock: Clock
             null
         }
 
-    /** Android stamps with the time since the phone was switched on; what matters is the age. */
+    /** Android timestamps count from boot, so they are converted via the reading's age. */
     private fun measuredAt(elapsedRealtimeNanos: Long): Long {
         val ageMicros = (SystemClock.elapsedRealtimeNanos() - elapsedRealtimeNanos) / NANOS_PER_MICRO
         return clock.micros() - maxOf(0L, ageMicros)

@@ -9,16 +9,15 @@ import org.u2sa.device.CameraSensor
 import org.u2sa.service.ServiceContext
 
 /**
- * Gives the phone's camera to those services of a system that look through it: classes with a public constructor
- * (ServiceContext, Camera).
+ * Injects the phone's camera into services that use one: classes with a public constructor (ServiceContext, Camera).
  */
 class CameraHook(system: SystemFile) {
     private val users: List<Constructor<out CameraSensor>> = system.services().mapNotNull { constructor(it.className()) }
 
-    /** Whether a service of the system looks: then the user is asked for the camera. */
+    /** Whether a service of the system uses a camera; if so, the permission is requested. */
     val isWanted: Boolean get() = users.isNotEmpty()
 
-    /** @param open makes a camera for one service, which closes it */
+    /** @param open opens a camera for one service, which closes it */
     fun configure(options: LaunchOptions, open: () -> Camera) = users.forEach { give(options, it, open) }
 
     private fun <S : CameraSensor> give(options: LaunchOptions, user: Constructor<S>, open: () -> Camera) {
@@ -31,7 +30,7 @@ class CameraHook(system: SystemFile) {
             made = user.newInstance(context, camera)
             return made
         } catch (e: InvocationTargetException) {
-            throw e.targetException // the service's own words: a wrong variable
+            throw e.targetException // the service's own error, such as an invalid variable
         } finally {
             if (made == null) {
                 camera.close()
@@ -39,7 +38,7 @@ class CameraHook(system: SystemFile) {
         }
     }
 
-    /** Null: no class that looks. What is wrong with it otherwise is said when the system starts. */
+    /** Null if the class uses no camera. Other faults of the class are reported at system start. */
     private fun constructor(className: String): Constructor<out CameraSensor>? = try {
         Class.forName(className, false, CameraHook::class.java.classLoader)
             .takeIf { CameraSensor::class.java.isAssignableFrom(it) }

@@ -7,10 +7,10 @@ import kotlin.math.cos
 import kotlin.math.sin
 import org.u2sa.device.GpsFix
 
-/** Android gives the radius that holds 68 % of the errors; of a round normal distribution that is 1.51 σ along an axis. */
+/** Android reports the 68 % radius; for a circular normal distribution that is 1.51 σ per axis. */
 private const val RADIUS_68_PERCENT = 1.51
 
-/** What Android calls a location, as a fix measured at [measuredAtMicros] of the run's clock. */
+/** Converts an Android location to a fix measured at [measuredAtMicros] of the run's clock. */
 internal fun fixOf(location: Location, measuredAtMicros: Long): GpsFix {
     val moves = location.hasSpeed() && (location.hasBearing() || location.speed == 0.0f)
     val speed = location.speed.toDouble()
@@ -30,7 +30,7 @@ internal fun fixOf(location: Location, measuredAtMicros: Long): GpsFix {
     )
 }
 
-/** Android's older altitude is above the ellipsoid, up to 100 m from the sea's level: of no use here. */
+/** Android's older altitude is ellipsoidal, up to 100 m off mean sea level, so it is not used. */
 private fun altitudeAboveSea(location: Location): OptionalDouble =
     if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.UPSIDE_DOWN_CAKE && location.hasMslAltitude()) {
         OptionalDouble.of(location.mslAltitudeMeters)

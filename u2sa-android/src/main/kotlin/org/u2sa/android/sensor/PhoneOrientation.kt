@@ -8,11 +8,11 @@ import org.u2sa.messages.frame.Point
 private const val FULL_TURN_RAD = 2.0 * Math.PI
 
 /**
- * How the phone lay at one moment, as Android's rotation vector says it: a unit quaternion that turns the phone's axes (x to
- * the right of its screen, y to its top, z out of it) into east, magnetic north and up.
+ * Orientation of the phone from Android's rotation vector: a unit quaternion from phone axes (x right, y top, z out of the
+ * screen) to east, magnetic north, up.
  *
- * @property measuredAtMicros when [µs of the run's clock]
- * @property headingSigmaRad standard deviation of the heading [rad]; null if Android does not say
+ * @property measuredAtMicros measurement time [µs, run's clock]
+ * @property headingSigmaRad standard deviation of the heading [rad]; null if unknown
  */
 class PhoneOrientation private constructor(
     val measuredAtMicros: Long,
@@ -25,7 +25,7 @@ class PhoneOrientation private constructor(
     /** The vehicle's roll (right wing down), pitch (nose up) and heading clockwise from magnetic north, 0…2π [rad]. */
     class Attitude(val phi: Double, val theta: Double, val psi: Double)
 
-    /** A vector of the phone's axes in east, magnetic north and up. */
+    /** Rotates a vector from phone axes to east, magnetic north, up. */
     fun toEnu(v: Point): Point {
         // v + 2 q × (q × v + w v), the rotation of a vector by a unit quaternion
         val tx = 2.0 * (y * v.z() - z * v.y())
@@ -38,7 +38,7 @@ class PhoneOrientation private constructor(
         )
     }
 
-    /** The attitude of a vehicle that carries the phone like this. */
+    /** Attitude of the vehicle for a mounting of the phone. */
     fun attitude(mounting: Mounting): Attitude {
         val forward = toEnu(mounting.forward)
         val right = toEnu(mounting.right)
@@ -53,10 +53,10 @@ class PhoneOrientation private constructor(
 
     companion object {
         /**
-         * Reads Android's rotation vector: x, y, z of the quaternion, then perhaps w, then perhaps the heading's accuracy
-         * [rad, -1 if unknown].
+         * Parses Android's rotation vector: x, y, z of the quaternion, optionally w, optionally the heading accuracy [rad, -1
+         * if unknown].
          *
-         * @return null if these are no numbers, as a few phones send them at first
+         * @return null if values are not finite, as some phones send initially
          */
         fun of(measuredAtMicros: Long, values: FloatArray): PhoneOrientation? {
             if (values.size < 3 || values.any { !it.isFinite() }) {
@@ -74,14 +74,14 @@ class PhoneOrientation private constructor(
     }
 }
 
-/** How the phone is fixed to the vehicle: which of the phone's axes point forward, right and down. */
+/** Mounting of the phone: which of its axes point forward, right and down. */
 enum class Mounting(val forward: Point, val right: Point, val down: Point) {
-    /** Lies on its back, top edge forward. */
+    /** Flat on its back, top edge forward. */
     FLAT(Point.of(0.0, 1.0, 0.0), Point.of(1.0, 0.0, 0.0), Point.of(0.0, 0.0, -1.0)),
 
-    /** Stands upright, its camera looks forward. */
+    /** Upright (portrait), rear camera forward. */
     UPRIGHT(Point.of(0.0, 0.0, -1.0), Point.of(1.0, 0.0, 0.0), Point.of(0.0, -1.0, 0.0)),
 
-    /** Lies on its right-hand side, top edge to the left, its camera looks forward. */
+    /** On its right side (landscape), top edge to the left, rear camera forward. */
     SIDEWAYS(Point.of(0.0, 0.0, -1.0), Point.of(0.0, -1.0, 0.0), Point.of(-1.0, 0.0, 0.0)),
 }

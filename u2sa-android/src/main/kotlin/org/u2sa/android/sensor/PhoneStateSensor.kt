@@ -17,7 +17,7 @@ private const val STEPS_PER_S = 20.0
 private const val GRAVITY_MPS2 = 9.80665
 private const val MICROS_PER_YEAR = 365.2425 * 86_400.0e6
 private const val EPOCH_YEAR = 1970.0
-private const val WEATHER_M = 100.0 // the pressure at sea level moves by some 12 hPa, 1 sigma
+private const val WEATHER_M = 100.0 // sea-level pressure varies by about 12 hPa (1 sigma)
 
 private class PhoneTuning(
     @Variable(
@@ -40,12 +40,12 @@ private class PhoneTuning(
 )
 
 /**
- * What a phone knows of its vehicle by its own sensors, in two messages, each once and at the time at which it was measured:
- * "… GPS" says where it is, "… attitude" how it lies and turns. Out: sensed-state. Thesis 4.6.3: the phone's sensors, before a
- * GPS and a compass joined the IOIO.
+ * Publishes the phone's own sensors as two messages, each once per measurement and with its measurement time: "… GPS" with the
+ * position, "… attitude" with attitude and turn rate. Out: sensed-state. Thesis 4.6.3: the phone's sensors, before a GPS and a
+ * compass were connected to the IOIO.
  *
- * The attitude waits for the first fix: magnetic north becomes true north by the place. The State Estimator joins the two,
- * and lets a fix drop out that has grown too old.
+ * Attitude needs a first fix, because the declination depends on position. The State Estimator fuses the two and drops outdated
+ * fixes.
  */
 class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensors) :
     ProprioceptiveSensor(context, "PhoneSensor", STEPS_PER_S) {
@@ -55,8 +55,8 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     private val gpsName = sensorName() + " GPS"
     private val attitudeName = sensorName() + " attitude"
     private var said = ""
-    private var lastFix: GpsFix? = null // published
-    private var lastOrientation: PhoneOrientation? = null // published
+    private var lastFix: GpsFix? = null // last published
+    private var lastOrientation: PhoneOrientation? = null // last published
 
     override fun step(nowS: Double) {
         val reading = sensors.read()
@@ -124,13 +124,13 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
         reading.acceleration?.let {
             val magnetic = orientation.toEnu(it.vector)
             val trueEnu = turned(magnetic, declinationRad)
-            // at rest an accelerometer feels the ground push it up with one g
+            // at rest an accelerometer measures +1 g upward
             state.xDoubleDot(trueEnu.x()).yDoubleDot(trueEnu.y()).zDoubleDot(trueEnu.z() - GRAVITY_MPS2)
         }
-        reading.turnRate?.let { state.psiDot(-orientation.toEnu(it.vector).z()) } // psi grows clockwise, seen from above
+        reading.turnRate?.let { state.psiDot(-orientation.toEnu(it.vector).z()) } // psi is clockwise seen from above
     }
 
-    /** A vector along magnetic east and north in true east and north. */
+    /** Rotates a vector from magnetic to true east and north. */
     private fun turned(magnetic: Point, declinationRad: Double): Point {
         val sin = Math.sin(declinationRad)
         val cos = Math.cos(declinationRad)

@@ -3,8 +3,8 @@ package org.u2sa.android.text
 import android.content.Context
 
 /**
- * The texts of the screens, in res/values/strings.xml. Looked up by name, so that the sources compile without the class R, which
- * Android's resource compiler writes and Maven has not got. A test holds names and file together.
+ * Screen texts in res/values/strings.xml. Looked up by name so that the sources compile without the generated class R, which
+ * Maven lacks. A test keeps names and file in sync.
  */
 enum class Text {
     APP_NAME,
@@ -26,10 +26,10 @@ enum class Text {
     PERMISSION_SETTINGS,
     CHANNEL_VEHICLE, CHANNEL_VEHICLE_DESCRIPTION;
 
-    /** Its name in strings.xml. */
+    /** Name in strings.xml. */
     val key: String = name.lowercase()
 
-    /** The text in the phone's language. */
+    /** Localised text. */
     fun of(context: Context, vararg values: Any): String {
         val id = context.resources.getIdentifier(key, "string", context.packageName)
         return context.resources.getString(id, *values)

@@ -10,7 +10,7 @@ import android.os.PowerManager
 
 private const val PERCENT = 100.0
 
-/** The condition of the phone that this runs on; Android tells of each change of the battery until [close]. */
+/** Condition of this phone; listens for battery changes until [close]. */
 class AndroidPhoneCondition(private val context: Context) : PhoneCondition, AutoCloseable {
     @Volatile private var batteryPercent: Double? = null
     @Volatile private var charging = false
@@ -21,7 +21,7 @@ class AndroidPhoneCondition(private val context: Context) : PhoneCondition, Auto
     }
 
     init {
-        context.registerReceiver(battery, IntentFilter(Intent.ACTION_BATTERY_CHANGED))?.let(::take) // says at once how it is
+        context.registerReceiver(battery, IntentFilter(Intent.ACTION_BATTERY_CHANGED))?.let(::take) // sticky broadcast: delivers the current state immediately
     }
 
     private fun take(intent: Intent) {
@@ -33,7 +33,7 @@ class AndroidPhoneCondition(private val context: Context) : PhoneCondition, Auto
 
     override fun read() = PhoneCondition.Reading(batteryPercent, charging, heat())
 
-    /** Asked for, not listened to: phones without a thermometer refuse listeners by an exception. */
+    /** Polled rather than listened to, because phones without a thermometer throw on registration. */
     private fun heat(): PhoneCondition.Heat? =
         if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.Q) {
             PhoneCondition.Heat.entries.getOrNull(power.currentThermalStatus)

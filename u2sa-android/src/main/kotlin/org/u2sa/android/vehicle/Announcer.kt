@@ -4,12 +4,12 @@ import android.content.Context
 import android.speech.tts.TextToSpeech
 import org.u2sa.android.text.Text
 
-/** Says aloud what goes wrong: whoever stands beside the vehicle looks at it, not at the screen. */
+/** Announces faults by speech, because people near the vehicle watch it rather than the screen. */
 internal class Announcer(private val context: Context) : AutoCloseable {
     private var ready = false
     private val speech = TextToSpeech(context) { status -> ready = status == TextToSpeech.SUCCESS }
 
-    /** In the order given, after what is being said; nothing where the phone cannot speak. */
+    /** Queues the texts in order; no effect without text-to-speech. */
     fun say(warnings: List<Warnings.Warning>) {
         if (ready) {
             warnings.forEach { speech.speak(words(it), TextToSpeech.QUEUE_ADD, null, it.kind.name) }
@@ -25,7 +25,7 @@ internal class Announcer(private val context: Context) : AutoCloseable {
     override fun close() = speech.shutdown()
 }
 
-/** A hazard in the user's words. */
+/** Localised text of a hazard. */
 internal fun hazardText(hazard: PhoneFailsafe.Hazard): Text = when (hazard) {
     PhoneFailsafe.Hazard.BOARD_LOST -> Text.HAZARD_BOARD_LOST
     PhoneFailsafe.Hazard.POSITION_LOST -> Text.HAZARD_POSITION_LOST

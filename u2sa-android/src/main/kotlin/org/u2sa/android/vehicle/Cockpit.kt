@@ -17,12 +17,12 @@ private const val LOOKS_PER_S = 10.0
 private const val REPORT_POWER_EVERY_S = 5.0
 
 /**
- * The phone's place in the vehicle: shows what the vehicle says, gives the operator's orders, and stops the vehicle when the
- * phone cannot carry it any longer ([PhoneFailsafe]). In: state, goals, health, conditions, failsafe, arming-state,
+ * The phone's operator service: displays vehicle status, issues operator commands, and stops the vehicle when the phone is no
+ * longer fit to run it ([PhoneFailsafe]). In: state, goals, health, conditions, failsafe, arming-state,
  * emergency-stop, power. Out: emergency-stop, arming, and power for the phone's own battery. Thesis 4.6.
  *
- * Hazards stop an armed vehicle once, by an emergency stop that only an operator lifts; one that stands is not armed while they
- * last.
+ * A hazard stops an armed vehicle by an emergency stop that only an operator can clear; a stationary vehicle cannot be armed
+ * while a hazard persists.
  */
 class Cockpit(
     context: ServiceContext,
@@ -34,7 +34,7 @@ class Cockpit(
     private val latch = EmergencyLatch(clock(), context.systemId())
     private var powerDueS = 0.0
 
-    /** The newest picture; from any thread. */
+    /** Latest snapshot. Thread-safe. */
     @Volatile
     var snapshot = VehicleSnapshot()
         private set
@@ -68,7 +68,7 @@ class Cockpit(
         if (nowS >= powerDueS) {
             powerDueS = nowS + REPORT_POWER_EVERY_S
             reading.batteryPercent?.let {
-                // no voltage: a level that is meant for the vehicle's battery would take the phone's for an empty one
+                // no voltage: vehicle battery thresholds must not apply to the phone
                 publish(Channels.POWER, BatteryState().sensorName(BATTERY).remaining(it))
             }
         }
@@ -76,7 +76,7 @@ class Cockpit(
         snapshot = maker.snapshot(now, hazards, held?.let { "${it.operator()}: ${it.reason()}" })
     }
 
-    /** Stops everything that moves until [clearEmergencyStop]. From any thread. */
+    /** Triggers an emergency stop that lasts until [clearEmergencyStop]. Thread-safe. */
     fun emergencyStop(reason: String) = stop(reason)
 
     private fun stop(reason: String) {
@@ -84,14 +84,14 @@ class Cockpit(
         publish(Channels.EMERGENCY_STOP, EmergencyStop().active(true).operator(NAME).reason(reason))
     }
 
-    /** Lifts the emergency stop that is known here; the vehicle stays disarmed. From any thread. */
+    /** Clears the active emergency stop; the vehicle stays disarmed. Thread-safe. */
     fun clearEmergencyStop() {
         val stop = newestStop ?: return
         val clears = stop.timestamp().orElse(clock().micros())
         publish(Channels.EMERGENCY_STOP, EmergencyStop().active(false).operator(NAME).clears(clears))
     }
 
-    /** Asks the Safety Manager to let the vehicle move, or no longer. Refused while a hazard lasts. From any thread. */
+    /** Requests arming or disarming from the Safety Manager. Arming is refused during a hazard. Thread-safe. */
     fun arm(wanted: Boolean): Boolean {
         if (wanted && snapshot.hazards.isNotEmpty()) {
             log(LogLevelEnum.WARN, "not armed: ${snapshot.hazards}")
@@ -101,10 +101,10 @@ class Cockpit(
     }
 
     companion object {
-        /** Its name among the services, and as the operator. */
+        /** Service name and operator name. */
         const val NAME = "Phone"
 
-        /** The phone's battery in messages. */
+        /** Name of the phone's battery in messages. */
         const val BATTERY = "PHONE"
     }
 }

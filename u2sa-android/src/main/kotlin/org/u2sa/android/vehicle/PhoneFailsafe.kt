@@ -3,11 +3,11 @@ package org.u2sa.android.vehicle
 import org.u2sa.interfaces.time.Clock
 
 /**
- * What is wrong with the phone or its connections, and whether the vehicle may go on with it. It knows what the Safety Manager
- * cannot: the phone's battery and heat, the Bluetooth socket. For the position it is the second line, behind the Safety Manager.
+ * Failsafe for the phone and its connections. Covers what the Safety Manager cannot see: the phone's battery, temperature and
+ * Bluetooth socket. For the position it is a second line behind the Safety Manager.
  */
 class PhoneFailsafe(private val lowBatteryPercent: Double) {
-    /** What can be wrong. */
+    /** Hazards of the phone. */
     enum class Hazard {
         BOARD_LOST,
         POSITION_LOST,
@@ -16,7 +16,7 @@ class PhoneFailsafe(private val lowBatteryPercent: Double) {
     }
 
     /**
-     * All that speaks against moving now, the worst first.
+     * Active hazards, worst first.
      *
      * @param stateAgeMicros age of the newest state with a position [µs]; null before the first
      */
@@ -31,14 +31,14 @@ class PhoneFailsafe(private val lowBatteryPercent: Double) {
             if (phone.batteryPercent != null && phone.batteryPercent < lowBatteryPercent && !phone.charging) {
                 add(Hazard.BATTERY_LOW)
             }
-            if (phone.heat != null && phone.heat >= PhoneCondition.Heat.SEVERE) { // from here on Android slows the processor down
+            if (phone.heat != null && phone.heat >= PhoneCondition.Heat.SEVERE) { // Android throttles the CPU from this level
                 add(Hazard.TOO_HOT)
             }
         }
     }
 
     companion object {
-        /** Age from which the position counts as lost: later than the Safety Manager's own deadline. */
+        /** Age at which the position counts as lost; longer than the Safety Manager's own timeout. */
         val POSITION_TIMEOUT_MICROS: Long = Clock.micros(3.0)
     }
 }

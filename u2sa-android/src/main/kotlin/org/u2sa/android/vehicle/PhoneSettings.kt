@@ -5,17 +5,17 @@ import android.content.SharedPreferences
 import org.u2sa.android.board.BoardChoice
 import org.u2sa.interfaces.BadInputException
 
-/** What the user chose. Kept by Android; each call reads or writes it at once. */
+/** User settings, stored by Android; each call reads or writes immediately. */
 class PhoneSettings(context: Context) {
     private val store: SharedPreferences = context.getSharedPreferences("vehicle", Context.MODE_PRIVATE)
 
-    /** The system file's name among the vehicle's files. */
+    /** Name of the system file among the vehicle's files. */
     var system: String by text("system", "shipped/config/ugv/system-board.xml")
 
-    /** The mission's name among the vehicle's files; empty: the one of the configuration. */
+    /** Name of the mission among the vehicle's files; empty for the configured one. */
     var mission: String by text("mission", "")
 
-    /** The way to the board; by the USB cable until another one is chosen, or if what is stored cannot be read. */
+    /** Board connection; USB by default and if the stored value is invalid. */
     var board: BoardChoice
         get() = try {
             BoardChoice.parse(boardText)
@@ -28,15 +28,15 @@ class PhoneSettings(context: Context) {
 
     private var boardText: String by text("board", BoardChoice.Usb.toString())
 
-    /** Charge of the phone below which the vehicle is stopped [%]. */
+    /** Phone battery level below which the vehicle is stopped [%]. */
     var lowBatteryPercent: Int
         get() = store.getInt("low battery", 15)
         set(value) = store.edit().putInt("low battery", value.coerceIn(0, 100)).apply()
 
-    /** Whether ground stations may connect as the configuration says; otherwise none can. */
+    /** Whether ground stations may connect as configured; otherwise none can. */
     var network: Boolean by flag("network", false)
 
-    /** Whether what goes wrong is said aloud. */
+    /** Whether faults are announced by speech. */
     var speak: Boolean by flag("speak", true)
 
     private class Entry<T>(val get: () -> T, val set: (T) -> Unit) {

@@ -5,13 +5,13 @@ import java.io.IOException
 import org.u2sa.interfaces.BadInputException
 
 /**
- * Whether a vehicle runs, where a crash cannot take it: written before the first service starts and after the last has ended.
- * A new process that finds RUNNING knows that the one before died.
+ * Crash-safe record of whether a vehicle is running: written before the first service starts and after the last has ended. A
+ * new process that finds RUNNING knows the previous one died.
  *
- * Not safe for several threads: it belongs to one [VehicleHost].
+ * Not thread-safe; owned by one [VehicleHost].
  */
 class RunStateFile(private val file: File) {
-    /** True if a process said that a vehicle runs and never said that it ended. A file that cannot be read counts as that. */
+    /** True if a process recorded a start but no end. An unreadable file counts as true. */
     fun saysRunning(): Boolean = file.exists() && content() != STOPPED
 
     private fun content(): String = try {
@@ -20,7 +20,7 @@ class RunStateFile(private val file: File) {
         "unreadable: $e"
     }
 
-    /** @throws BadInputException if it cannot be written: then nothing may start, as nobody would know after a crash */
+    /** @throws BadInputException if it cannot be written: then nothing may start, because a crash would go unnoticed */
     fun running() = write(RUNNING)
 
     /** @throws BadInputException if it cannot be written */
@@ -32,7 +32,7 @@ class RunStateFile(private val file: File) {
             file.parentFile?.mkdirs()
             next.outputStream().use {
                 it.write(text.toByteArray())
-                it.fd.sync() // a phone whose battery is pulled out keeps it too
+                it.fd.sync() // survives a removed battery
             }
             if (!next.renameTo(file)) { // atomic: a reader sees the old or the new
                 throw IOException("cannot be renamed to ${file.name}")

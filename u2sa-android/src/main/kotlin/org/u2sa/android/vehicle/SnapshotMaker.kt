@@ -23,7 +23,7 @@ import org.u2sa.messages.frame.ReferenceFrame
 private const val TRACK_STEP_M = 0.3
 private const val TRACK_POINTS_AT_MOST = 3_000
 
-/** Collects from a vehicle's messages what a screen shows. Not safe for several threads: it belongs to one [Cockpit]. */
+/** Builds snapshots from a vehicle's messages. Not thread-safe; owned by one [Cockpit]. */
 internal class SnapshotMaker {
     private var arming: ArmingState? = null
     private var failsafe: FailsafeState? = null
@@ -34,10 +34,10 @@ internal class SnapshotMaker {
     private val batteries = TreeMap<String, VehicleSnapshot.Battery>()
     private val track = ArrayDeque<Geodetic>()
 
-    /** Whether the vehicle said that it may move. */
+    /** Whether the vehicle reported being armed. */
     val armed: Boolean get() = arming?.armed() ?: false
 
-    /** @return whether it had a use for the message */
+    /** @return whether the message was used */
     fun see(message: U2SAData): Boolean {
         when (message) {
             is StateInformation -> if (place(message) != null) seeState(message)
@@ -71,7 +71,7 @@ internal class SnapshotMaker {
         return if (fits && x != null && y != null && y in -90.0..90.0) Geodetic(x, y, 0.0) else null
     }
 
-    /** Age of the newest position [µs]; null before the first. */
+    /** Age of the latest position [µs]; null before the first. */
     fun stateAgeMicros(nowMicros: Long): Long? = state?.let { nowMicros - it.timestamp().asLong }
 
     fun snapshot(nowMicros: Long, hazards: List<PhoneFailsafe.Hazard>, emergency: String?) = VehicleSnapshot(

@@ -4,7 +4,7 @@ import android.content.Context
 import org.u2sa.android.text.Text
 import org.u2sa.messages.contract.FailsafeAction
 
-/** How the vehicle is, in one sentence: for the notification and the top of the screen. */
+/** One-sentence vehicle status for the notification and the top of the screen. */
 internal class StatusLine(val words: String, val level: Level) {
     enum class Level { IDLE, GOOD, MOVING, WRONG }
 

@@ -19,34 +19,33 @@ import org.u2sa.recorder.RunFiles
 import org.u2sa.service.ServiceContext
 
 /**
- * Starts and ends the system that a file lists, with a [Cockpit] in it, one at a time and on a thread of its own: no call here
- * waits. Knows nothing of Android, so it is tested as it is.
+ * Starts and stops a system with a [Cockpit] in it, one at a time, on its own thread; calls do not block. Free of Android
+ * classes, so it is testable.
  *
- * A process that dies while a vehicle runs leaves RUNNING in the [RunStateFile]. The next one begins as [Phase.CRASHED], which
- * runs nothing: what moves again, moves because somebody said so.
+ * If the process dies while a vehicle runs, RUNNING remains in the [RunStateFile]. The next process starts as [Phase.CRASHED]
+ * and runs nothing until somebody starts the vehicle again.
  */
 class VehicleHost(
     private val stateFile: RunStateFile,
     private val clock: Clock,
     private val onChange: (State) -> Unit,
 ) : AutoCloseable {
-    /** Where the vehicle is in its life. */
+    /** Life-cycle phase. */
     enum class Phase { STOPPED, STARTING, RUNNING, STOPPING, FAILED, CRASHED }
 
-    /** @property words what went wrong; empty if nothing */
+    /** @property words fault; empty if none */
     data class State(val phase: Phase, val words: String = "") {
-        /** Whether anything of the vehicle may be alive. */
+        /** Whether any part of the vehicle may be running. */
         val isActive: Boolean get() = phase == Phase.STARTING || phase == Phase.RUNNING || phase == Phase.STOPPING
     }
 
-    /**
-     * What is to be started.
+    /** * A system to start.
      *
-     * @property systemFile the list of its services
-     * @property logDirectory where their logs are written
-     * @property configure sets what the file cannot say
-     * @property cockpit makes the phone's place in it
-     * @property ended called when all services have ended, to let go of what [configure] opened
+     * @property systemFile system file
+     * @property logDirectory folder for logs
+     * @property configure applies settings the file cannot contain
+     * @property cockpit creates the cockpit
+     * @property ended called when all services have ended, to release what [configure] opened
      */
     class Order(
         val systemFile: File,
@@ -59,22 +58,22 @@ class VehicleHost(
     private class Run(val order: Order, val system: RunningSystem, val cockpit: Cockpit)
 
     private val thread: ExecutorService = Executors.newSingleThreadExecutor { Thread(it, "u2sa-vehicle-host") }
-    private var run: Run? = null // touched by that thread only
+    private var run: Run? = null // confined to that thread
 
-    /** The cockpit of the running vehicle; null if none runs. */
+    /** Cockpit of the running vehicle; null if none runs. */
     @Volatile
     var cockpit: Cockpit? = null
         private set
 
-    /** From any thread. */
+    /** Current state. Thread-safe. */
     @Volatile
     var state: State = if (stateFile.saysRunning()) State(Phase.CRASHED) else State(Phase.STOPPED)
         private set
 
-    /** Starts a vehicle, unless one runs. What fails is in [state]; then nothing runs. */
+    /** Starts a vehicle unless one is running. A failure is reported in [state], and nothing runs. */
     fun start(order: Order) = enqueue { if (run == null) begin(order) else order.ended() }
 
-    /** Says that nothing was started, and why. */
+    /** Records that nothing was started, and why. */
     fun refuse(words: String) = enqueue {
         if (run == null) {
             become(State(Phase.FAILED, words))
@@ -96,9 +95,9 @@ class VehicleHost(
             abandon(order, system, e.message.orEmpty())
         } catch (e: CommunicationException) {
             abandon(order, system, e.message.orEmpty())
-        } catch (e: RuntimeException) { // a service's own constructor
+        } catch (e: RuntimeException) { // thrown by a service's constructor
             abandon(order, system, e.toString())
-        } catch (e: LinkageError) { // a class that this phone's Android lacks
+        } catch (e: LinkageError) { // a class missing on this Android version
             abandon(order, system, e.toString())
         }
     }
@@ -109,12 +108,12 @@ class VehicleHost(
             .clock(clock)
             .logDirectory(logs)
             .making(Recorder::class.java) { Recorder(it, facts(file, logs)) }
-            .override("SafetyManager", "ARM AT START", false) // on a phone somebody arms by hand
+            .override("SafetyManager", "ARM AT START", false) // on a phone, arming is manual
         order.configure(options)
         return options
     }
 
-    /** What a recorder of the system file attaches. */
+    /** Attachments for a recorder of the system. */
     private fun facts(file: SystemFile, logs: Path): RecordingFacts {
         val facts = RecordingFacts()
         RunFiles(facts).system(file.file(), file.configurations()).logs(logs)
@@ -143,7 +142,7 @@ class VehicleHost(
         become(State(Phase.FAILED, all))
     }
 
-    /** Ends the vehicle that runs; also makes known that somebody saw that one had crashed or failed. */
+    /** Stops the running vehicle; also acknowledges a crash or failure. */
     fun stop() = enqueue { end() }
 
     private fun end() {
@@ -181,7 +180,7 @@ class VehicleHost(
         }
     }
 
-    /** Ends what runs, then the thread; does not wait for it. A crash that nobody saw stays known. */
+    /** Stops the vehicle, then the thread, without waiting. An unacknowledged crash stays recorded. */
     override fun close() {
         if (state.phase != Phase.CRASHED) {
             stop()
@@ -189,7 +188,7 @@ class VehicleHost(
         thread.shutdown()
     }
 
-    /** Waits until all has ended after [close]. */
+    /** Waits for termination after [close]. */
     @Throws(InterruptedException::class)
     fun awaitEnd(seconds: Long): Boolean = thread.awaitTermination(seconds, TimeUnit.SECONDS)
 }

@@ -11,7 +11,7 @@ import org.u2sa.android.text.Text
 
 private const val CHANNEL = "vehicle"
 
-/** What the phone shows above all other applications while a vehicle runs: how it is, and an emergency stop. */
+/** The foreground-service notification: vehicle status and an emergency stop. */
 internal class VehicleNotification(private val context: Context) {
     private val manager = context.getSystemService(Context.NOTIFICATION_SERVICE) as NotificationManager
 
@@ -21,7 +21,7 @@ internal class VehicleNotification(private val context: Context) {
         manager.createNotificationChannel(channel)
     }
 
-    /** @param running whether there is something to stop */
+    /** @param running whether a vehicle is running */
     fun of(words: String, running: Boolean): Notification {
         val icon = context.resources.getIdentifier("ic_vehicle_small", "drawable", context.packageName)
         val builder = Notification.Builder(context, CHANNEL)
@@ -32,7 +32,7 @@ internal class VehicleNotification(private val context: Context) {
             .setOngoing(running)
             .setOnlyAlertOnce(true)
             .setCategory(Notification.CATEGORY_SERVICE)
-            .setVisibility(Notification.VISIBILITY_PUBLIC) // the stop button on the lock screen too
+            .setVisibility(Notification.VISIBILITY_PUBLIC) // shows the stop button on the lock screen
             .setContentIntent(open())
         if (running) {
             val stop = Icon.createWithResource(context, icon)
@@ -55,7 +55,7 @@ internal class VehicleNotification(private val context: Context) {
     )
 
     companion object {
-        /** There is one. */
+        /** The only notification. */
         const val ID = 1
     }
 }

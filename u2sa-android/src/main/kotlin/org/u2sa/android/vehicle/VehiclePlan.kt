@@ -24,19 +24,19 @@ import org.u2sa.interfaces.time.Clock
 private const val RUNS_KEPT = 20
 private const val MICROS_PER_SECOND = 1_000_000L
 
-/** From what the user chose to what [VehicleHost] starts: gives the services of a system file the phone that they need. */
+/** Turns the user's choices into a launch for [VehicleHost], providing services with the phone's devices. */
 internal class VehiclePlan(context: Context, private val settings: PhoneSettings, private val clock: Clock) {
     private val application = context.applicationContext
     private val files = vehicleFiles(application)
-    private val link = boardLink() // null: the configuration file names the way to the board
+    private val link = boardLink() // null if the configuration file names the board connection
 
-    /** The way to the board once a service uses it: a system without a board misses none. */
+    /** Board connection, if a service uses one; a system without a board needs none. */
     @Volatile private var watched: BoardLink? = null
 
-    /** What went wrong with the way to the board; empty if nothing, or if a configuration file names it. */
+    /** Fault of the board connection; empty if none, or if a configuration file names the connection. */
     fun boardTrouble(): String = watched?.trouble.orEmpty()
 
-    /** @throws BadInputException if a chosen file is missing or wrong */
+    /** @throws BadInputException if a chosen file is missing or invalid */
     fun order(): VehicleHost.Order {
         val systemFile = files.system(settings.system)
         val mission = mission()
@@ -84,11 +84,11 @@ internal class VehiclePlan(context: Context, private val settings: PhoneSettings
         }
         if (mission != null) {
             options.override("MissionManager", "MISSION", mission.path)
-            options.override("SafetyManager", "FENCE", "") // that of the configuration is around its own mission
+            options.override("SafetyManager", "FENCE", "") // the configured fence belongs to its own mission
         }
     }
 
-    /** Null: the one that the configuration names. */
+    /** Null for the configured mission. */
     private fun mission(): File? {
         val chosen = settings.mission
         return if (chosen.isEmpty()) null else files.mission(chosen) ?: throw BadInputException("the mission \"$chosen\" is not there any more")

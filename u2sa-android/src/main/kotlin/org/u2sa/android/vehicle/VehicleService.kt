@@ -24,13 +24,13 @@ private const val LOOK_EVERY_MS = 500L
 private const val TAG = "u2sa"
 
 /**
- * Keeps a vehicle running whatever is on the screen (thesis 4.6): hosts the Communication Manager and the services of the chosen
- * system file, as a foreground service that holds the processor awake. Its screens bind to it and may come and go.
+ * Foreground service that keeps a vehicle running regardless of the screen (thesis 4.6): hosts the Communication Manager and
+ * the services of the chosen system file, and holds a wake lock. Activities bind to it.
  *
- * When Android has to start it anew after the process died, it shows that and runs nothing.
+ * When Android restarts it after the process died, it reports the crash and runs nothing.
  */
 class VehicleService : Service() {
-    /** What a bound screen gets. */
+    /** Binder for the activities. */
     inner class Access : Binder() {
         val service: VehicleService get() = this@VehicleService
     }
@@ -46,13 +46,13 @@ class VehicleService : Service() {
     private var shown = ""
     private val look = Runnable { look() }
 
-    /** Where the vehicle is in its life. */
+    /** Life-cycle phase of the vehicle. */
     val state: VehicleHost.State get() = host.state
 
-    /** The newest picture of the vehicle; empty while none runs. */
+    /** Latest snapshot of the vehicle; empty while none runs. */
     val snapshot: VehicleSnapshot get() = host.cockpit?.snapshot ?: VehicleSnapshot()
 
-    /** What went wrong with the way to the board; empty if nothing. */
+    /** Fault of the board connection; empty if none. */
     @Volatile
     var boardTrouble: () -> String = { "" }
         private set
@@ -80,7 +80,7 @@ class VehicleService : Service() {
         when (intent?.action) {
             START -> start()
             EMERGENCY_STOP -> emergencyStop()
-            else -> afterCrash() // Android started it anew: intent is null
+            else -> afterCrash() // restarted by Android: intent is null
         }
         return START_STICKY
     }
@@ -118,9 +118,9 @@ class VehicleService : Service() {
                 startForeground(VehicleNotification.ID, notification.of(words, running = true))
             }
             true
-        } catch (e: IllegalStateException) { // from Android 12 on: not from behind other applications
+        } catch (e: IllegalStateException) { // since Android 12: not allowed from the background
             refused(e)
-        } catch (e: SecurityException) { // from Android 14 on: a permission is missing
+        } catch (e: SecurityException) { // since Android 14: missing permission
             refused(e)
         }
     }
@@ -131,7 +131,7 @@ class VehicleService : Service() {
         return false
     }
 
-    /** GPS and camera behind a dark screen need types of their own, which need the permissions. */
+    /** GPS and camera in the background require their own service types and permissions. */
     private fun foregroundTypes(): Int {
         val camera = Build.VERSION.SDK_INT >= Build.VERSION_CODES.R && isAllowed(Manifest.permission.CAMERA)
         return ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE or
@@ -141,19 +141,19 @@ class VehicleService : Service() {
 
     private fun isAllowed(permission: String) = checkSelfPermission(permission) == PackageManager.PERMISSION_GRANTED
 
-    /** Ends the vehicle; also lifts the memory of a crash. */
+    /** Stops the vehicle; also acknowledges a crash. */
     fun stop() = host.stop()
 
-    /** Everything that moves goes neutral at once. On a thread of its own, so that nothing can be in its way. */
+    /** Sets all actuators neutral immediately. Runs on its own thread so that nothing can block it. */
     fun emergencyStop() {
         val cockpit = host.cockpit ?: return
         thread(name = "u2sa-emergency-stop") { cockpit.emergencyStop("button on the phone") }
     }
 
-    /** Lifts the emergency stop; the vehicle stays disarmed. */
+    /** Clears the emergency stop; the vehicle stays disarmed. */
     fun clearEmergencyStop() = order { it.clearEmergencyStop() }
 
-    /** Asks to let the vehicle move, or no longer. */
+    /** Requests arming or disarming. */
     fun arm(wanted: Boolean) = order { it.arm(wanted) }
 
     private fun order(order: (Cockpit) -> Unit) {
@@ -172,7 +172,7 @@ class VehicleService : Service() {
         main.postDelayed(look, LOOK_EVERY_MS)
     }
 
-    /** On the main thread, after [now] came to be; later changes come in further calls. */
+    /** Called on the main thread on every state change. */
     private fun changed(now: VehicleHost.State) {
         main.removeCallbacks(look)
         if (now.isActive || host.state.isActive) {
@@ -201,7 +201,7 @@ class VehicleService : Service() {
         /** Starts the chosen vehicle, disarmed. */
         const val START = "org.u2sa.android.START"
 
-        /** Stops everything that moves. */
+        /** Emergency stop. */
         const val EMERGENCY_STOP = "org.u2sa.android.EMERGENCY_STOP"
     }
 }

@@ -4,19 +4,19 @@ import org.u2sa.messages.contract.FailsafeAction
 import org.u2sa.messages.frame.Geodetic
 
 /**
- * All that a screen shows of a vehicle, as of one moment. Immutable.
+ * Snapshot of everything a screen shows about a vehicle. Immutable.
  *
  * @property armed whether it may move
- * @property armingReasons what speaks against arming it
- * @property emergency who stopped it and why; null if no emergency stop holds
- * @property failsafe what it does because something is wrong
- * @property causes what is wrong, in the Safety Manager's words
- * @property hazards what is wrong with the phone or its connections
- * @property services how each is, in the order of their names
- * @property motion where it is; null if it does not know
- * @property track where it was, the oldest first
- * @property goals of its mission, the current one first
- * @property batteries by the name of what measured each
+ * @property armingReasons reasons against arming
+ * @property emergency who stopped it and why; null without an active emergency stop
+ * @property failsafe active failsafe action
+ * @property causes causes reported by the Safety Manager
+ * @property hazards active hazards of the phone and its connections
+ * @property services status of each service, ordered by name
+ * @property motion position and motion; null if unknown
+ * @property track past positions, oldest first
+ * @property goals goals of the mission, current one first
+ * @property batteries by name of the measuring sensor
  */
 data class VehicleSnapshot(
     val armed: Boolean = false,
@@ -31,16 +31,16 @@ data class VehicleSnapshot(
     val goals: List<Goal> = emptyList(),
     val batteries: Map<String, Battery> = emptyMap(),
 ) {
-    /** One service: [healthy], or what is wrong in [words]. */
+    /** One service: [healthy], or the fault in [words]. */
     data class ServiceLine(val name: String, val healthy: Boolean, val words: String)
 
     /**
-     * Where the vehicle is.
+     * Position and motion of the vehicle.
      *
      * @property headingRad clockwise from true north; null if unknown
-     * @property speedMps over ground; null if unknown
+     * @property speedMps speed over ground; null if unknown
      * @property sigmaM standard deviation of the position; null if unknown
-     * @property ageS since it was measured
+     * @property ageS age of the measurement
      */
     data class Motion(
         val place: Geodetic,
@@ -53,6 +53,6 @@ data class VehicleSnapshot(
     /** A waypoint, by its name in the mission. */
     data class Goal(val name: String, val place: Geodetic, val current: Boolean)
 
-    /** A battery: what is null it does not say. */
+    /** A battery; null values are not reported. */
     data class Battery(val volts: Double?, val percent: Double?)
 }

@@ -2,16 +2,16 @@ package org.u2sa.android.vehicle
 
 import org.u2sa.messages.contract.FailsafeAction
 
-/** Tells what has newly gone wrong, so that each thing is said once. Not safe for several threads. */
+/** Detects new faults so that each is announced once. Not thread-safe. */
 internal class Warnings {
-    /** What may be wrong: [hazard] of the phone, or the vehicle's own words. */
+    /** A fault: a [hazard] of the phone, or text from the vehicle. */
     class Warning(val kind: Kind, val words: String, val hazard: PhoneFailsafe.Hazard? = null)
 
     enum class Kind { EMERGENCY, FAILSAFE, HAZARD }
 
     private var before = VehicleSnapshot()
 
-    /** What is wrong in [now] and was not in the snapshot before; the worst first. */
+    /** Faults in [now] that were not in the previous snapshot, worst first. */
     fun news(now: VehicleSnapshot): List<Warning> {
         val was = before
         before = now
