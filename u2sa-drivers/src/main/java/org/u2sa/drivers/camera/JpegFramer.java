@@ -6,8 +6,8 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.drivers.link.ByteParser;
 
 /**
- * Cuts JPEG files out of a stream of bytes, whatever stands between them, by the lengths of their
- * segments: pictures within a picture's header do not end it (ITU-T T.81, B.1 and B.2).
+ * Extracts JPEG files from a byte stream by parsing segment lengths, so that thumbnails in a header
+ * do not end the image (ITU-T T.81, B.1 and B.2). Other bytes are skipped.
  */
 final class JpegFramer implements ByteParser<CameraFrame> {
   private static final int LARGEST_BYTES = 1 << 24;
@@ -23,13 +23,13 @@ final class JpegFramer implements ByteParser<CameraFrame> {
   private static final int EXTENSION = 0xC8;
   private static final int ARITHMETIC_TABLE = 0xCC;
   private static final int SIZE_END =
-      9; // of a frame header: marker, length, precision, height, width
+      9; // length of a frame header up to its width: marker, length, precision, height, width
 
   private byte[] bytes = new byte[FIRST_ROOM_BYTES];
   private int length;
-  private int segment; // where the next segment begins; behind START_OF_SCAN: where data begin
+  private int segment; // start of the next segment; after START_OF_SCAN, start of the data
   private boolean isScan;
-  private int frameHeader; // where the last one begins; 0: none yet
+  private int frameHeader; // start of the last frame header; 0 if none yet
   private long beganMicros;
   private Optional<CameraFrame> latest = Optional.empty();
   private long refused;
@@ -86,7 +86,7 @@ final class JpegFramer implements ByteParser<CameraFrame> {
     if (unsigned(segment) != MARKER || marker < FIRST_START_OF_FRAME) {
       refuse("no marker where a segment ends");
     } else if (marker == MARKER) {
-      length--; // fill bytes may stand before a marker
+      length--; // fill bytes may precede a marker
     } else if (marker >= FIRST_RESTART && marker <= END_OF_IMAGE) {
       refuse("a picture without data");
     }

@@ -14,19 +14,18 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A camera that answers an HTTP request with one JPEG picture after another ({@code
- * multipart/x-mixed-replace}), as most network cameras, ESP32-CAM boards and mjpg-streamer do. It
- * is asked by HTTP 1.0, so that its answer is not cut into chunks (RFC 9112, 7.1). A frame has the
- * time at which its first byte arrived.
+ * A camera that streams JPEG images over HTTP ({@code multipart/x-mixed-replace}), like most
+ * network cameras, ESP32-CAM boards and mjpg-streamer. Requests use HTTP 1.0 to avoid chunked
+ * encoding (RFC 9112, 7.1). A frame's timestamp is the arrival of its first byte.
  */
 public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Camera {
   private final byte[] request;
   private boolean isAsked;
 
   /**
-   * Over that link, which is closed with this.
+   * Uses the link; closing the device closes it.
    *
-   * @param path of the stream on the camera, such as {@code /?action=stream}
+   * @param path path of the stream on the camera, such as {@code /?action=stream}
    */
   public MjpegCamera(ByteLink link, String path) {
     super(link, new JpegFramer());
@@ -51,7 +50,7 @@ public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Came
     }
   }
 
-  /** CAMERA MJPEG in a configuration. */
+  /** Provider of CAMERA = MJPEG. */
   public static final class Provider extends DeviceProvider<Camera> {
     private record Tuning(
         @Variable(
@@ -59,7 +58,7 @@ public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Came
                 text = "MJPEG: path of the stream on the camera; the default is mjpg-streamer's.")
             String streamPath) {}
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(Camera.class, "MJPEG");
     }

@@ -11,12 +11,12 @@ import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
 
-/** A compass at the other end of a link. */
+/** A compass on a link. */
 public final class LinkedCompass extends ParsedDevice<Heading> implements Compass {
   private static final long ANSWERS_WITHIN_MICROS = Clock.micros(0.25);
 
-  private final byte[] request; // empty: it speaks by itself
-  private Optional<Heading> answered = Optional.empty(); // when it was asked last
+  private final byte[] request; // empty if the compass streams
+  private Optional<Heading> answered = Optional.empty(); // before the last request
   private long askedMicros;
   private boolean isAsked;
 
@@ -25,14 +25,14 @@ public final class LinkedCompass extends ParsedDevice<Heading> implements Compas
     this.request = request;
   }
 
-  /** One that speaks NMEA 0183 by itself. Closes the link with itself. */
+  /** Creates a compass that streams NMEA 0183. Closing the device closes the link. */
   public static LinkedCompass nmea(ByteLink link) {
     return new LinkedCompass(link, NmeaCompass.parser(), new byte[0]);
   }
 
   /**
-   * Sparton's SP3004D and its successors, which are asked for each heading. Closes the link with
-   * itself.
+   * Creates a Sparton SP3004D or successor, which is polled for each heading. Closing the device
+   * closes the link.
    */
   public static LinkedCompass sparton(ByteLink link) {
     return new LinkedCompass(link, new SpartonCompass(), SpartonCompass.request());
@@ -44,7 +44,7 @@ public final class LinkedCompass extends ParsedDevice<Heading> implements Compas
     isAsked = false;
   }
 
-  /** One question at a time; one that is not answered is asked again. */
+  /** One request at a time; an unanswered one is repeated. */
   @Override
   protected void act(long nowMicros) {
     boolean isAnswered = latest() != answered;
@@ -56,9 +56,9 @@ public final class LinkedCompass extends ParsedDevice<Heading> implements Compas
     }
   }
 
-  /** COMPASS NMEA and SPARTON in a configuration. */
+  /** Provider of COMPASS = NMEA and SPARTON. */
   public static final class Provider extends DeviceProvider<Compass> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(Compass.class, "NMEA", "SPARTON");
     }

@@ -10,8 +10,8 @@ import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
 
 /**
- * A compass that speaks NMEA 0183: HDG and HDM (magnetic), HDT (true). HDG's deviation is added;
- * its variation is not, since it was typed into the compass once, and the model knows better.
+ * Parser of NMEA 0183 compasses: HDG and HDM (magnetic), HDT (true). HDG's deviation is applied;
+ * its variation is not, because it was entered manually and the geomagnetic model is more accurate.
  */
 public final class NmeaCompass {
   private static final double TURN_DEG = 360.0;
@@ -21,7 +21,7 @@ public final class NmeaCompass {
 
   private NmeaCompass() {}
 
-  /** What makes headings of a compass's bytes. */
+  /** Converts bytes to headings. */
   public static NmeaParser<Heading> parser() {
     return new NmeaParser<>(new NmeaCompass()::heading);
   }
@@ -40,18 +40,18 @@ public final class NmeaCompass {
         headingDeg += deviationDeg(hdg);
       }
       return Optional.of(Heading.ofDegrees(nowMicros, headingDeg, said.isTrue()));
-    } catch (DataNotAvailableException e) { // as some say while they are being calibrated
+    } catch (DataNotAvailableException e) { // sent by some compasses during calibration
       throw new IllegalArgumentException("no heading", e);
-    } catch (RuntimeException e) { // marineapi throws several for what it cannot understand
+    } catch (RuntimeException e) { // marineapi throws various exceptions on malformed sentences
       throw new IllegalArgumentException(e.getMessage(), e);
     }
   }
 
-  /** East positive. */
+  /** Deviation, east positive. */
   private static double deviationDeg(HDGSentence hdg) {
     try {
       double deviationDeg = hdg.getDeviation();
-      if (!(Math.abs(deviationDeg) <= HALF_TURN_DEG)) { // marineapi reads "NaN" as a number
+      if (!(Math.abs(deviationDeg) <= HALF_TURN_DEG)) { // marineapi parses "NaN" as a number
         throw new IllegalArgumentException(
             "deviation " + deviationDeg + " is outside -180…180 deg");
       }

@@ -8,13 +8,13 @@ import org.u2sa.drivers.nmea.NmeaParser;
 /**
  * Sparton's SP3004D smart compass (thesis 4.6.3) and its successors DC-4, GEDC-6 and AHRS-8, in
  * their legacy binary protocol (Software Interface User's Manual 130-7524-001): {@code A4 command
- * data A0}, high byte first. It answers only when asked: {@link #request} for the magnetic heading,
- * answered by {@code A4 09 hh hh A0}; true headings (02) are understood as well. A turn is 4096.
- * The protocol has no checksum: an answer counts if it is of the right length, ends with A0, and is
- * less than a turn.
+ * data A0}, high byte first. It is polled: {@link #request} for the magnetic heading, answered by
+ * {@code A4 09 hh hh A0}; true headings (02) are supported too. 4096 units per turn. The protocol
+ * has no checksum: an answer is valid if it has the right length, ends with A0, and is less than a
+ * turn.
  *
- * <p>It also understands the sentences that the same compass sends when it was told to speak NMEA
- * 0183: no byte of a sentence can begin an answer.
+ * <p>It also parses the NMEA 0183 sentences this compass can send; no byte of a sentence can start
+ * a binary answer.
  */
 public final class SpartonCompass implements ByteParser<Heading> {
   private static final int BEGIN = 0xA4;
@@ -34,7 +34,7 @@ public final class SpartonCompass implements ByteParser<Heading> {
   private long refused;
   private String lastRefusal = "";
 
-  /** Asks for the magnetic heading. */
+  /** Request for the magnetic heading. */
   public static byte[] request() {
     return new byte[] {(byte) BEGIN, MAGNETIC_HEADING, (byte) END};
   }
@@ -55,7 +55,7 @@ public final class SpartonCompass implements ByteParser<Heading> {
     answer[count++] = octet;
     boolean isHeading = count < 2 || answer[1] == MAGNETIC_HEADING || answer[1] == TRUE_HEADING;
     if (!isHeading) {
-      resync("an answer that nobody asked for", now);
+      resync("an unrequested answer", now);
     } else if (count == ANSWER) {
       end(now);
     }
@@ -83,7 +83,7 @@ public final class SpartonCompass implements ByteParser<Heading> {
     }
   }
 
-  /** Refuses what was taken for an answer, and looks for one from its second byte on. */
+  /** Rejects a false answer and resynchronises from its second byte. */
   private void resync(String why, long now) {
     StringBuilder text = new StringBuilder(why).append(":");
     int[] again = new int[count - 1];

@@ -1,26 +1,25 @@
 package org.u2sa.drivers.gps;
 
 /**
- * How a position came about, as GGA's quality or RMC's mode says it, and what error of the distance
- * to a satellite [m], 1 σ, that stands for where the receiver sends no GST: times the dilution of
- * precision it is the position's.
+ * Fix quality from GGA's quality or RMC's mode, with the 1 σ range error [m] to assume without GST;
+ * position sigma = range error × DOP.
  *
- * <p>From data sheets' CEP, the radius that holds half of the errors, at a dilution of 1: CEP =
- * 1.1774 σ of an axis, and the range error is √2 of that, 1.20 CEP.
+ * <p>Derived from data-sheet CEP (50 % radius) at a DOP of 1: CEP = 1.1774 σ per axis; the range
+ * error is √2 σ = 1.20 CEP.
  */
 enum FixQuality {
-  /** GGA 1 and 3, RMC A and P: satellites alone; that of the variable RANGE ERROR. */
+  /** GGA 1 and 3, RMC A and P: autonomous; uses the variable RANGE ERROR. */
   PLAIN(Double.POSITIVE_INFINITY),
-  /** GGA 2, RMC D: corrected codes. 2.0 m CEP with SBAS (u-blox NEO-M8, UBX-15031086). */
+  /** GGA 2, RMC D: differential corrections. 2.0 m CEP with SBAS (u-blox NEO-M8, UBX-15031086). */
   DIFFERENTIAL(2.4),
   /**
-   * GGA 5, RMC F: carrier phases, ambiguities not solved. Decimetres; data sheets name no figure:
-   * 0.5 m CEP, until it is fixed.
+   * GGA 5, RMC F: RTK float. Decimetres; data sheets give no figure, so 0.5 m CEP until the fix is
+   * resolved.
    */
   RTK_FLOAT(0.6),
   /**
-   * GGA 4, RMC R: carrier phases, ambiguities solved. 0.01 m + 1 ppm CEP (u-blox ZED-F9P,
-   * UBX-17051259), with the base 10 km away.
+   * GGA 4, RMC R: RTK fixed. 0.01 m + 1 ppm CEP (u-blox ZED-F9P, UBX-17051259), at a 10 km
+   * baseline.
    */
   RTK_FIXED(0.024);
 
@@ -31,9 +30,9 @@ enum FixQuality {
   }
 
   /**
-   * Error of a distance to a satellite [m], 1 σ.
+   * Range error [m], 1 σ.
    *
-   * @param plainM that of the receiver without any correction [m]; no correction makes it worse
+   * @param plainM uncorrected range error [m]; the result never exceeds it
    */
   double rangeErrorM(double plainM) {
     return Math.min(plainM, rangeErrorM);

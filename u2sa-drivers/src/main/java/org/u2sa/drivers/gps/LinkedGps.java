@@ -12,7 +12,7 @@ import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
-/** A satellite receiver at the other end of a link. */
+/** A GNSS receiver on a link. */
 public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver {
   private final Optional<UbxSetup> setup;
 
@@ -21,16 +21,17 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
     this.setup = setup;
   }
 
-  /** One that is only listened to. Closes the link with itself. */
+  /** Creates a receiver that is only read. Closing the device closes the link. */
   public static LinkedGps listening(ByteLink link, ByteParser<GpsFix> parser) {
     return new LinkedGps(link, parser, Optional.empty());
   }
 
   /**
-   * One of u-blox that is told, after each connection, what to send. Closes the link with itself.
+   * Creates a u-blox receiver that is configured after each connection. Closing the device closes
+   * the link.
    *
-   * @param baud of its first serial port [baud]
-   * @param rateHz solutions a second
+   * @param baud rate of its first serial port [baud]
+   * @param rateHz navigation rate [Hz]
    */
   public static LinkedGps ublox(ByteLink link, UbloxModel model, int baud, double rateHz) {
     UbxGps parser = new UbxGps();
@@ -55,7 +56,7 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
     return setup.map(UbxSetup::trouble).orElse("");
   }
 
-  /** RECEIVER NMEA, UBLOX 6 and UBLOX 8 in a configuration. */
+  /** Provider of RECEIVER = NMEA, UBLOX 6 and UBLOX 8. */
   public static final class Provider extends DeviceProvider<GpsReceiver> {
     private record Tuning(
         @Variable(
@@ -75,7 +76,7 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
         @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5, text = "UBLOX: fixes per second.")
             double solutionRate) {}
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(GpsReceiver.class, "NMEA", "UBLOX 6", "UBLOX 8");
     }

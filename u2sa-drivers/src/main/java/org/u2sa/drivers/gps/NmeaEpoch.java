@@ -1,15 +1,15 @@
 package org.u2sa.drivers.gps;
 
-/** What the sentences of one moment said so far; a number that none said is NaN. */
+/** Fields accumulated for one epoch; unset numbers are NaN. */
 final class NmeaEpoch {
-  /** The sentences that have a time and a position. */
+  /** Sentences with time and position. */
   enum Kind {
     RMC,
     GGA
   }
 
-  final long timeMs; // of the day, by the receiver; NmeaReader.NO_TIME if it does not say
-  final long heardMicros; // when the first of them came
+  final long timeMs; // receiver's time of day, or NmeaReader.NO_TIME
+  final long heardMicros; // arrival of the first sentence
   boolean hasRmc;
   boolean hasGga;
   Kind last;
@@ -31,19 +31,19 @@ final class NmeaEpoch {
     hasGga = kind == Kind.GGA;
   }
 
-  /** Whether the other one is of another moment. */
+  /** Whether the epochs differ. */
   boolean isBefore(NmeaEpoch next) {
     return next.timeMs != timeMs || next.hasRmc && hasRmc || next.hasGga && hasGga;
   }
 
-  /** Adds what another sentence of the same moment said. */
+  /** Merges another sentence of this epoch. */
   void add(NmeaEpoch other) {
     valid &= other.valid;
     hasRmc |= other.hasRmc;
     hasGga |= other.hasGga;
     last = other.last;
-    if (other.hasGga || Double.isNaN(latitudeDeg)) { // some write more decimals in GGA
-      quality = other.quality; // GGA tells RTK apart in every version of NMEA 0183
+    if (other.hasGga || Double.isNaN(latitudeDeg)) { // GGA often has more decimals
+      quality = other.quality; // GGA distinguishes RTK in every NMEA 0183 version
       latitudeDeg = other.latitudeDeg;
       longitudeDeg = other.longitudeDeg;
     }

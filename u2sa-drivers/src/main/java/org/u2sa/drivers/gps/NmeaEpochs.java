@@ -5,18 +5,18 @@ import java.util.OptionalDouble;
 import org.u2sa.device.GpsFix;
 
 /**
- * Puts a receiver's sentences together to fixes: those that name the same time belong together;
- * what names no time (velocity, dilution, standard deviations) is taken from the latest that came.
+ * Assembles sentences into fixes: sentences with equal times form an epoch; values without a time
+ * (velocity, DOP, standard deviations) come from the latest sentence.
  */
 final class NmeaEpochs {
-  private static final int HOLDS_FOR_EPOCHS = 10; // some send GST and GSA less often
+  private static final int HOLDS_FOR_EPOCHS = 10; // some receivers send GST and GSA less often
   private static final int SURE_AFTER_EPOCHS = 2;
-  private static final double STANDS_MPS = 0.5; // slower than that, receivers say no course
+  private static final double STANDS_MPS = 0.5; // below this speed receivers report no course
 
   private final double rangeErrorM;
-  private NmeaEpoch open; // null: none
-  private boolean isTold; // the open one was made a fix already
-  private NmeaEpoch.Kind closing; // the last sentence of each epoch, as learned; null: not yet
+  private NmeaEpoch open; // null if none
+  private boolean isTold; // the open epoch was already reported as a fix
+  private NmeaEpoch.Kind closing; // learned last sentence of each epoch; null until known
   private NmeaEpoch.Kind candidate;
   private int candidateEpochs;
   private int epoch;
@@ -26,7 +26,7 @@ final class NmeaEpochs {
   private Held velocity = Held.NOTHING;
   private Optional<GpsFix> latest = Optional.empty();
 
-  /** Two numbers, NaN if unknown, and the epoch in which they came. */
+  /** Two values, NaN if unknown, and their epoch. */
   private record Held(double first, double second, int since) {
     static final Held NOTHING = new Held(Double.NaN, Double.NaN, 0);
   }
@@ -35,7 +35,7 @@ final class NmeaEpochs {
     this.rangeErrorM = rangeErrorM;
   }
 
-  /** Takes what one sentence with a position said. */
+  /** Adds a sentence with a position. */
   void take(NmeaEpoch said) {
     if (open != null && open.isBefore(said)) {
       close();
@@ -53,7 +53,7 @@ final class NmeaEpochs {
 
   private void close() {
     if (!isTold) {
-      tell(); // the sentence that would have closed it is lost, or not known yet
+      tell(); // the closing sentence was lost or is not known yet
     }
     candidateEpochs = open.last == candidate ? candidateEpochs + 1 : 1;
     candidate = open.last;
@@ -73,7 +73,7 @@ final class NmeaEpochs {
     if (said.quality != quality) {
       quality = said.quality;
       if (sigmas.since < epoch) {
-        sigmas = Held.NOTHING; // those of another kind of solution
+        sigmas = Held.NOTHING; // belonged to a different kind of solution
       }
     }
     double speedMps = said.speedMps;
@@ -124,22 +124,22 @@ final class NmeaEpochs {
     return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
   }
 
-  /** Standard deviations along each horizontal axis, and of the altitude [m]. */
+  /** Adds standard deviations of the horizontal axes and the altitude [m]. */
   void sigmas(double horizontalM, double verticalM) {
     sigmas = new Held(horizontalM, verticalM, epoch);
   }
 
-  /** Dilution of precision. */
+  /** Adds dilution of precision. */
   void dilution(double horizontal, double vertical) {
     dilution = new Held(horizontal, vertical, epoch);
   }
 
-  /** Speed and course over ground [m/s, rad]. */
+  /** Adds speed and course over ground [m/s, rad]. */
   void velocity(double speedMps, double courseRad) {
     velocity = new Held(speedMps, courseRad, epoch);
   }
 
-  /** Forgets the sentences of an epoch that is not complete, and what came with it. */
+  /** Discards an incomplete epoch and its values. */
   void reset() {
     open = null;
     sigmas = Held.NOTHING;

@@ -7,15 +7,14 @@ import org.u2sa.drivers.nmea.NmeaFramer;
 import org.u2sa.drivers.nmea.NmeaSentence;
 
 /**
- * A receiver that speaks NMEA 0183: RMC and GGA give the position, RMC or VTG the velocity, GST the
- * standard deviations, GSA or GGA the dilution of precision where there is no GST.
+ * An NMEA 0183 receiver: position from RMC and GGA, velocity from RMC or VTG, standard deviations
+ * from GST, or DOP from GSA or GGA without GST.
  *
- * <p>One fix for each time that the receiver names. It is made when the last sentence with a
- * position of that time is there; which one that is, is learned from the times before, so that only
- * the very first fix has to wait for the next time.
+ * <p>One fix per epoch, reported with the epoch's last position sentence. Which sentence is last is
+ * learned from earlier epochs, so only the first fix waits for the next epoch.
  */
 public final class NmeaGps implements ByteParser<GpsFix> {
-  /** Error of the distance to a satellite [m], 1 σ, that a plain receiver has under open sky. */
+  /** Typical range error of an uncorrected receiver under open sky [m], 1 σ. */
   public static final double USUAL_RANGE_ERROR_M = 3.0;
 
   private final NmeaFramer framer = new NmeaFramer();
@@ -24,14 +23,14 @@ public final class NmeaGps implements ByteParser<GpsFix> {
   private final NmeaFramer.Sink sink = this::take;
   private long nowMicros;
 
-  /** With {@link #USUAL_RANGE_ERROR_M}. */
+  /** Uses {@link #USUAL_RANGE_ERROR_M}. */
   public NmeaGps() {
     this(USUAL_RANGE_ERROR_M);
   }
 
   /**
-   * @param rangeErrorM standard deviation of the distance to a satellite [m]: times the dilution of
-   *     precision it is that of the position, for receivers that do not send GST
+   * @param rangeErrorM 1 σ range error [m]; times DOP it gives the position sigma for receivers
+   *     without GST
    */
   public NmeaGps(double rangeErrorM) {
     epochs = new NmeaEpochs(rangeErrorM);

@@ -16,16 +16,16 @@ import net.sf.marineapi.nmea.util.Time;
 import org.u2sa.drivers.nmea.NmeaSentence;
 
 /**
- * What a satellite receiver's sentences say, in SI units: the only class that knows marineapi. What
- * is out of range, or cannot be understood, is refused and counted.
+ * Parses a receiver's sentences into SI units; the only class that uses marineapi. Malformed and
+ * out-of-range values are rejected and counted.
  */
 final class NmeaReader {
-  /** A time that a sentence does not name. */
+  /** Absent time. */
   static final long NO_TIME = -1;
 
   private static final double MPS_PER_KNOT = 1852.0 / 3600.0;
   private static final double FASTEST_MPS = 1_000.0;
-  private static final double WORST_DILUTION = 50.0; // receivers write 99.99 for "none"
+  private static final double WORST_DILUTION = 50.0; // receivers use 99.99 for "none"
   private static final double WORST_SIGMA_M = 10_000.0;
   private static final long MS_PER_S = 1_000;
   private static final int SECONDS_PER_MINUTE = 60;
@@ -40,7 +40,7 @@ final class NmeaReader {
     this.epochs = epochs;
   }
 
-  /** Takes a sentence; those of other kinds are passed over. */
+  /** Processes a sentence; other types are ignored. */
   void read(NmeaSentence sentence, long nowMicros) {
     boolean known =
         sentence.is("RMC")
@@ -54,7 +54,7 @@ final class NmeaReader {
     String text = sentence.text();
     try {
       take(factory.createParser(text), nowMicros);
-    } catch (RuntimeException e) { // marineapi throws several for what it cannot understand
+    } catch (RuntimeException e) { // marineapi throws various exceptions on malformed sentences
       refused++;
       lastRefusal = e.getMessage() + ": " + text;
     }
@@ -91,8 +91,8 @@ final class NmeaReader {
   }
 
   /**
-   * What its mode says; empty if the position is not measured. The mode came with NMEA 2.3: older
-   * receivers do not say it.
+   * Fix quality by mode; empty if the position is not measured. The mode was added in NMEA 2.3;
+   * older receivers omit it.
    */
   private static Optional<FixQuality> quality(RMCSentence rmc) {
     try {
@@ -108,14 +108,16 @@ final class NmeaReader {
     }
   }
 
-  /** Empty if the position is not measured: none, dead reckoning, typed in, simulated. */
+  /**
+   * Fix quality; empty if the position is not measured: none, dead reckoning, manual, simulated.
+   */
   private static Optional<FixQuality> quality(GGASentence gga) {
     return switch (gga.getFixQuality()) {
       case INVALID, ESTIMATED, MANUAL, SIMULATED -> Optional.empty();
       case DGPS -> Optional.of(FixQuality.DIFFERENTIAL);
       case RTK -> Optional.of(FixQuality.RTK_FIXED);
       case FRTK -> Optional.of(FixQuality.RTK_FLOAT);
-      default -> // alone, or by the military's code, for which no receiver's figure is published
+      default -> // autonomous, or PPS, for which no receiver figure is published
           Optional.of(FixQuality.PLAIN);
     };
   }
@@ -127,7 +129,7 @@ final class NmeaReader {
     if (said.valid) {
       said.quality = quality.orElseThrow();
       position(said, gga.getPosition());
-      said.altitudeM = Plausible.altitudeM(number(gga::getAltitude)); // above sea level
+      said.altitudeM = Plausible.altitudeM(number(gga::getAltitude)); // above mean sea level
       said.dilution = dilution(gga::getHorizontalDOP);
     }
     double satellites = number(gga::getSatelliteCount);
@@ -142,7 +144,7 @@ final class NmeaReader {
 
   private static double present(double value) {
     if (Double.isNaN(value)) {
-      throw new IllegalArgumentException("no position in a sentence that calls itself valid");
+      throw new IllegalArgumentException("no position in a sentence marked valid");
     }
     return value;
   }
@@ -175,7 +177,7 @@ final class NmeaReader {
     return value > 0.0 && value < WORST_DILUTION ? value : Double.NaN;
   }
 
-  /** A field's number; NaN if the field is empty. */
+  /** Numeric value of a field; NaN if empty. */
   private static double number(DoubleSupplier field) {
     try {
       return field.getAsDouble();

@@ -1,6 +1,6 @@
 package org.u2sa.drivers.gps;
 
-/** What a receiver on or near the earth may say; NaN, which stands for nothing said, passes. */
+/** Plausibility limits of receivers on or near the earth; NaN, for absent values, passes. */
 final class Plausible {
   private static final double FASTEST_MPS = 1_000.0;
   private static final double LOWEST_M = -1_000.0;

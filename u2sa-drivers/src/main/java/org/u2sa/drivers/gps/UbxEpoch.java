@@ -4,9 +4,8 @@ import java.util.OptionalDouble;
 import org.u2sa.device.GpsFix;
 
 /**
- * What the messages of one time of week said so far: NAV-POSLLH, NAV-VELNED, and NAV-SOL or
- * NAV-STATUS. Those of another time begin anew; what is not whole then was cut by a loss, and is
- * dropped.
+ * Messages accumulated for one time of week: NAV-POSLLH, NAV-VELNED, and NAV-SOL or NAV-STATUS. A
+ * new time of week starts a new epoch; an incomplete one is dropped.
  */
 final class UbxEpoch {
   private static final long NONE = -1;
@@ -28,7 +27,7 @@ final class UbxEpoch {
   private int flags;
   private int satellites;
 
-  /** The epoch that a message belongs to. */
+  /** Selects the epoch of a message. */
   UbxEpoch at(long newTimeOfWeekMs, long nowMicros) {
     if (newTimeOfWeekMs != timeOfWeekMs) {
       clear();
@@ -70,9 +69,9 @@ final class UbxEpoch {
     return hasPosition && hasVelocity && hasStatus;
   }
 
-  /** The fix, once. */
+  /** Returns the fix once. */
   GpsFix take() {
-    hasPosition = false; // a message that comes twice makes no second fix
+    hasPosition = false; // a duplicate message must not produce a second fix
     return UbxGps.isValid(fixType, flags) ? fix() : GpsFix.none(heardMicros, satellites);
   }
 

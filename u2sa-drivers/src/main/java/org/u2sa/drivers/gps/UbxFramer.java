@@ -1,37 +1,37 @@
 package org.u2sa.drivers.gps;
 
 /**
- * Finds messages of u-blox's binary protocol in a stream of bytes that may be cut anywhere and be
- * garbage: {@code B5 62 class id length payload checksum}, all numbers with the low byte first
- * (u-blox 6 Receiver Description, GPS.G6-SW-10018, section 24).
+ * Extracts UBX messages from a byte stream with arbitrary boundaries and garbage: {@code B5 62
+ * class id length payload checksum}, little-endian (u-blox 6 Receiver Description, GPS.G6-SW-10018,
+ * section 24).
  *
- * <p>What begins like a message and is none is refused and counted, and searched for a message from
- * its second byte on. What does not even begin like one (NMEA, for example) is passed over.
+ * <p>A false start is rejected and counted, and parsing resumes at its second byte. Bytes that do
+ * not start a message (NMEA, for example) are skipped.
  */
 final class UbxFramer {
-  /** Length of what surrounds a payload. */
+  /** Length of header and checksum. */
   static final int OVERHEAD = 8;
 
   private static final int SYNC_1 = 0xB5;
   private static final int SYNC_2 = 0x62;
   private static final int HEADER = 6;
-  private static final int LONGEST_PAYLOAD = 1_024; // longer than any message that is asked for
+  private static final int LONGEST_PAYLOAD = 1_024; // longer than any requested message
 
   private final byte[] kept = new byte[LONGEST_PAYLOAD + OVERHEAD];
   private int count;
   private long refused;
   private String lastRefusal = "";
 
-  /** Takes messages. */
+  /** Receives messages. */
   @FunctionalInterface
   interface Sink {
-    /** Takes one; its payload counts during this call only. */
+    /** Handles a message; its payload is valid only during this call. */
     void message(UbxPayload payload);
   }
 
   private final UbxPayload payload = new UbxPayload(kept);
 
-  /** A message as bytes. */
+  /** Encodes a message. */
   static byte[] frame(int messageClass, int id, byte... payload) {
     byte[] frame = new byte[payload.length + OVERHEAD];
     frame[0] = (byte) SYNC_1;
@@ -47,7 +47,7 @@ final class UbxFramer {
     return frame;
   }
 
-  /** Fletcher's checksum over class, id, length and payload; the second sum in the high byte. */
+  /** Fletcher checksum over class, id, length and payload; the second sum is in the high byte. */
   private static int checksum(byte[] bytes, int frameAt, int payloadLength) {
     int first = 0;
     int second = 0;
@@ -58,7 +58,7 @@ final class UbxFramer {
     return second << 8 | first;
   }
 
-  /** Takes the next bytes of the stream, and hands the messages that they end over. */
+  /** Consumes bytes and delivers completed messages. */
   void accept(byte[] from, int length, Sink sink) {
     int taken = 0;
     while (taken < length) {
@@ -81,7 +81,7 @@ final class UbxFramer {
     count -= at;
   }
 
-  /** How many bytes are done with; 0 if more must come first. */
+  /** Number of bytes consumed; 0 if more are needed. */
   private int messageAt(int at, Sink sink) {
     int there = count - at;
     if (byteAt(at) != SYNC_1 || there > 1 && byteAt(at + 1) != SYNC_2) {
@@ -117,7 +117,7 @@ final class UbxFramer {
     lastRefusal = String.format("UBX message %02X-%02X: %s", byteAt(at + 2), byteAt(at + 3), why);
   }
 
-  /** Forgets what is half received. */
+  /** Discards a partial message. */
   void reset() {
     count = 0;
   }

@@ -6,9 +6,9 @@ import org.u2sa.device.GpsFix;
 import org.u2sa.drivers.link.ByteParser;
 
 /**
- * A receiver of u-blox that speaks its binary protocol: NAV-PVT (u-blox 7 and later), or
- * NAV-POSLLH, NAV-VELNED and NAV-SOL or NAV-STATUS of one time of week (LEA-6 and older). Formats:
- * u-blox 6 Receiver Description GPS.G6-SW-10018, u-blox 8 / M8 Receiver Description UBX-13003221.
+ * A u-blox receiver using the UBX protocol: NAV-PVT (u-blox 7 and later), or NAV-POSLLH, NAV-VELNED
+ * and NAV-SOL or NAV-STATUS of one time of week (LEA-6 and older). Formats: u-blox 6 Receiver
+ * Description GPS.G6-SW-10018, u-blox 8 / M8 Receiver Description UBX-13003221.
  */
 public final class UbxGps implements ByteParser<GpsFix> {
   static final int NAV_POSLLH = 0x0102;
@@ -22,7 +22,7 @@ public final class UbxGps implements ByteParser<GpsFix> {
   private static final int POSLLH_LENGTH = 28;
   private static final int STATUS_LENGTH = 16;
   private static final int SOL_LENGTH = 52;
-  private static final int PVT_LENGTH = 84; // of u-blox 7; 92 since u-blox 8
+  private static final int PVT_LENGTH = 84; // u-blox 7; 92 since u-blox 8
   private static final int VELNED_LENGTH = 36;
   private static final int ACK_LENGTH = 2;
 
@@ -43,16 +43,16 @@ public final class UbxGps implements ByteParser<GpsFix> {
   private long refused;
   private String lastRefusal = "";
 
-  /** Takes the receiver's answers to what it was told. */
+  /** Receives acknowledgements. */
   @FunctionalInterface
   interface Acknowledgements {
     /**
-     * @param kind class and id of the message that is answered
+     * @param kind class and id of the acknowledged message
      */
     void answered(int kind, boolean isAccepted);
   }
 
-  /** Sets who is told of the receiver's answers. */
+  /** Sets the listener for acknowledgements. */
   void answersTo(Acknowledgements listener) {
     acknowledgements = listener;
   }
@@ -83,7 +83,7 @@ public final class UbxGps implements ByteParser<GpsFix> {
           require(message, ACK_LENGTH);
           acknowledgements.answered(message.u1(0) << 8 | message.u1(1), message.kind() == ACK_ACK);
         }
-        default -> {} // not asked for
+        default -> {} // not requested
       }
     } catch (IllegalArgumentException e) {
       refused++;
@@ -161,7 +161,7 @@ public final class UbxGps implements ByteParser<GpsFix> {
     return fixType >= FIX_3D;
   }
 
-  /** What a receiver says of the height only counts in a three-dimensional fix. */
+  /** Height is valid only in a 3-D fix. */
   static OptionalDouble present(boolean is3d, double value) {
     return is3d ? OptionalDouble.of(value) : OptionalDouble.empty();
   }

@@ -1,6 +1,6 @@
 package org.u2sa.drivers.gps;
 
-/** A message of u-blox's binary protocol, as {@link UbxFramer} hands it over. */
+/** A UBX message as delivered by {@link UbxFramer}. */
 final class UbxPayload {
   private final byte[] bytes;
   private int messageClass;
@@ -19,7 +19,7 @@ final class UbxPayload {
     length = newLength;
   }
 
-  /** Class and id: 0x0107 for NAV-PVT. */
+  /** Class and id, such as 0x0107 for NAV-PVT. */
   int kind() {
     return messageClass << 8 | id;
   }

@@ -8,10 +8,9 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Sets a receiver of u-blox up after each connection: its port (CFG-PRT), rate (CFG-RATE) and
- * messages (CFG-MSG), one after the other, each repeated until the receiver acknowledges it. What
- * it refuses is said and passed over. A receiver that does not answer at all is asked again now and
- * then: its line to us may be the only one wired.
+ * Configures a u-blox receiver after each connection: port (CFG-PRT), rate (CFG-RATE) and messages
+ * (CFG-MSG), in sequence, each repeated until acknowledged. Rejections are reported and skipped. A
+ * silent receiver is retried occasionally, because only its transmit line may be wired.
  */
 final class UbxSetup {
   static final int CFG_PRT = 0x0600;
@@ -40,9 +39,9 @@ final class UbxSetup {
   private record Step(String name, int kind, byte[] frame) {}
 
   /**
-   * @param navMessages what it shall send once per solution: class and id of each
-   * @param baud of its first serial port, which stays as it is [baud]
-   * @param rateHz solutions a second
+   * @param navMessages class and id of each message to send once per solution
+   * @param baud rate of its first serial port, left unchanged [baud]
+   * @param rateHz navigation rate [Hz]
    */
   UbxSetup(List<Integer> navMessages, int baud, double rateHz) {
     steps = new ArrayList<>();
@@ -59,7 +58,7 @@ final class UbxSetup {
 
   private static byte[] port(int baud) {
     ByteBuffer port = ByteBuffer.allocate(20).order(ByteOrder.LITTLE_ENDIAN);
-    port.putInt(0, UART_1); // and no line that tells that there is something to send
+    port.putInt(0, UART_1); // no TX-ready pin
     port.putInt(4, MODE_8N1).putInt(8, baud);
     port.putShort(12, UBX_AND_NMEA_IN).putShort(14, UBX_OUT);
     return frame(CFG_PRT, port.array());
@@ -68,7 +67,7 @@ final class UbxSetup {
   private static byte[] rate(double rateHz) {
     ByteBuffer rate = ByteBuffer.allocate(6).order(ByteOrder.LITTLE_ENDIAN);
     rate.putShort((short) Math.round(MS_PER_S / rateHz));
-    rate.putShort((short) 1); // a solution from each measurement
+    rate.putShort((short) 1); // one solution per measurement
     rate.putShort(TO_GPS_TIME);
     return frame(CFG_RATE, rate.array());
   }
@@ -77,7 +76,7 @@ final class UbxSetup {
     return UbxFramer.frame(kind >> 8, kind & 0xFF, payload);
   }
 
-  /** Begins anew: the receiver was found, and may have forgotten everything. */
+  /** Restarts after a reconnection, because the receiver may have lost its settings. */
   void begin() {
     next = 0;
     tries = 0;
@@ -86,12 +85,12 @@ final class UbxSetup {
     refusals.clear();
   }
 
-  /** Whether all was said and answered. */
+  /** Whether setup is complete. */
   boolean isDone() {
     return next == steps.size();
   }
 
-  /** Sends what is due; at each step of the service. */
+  /** Sends due messages; called at each step of the service. */
   void step(ByteLink link, long nowMicros) {
     if (isDone() || nowMicros < idleUntilMicros) {
       return;
@@ -112,10 +111,10 @@ final class UbxSetup {
     }
   }
 
-  /** Takes the receiver's answer. */
+  /** Handles an acknowledgement. */
   void answered(int kind, boolean isAccepted) {
     if (isDone() || tries == 0 || steps.get(next).kind != kind) {
-      return; // to nothing that was asked now
+      return; // not for the pending message
     }
     if (!isAccepted) {
       refusals.add(steps.get(next).name);
@@ -125,7 +124,7 @@ final class UbxSetup {
     next++;
   }
 
-  /** What went wrong; empty if nothing. */
+  /** Setup fault; empty if none. */
   String trouble() {
     if (isUnanswered) {
       return "the receiver does not acknowledge its setup (" + steps.get(0).name + ")";

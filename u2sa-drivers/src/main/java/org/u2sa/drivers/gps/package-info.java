@@ -1,5 +1,5 @@
 /**
- * Satellite receivers: what their bytes mean, and how they are set up. How the bytes come belongs
- * to {@code org.u2sa.drivers.link}, what becomes of a fix to {@code org.u2sa.device}.
+ * GNSS receiver protocols and setup. Transport belongs to {@code org.u2sa.drivers.link}, the use of
+ * fixes to {@code org.u2sa.device}.
  */
 package org.u2sa.drivers.gps;

@@ -14,10 +14,10 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
 
 /**
- * VectorNav's VN-100 and its kin, as they come from the factory: {@code $VNYMR} 40 times a second
- * at 115200 baud, with yaw, pitch, roll [deg], magnetic field [Gauss], acceleration [m/s²] and
- * angular rate [rad/s] (VN-100 User Manual UM001, asynchronous messages). Yaw is magnetic, unless
- * the unit was told its place.
+ * VectorNav VN-100 and relatives with factory settings: {@code $VNYMR} at 40 Hz and 115200 baud,
+ * with yaw, pitch, roll [deg], magnetic field [Gauss], acceleration [m/s²] and angular rate [rad/s]
+ * (VN-100 User Manual UM001, asynchronous messages). Yaw is magnetic unless the unit is configured
+ * with its position.
  */
 public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
   private static final int YAW = 1;
@@ -31,15 +31,15 @@ public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
   private static final int Z_RATE = 12;
   private static final double HALF_TURN_DEG = 180.0;
   private static final double STEEPEST_DEG = 90.0;
-  private static final double STRONGEST_MPS2 = 200.0; // the sensor ends at 16 g
-  private static final double FASTEST_RAD_PER_S = 40.0; // the sensor ends at 2000 deg/s
+  private static final double STRONGEST_MPS2 = 200.0; // sensor range: 16 g
+  private static final double FASTEST_RAD_PER_S = 40.0; // sensor range: 2000 deg/s
 
-  /** Over that link, which is closed with this. */
+  /** Uses the link; closing the device closes it. */
   public VectorNav(ByteLink link) {
     super(link, parser());
   }
 
-  /** What makes readings of a unit's bytes. */
+  /** Converts bytes to readings. */
   public static NmeaParser<Orientation> parser() {
     return new NmeaParser<>(VectorNav::orientation);
   }
@@ -73,9 +73,9 @@ public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
     return value;
   }
 
-  /** IMU VECTORNAV in a configuration. */
+  /** Provider of IMU = VECTORNAV. */
   public static final class Provider extends DeviceProvider<Imu> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(Imu.class, "VECTORNAV");
     }

@@ -1,5 +1,5 @@
 /**
- * Inertial measurement units that know their attitude: what their bytes mean. How the bytes come
- * belongs to {@code org.u2sa.drivers.link}, what becomes of a reading to {@code org.u2sa.device}.
+ * Protocols of attitude and heading reference units. Transport belongs to {@code
+ * org.u2sa.drivers.link}, the use of readings to {@code org.u2sa.device}.
  */
 package org.u2sa.drivers.imu;

@@ -5,41 +5,41 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A way to a IOIO: serial, TCP, an Android phone's Bluetooth or USB, or a simulated board within
- * the process. It makes a new connection of the IOIO library for each attempt to reach the board.
+ * Transport to an IOIO: serial, TCP, an Android phone's Bluetooth or USB, or an in-process
+ * simulated board. Creates a new IOIOLib connection for each attempt.
  */
 public interface BoardConnection {
   /**
-   * A connection that has not been opened yet, for one attempt. Its {@code waitForConnect} may take
-   * its time; its {@code disconnect} ends that, and ends reading, from any other thread.
+   * Creates an unopened connection for one attempt. Its {@code waitForConnect} may block; {@code
+   * disconnect} from another thread ends that and any read.
    */
   IOIOConnection newConnection();
 
-  /** What the connection is called in the log: its address. */
+  /** Address shown in the log. */
   String address();
 
   /**
-   * Whether the board's time moves in {@link #exchange} only. Then connecting takes no time, no
-   * call waits for the board, and runs repeat bit for bit.
+   * Whether the board's time advances only in {@link #exchange} (lockstep). Connecting is then
+   * immediate, no call waits for the board, and runs are bit-identical.
    */
   default boolean isLockstep() {
     return false;
   }
 
   /**
-   * Lets the board's time pass to a time of the run [µs], and returns when the IOIO library has
-   * taken every byte that came of it. In real time there is nothing to do.
+   * Advances the board to a time of the run [µs] and returns once the IOIO library has consumed the
+   * resulting bytes. No effect in real time.
    *
-   * @param reader has the library take bytes on the calling thread; only for when the library's
-   *     reading thread waits for bytes of the present connection, and then gets none of them
+   * @param reader lets the library consume bytes on the calling thread; used only while the
+   *     library's reading thread waits on the current connection, which then receives none of them
    */
   default void exchange(long nowMicros, Consumer<byte[]> reader) {}
 
   /**
-   * The connection that an address names: {@code serial:/dev/ttyACM0} (IOIO-OTG on USB) or {@code
+   * Connection for an address: {@code serial:/dev/ttyACM0} (IOIO-OTG on USB) or {@code
    * tcp:host:port}.
    *
-   * @throws BadInputException if it names none
+   * @throws BadInputException if the address is invalid
    */
   static BoardConnection of(String address) {
     return PortConnection.at(address);

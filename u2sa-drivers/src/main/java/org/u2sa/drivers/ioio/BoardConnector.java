@@ -4,9 +4,9 @@ import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Keeps a connection to the board: makes it, notices its end or its silence, makes it anew. In real
- * time a daemon thread of its own does what may wait; in lockstep it happens in {@link #step}. All
- * methods belong to the service's thread and wait for nothing but, at the end, the threads.
+ * Maintains the board connection: connects, detects loss or silence, reconnects. Blocking work runs
+ * on a daemon thread in real time, and in {@link #step} in lockstep. All methods belong to the
+ * service's thread; only closing blocks.
  */
 final class BoardConnector implements AutoCloseable {
   private static final long RETRY_MS = 250;
@@ -18,20 +18,20 @@ final class BoardConnector implements AutoCloseable {
   private final PinPlan plan;
   private final long silentMicros;
   private final Thread connector = new Thread(this::connect, "u2sa-ioio-connector");
-  private final Object lock = new Object(); // guards the connector's pauses
+  private final Object lock = new Object(); // guards the connector's waits
   private volatile boolean closed;
-  private volatile BoardSession attempt; // the present one, connected or not; null between
-  private volatile BoardSession session; // the present one if connected, or null
+  private volatile BoardSession attempt; // current attempt, connected or not; null in between
+  private volatile BoardSession session; // current connection, or null
   private volatile String trouble = "";
-  private BoardSession watched; // whose sign of life was seen last
+  private BoardSession watched; // session of the last sign of life
   private long seenBytes;
   private long seenMicros;
   private long retryMicros = Long.MIN_VALUE;
 
   /**
-   * Does nothing before {@link #start}.
+   * Idle until {@link #start}.
    *
-   * @param silentAfterS time without a byte of the board after which it counts as lost [s]
+   * @param silentAfterS time without a byte after which the board counts as lost [s]
    */
   BoardConnector(BoardConnection connection, PinPlan plan, double silentAfterS) {
     this.connection = connection;
@@ -40,24 +40,24 @@ final class BoardConnector implements AutoCloseable {
     connector.setDaemon(true);
   }
 
-  /** Begins to connect; in lockstep that happens in {@link #step}. */
+  /** Starts connecting; in lockstep, {@link #step} connects. */
   void start() {
     if (!connection.isLockstep()) {
       connector.start();
     }
   }
 
-  /** The connection, if the board is there. */
+  /** Current connection, if any. */
   Optional<BoardSession> session() {
     return Optional.ofNullable(session).filter(BoardSession::isUp);
   }
 
-  /** Why the board is not there; empty if it is, or was not yet looked for. */
+  /** Reason the board is absent; empty if connected or not tried yet. */
   String trouble() {
     return trouble;
   }
 
-  /** Looks after the connection; in lockstep lets the board's time pass to now [µs]. */
+  /** Supervises the connection; in lockstep, advances the board to now [µs]. */
   void step(long nowMicros) {
     if (connection.isLockstep()) {
       stepInLockstep(nowMicros);
@@ -74,14 +74,14 @@ final class BoardConnector implements AutoCloseable {
     if (session == null && nowMicros >= retryMicros) {
       retryMicros = nowMicros + RETRY_MICROS;
       Thread once = new Thread(this::tryOnce, "u2sa-ioio-connector");
-      once.setDaemon(true); // and so are the library's threads, which inherit it
+      once.setDaemon(true); // inherited by the library's threads
       once.start();
       join(once, Long.MAX_VALUE);
     }
   }
 
   private static void take(BoardSession from, byte[] bytes) {
-    if (from != null) { // it is no longer, if the wait for its end was interrupted
+    if (from != null) { // may be null if waiting for its end was interrupted
       from.take(bytes);
     }
   }
@@ -104,7 +104,7 @@ final class BoardConnector implements AutoCloseable {
     }
   }
 
-  /** Returns the connection, or null if it was not to be had. */
+  /** Returns the connection, or null on failure. */
   private BoardSession tryOnce() {
     BoardSession made = new BoardSession(connection);
     attempt = made;
@@ -117,7 +117,7 @@ final class BoardConnector implements AutoCloseable {
     trouble = "";
     session = made;
     if (closed) {
-      made.disconnect(); // it was closed meanwhile, and nobody else knows of the connection
+      made.disconnect(); // closed in the meantime; nobody else holds this connection
     }
     return made;
   }
@@ -132,7 +132,7 @@ final class BoardConnector implements AutoCloseable {
     attempt = null;
   }
 
-  /** A board that does not answer, or says nothing any more, is lost, even if nobody told. */
+  /** Gives up a board that does not answer or has fallen silent. */
   private void watch(long nowMicros) {
     BoardSession present = attempt;
     if (present == null || !present.link().isHandshaking() || !present.isUp()) {
@@ -153,7 +153,7 @@ final class BoardConnector implements AutoCloseable {
     }
   }
 
-  /** Ends a connection for a reason; not on this thread, because closing may wait for the link. */
+  /** Gives up a connection; closes it on another thread, because closing may block on the link. */
   void giveUp(BoardSession lost, String reason) {
     lost.giveUp(reason);
     Thread closer = new Thread(lost::disconnect, "u2sa-ioio-closer");
@@ -173,7 +173,7 @@ final class BoardConnector implements AutoCloseable {
     }
   }
 
-  /** Ends the connection; what was written before goes out. */
+  /** Closes the connection after flushing pending data. */
   @Override
   public void close() {
     closed = true;

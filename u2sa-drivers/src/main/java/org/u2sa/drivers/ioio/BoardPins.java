@@ -14,8 +14,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * The pins of one connection, opened through the IOIO library and used without waiting. PWM pins
- * are low until the first pulse is set. Belongs to the service's thread.
+ * The pins of one connection, opened through IOIOLib and used without blocking. PWM pins stay low
+ * until the first pulse is set. Confined to the service's thread.
  */
 final class BoardPins {
   private static final float US_PER_S = 1.0e6f;
@@ -31,9 +31,9 @@ final class BoardPins {
   private boolean ledIsLit;
 
   /**
-   * Opens them.
+   * * Opens the pins.
    *
-   * @throws IllegalArgumentException if the board that is connected has no such function at a pin
+   * @throws IllegalArgumentException if the connected board lacks a function at a pin
    */
   BoardPins(IOIO ioio, PinPlan plan) throws ConnectionLostException {
     for (int pin : plan.pulses()) {
@@ -41,7 +41,7 @@ final class BoardPins {
     }
     setUs = new float[pulses.size()];
     sample = ioio.openAnalogInput(plan.sample());
-    sample.setBuffer(1); // so that available() tells whether there is a value
+    sample.setBuffer(1); // so that available() reports whether there is a value
     ledIsLitLow = plan.led() == IOIO.LED_PIN;
     led =
         plan.led() == PinPlan.NONE
@@ -56,7 +56,7 @@ final class BoardPins {
   }
 
   private static PulseLine radio(IOIO ioio, PinPlan plan) throws ConnectionLostException {
-    // pulled down, so that a wire that fell off has no pulses instead of noise
+    // pull-down: a detached wire reads no pulses instead of noise
     DigitalInput.Spec spec = new DigitalInput.Spec(plan.radio(), DigitalInput.Spec.Mode.PULL_DOWN);
     return new PulseLine(
         ioio.openPulseInput(
@@ -70,7 +70,7 @@ final class BoardPins {
     return new UartLine(uart, pins.baud());
   }
 
-  /** Sets the width of an output's pulses [s], if it has another one. */
+  /** Sets an output's pulse width [s] if it changed. */
   void pulse(int output, double widthS) throws ConnectionLostException {
     float us = (float) (widthS * US_PER_S);
     if (us != setUs[output]) {
@@ -79,7 +79,7 @@ final class BoardPins {
     }
   }
 
-  /** Lights the LED or not, if there is one. */
+  /** Switches the LED, if present. */
   void light(boolean lit) throws ConnectionLostException {
     if (led.isPresent() && lit != ledIsLit) {
       led.get().write(lit != ledIsLitLow);
@@ -91,7 +91,7 @@ final class BoardPins {
   OptionalDouble volts() throws ConnectionLostException {
     try {
       return sample.available() > 0
-          ? OptionalDouble.of(sample.getVoltage()) // does not wait: there was a sample
+          ? OptionalDouble.of(sample.getVoltage()) // does not block: a sample exists
           : OptionalDouble.empty();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -99,14 +99,12 @@ final class BoardPins {
     }
   }
 
-  /**
-   * The width [s] of the oldest pulse at the radio's input not yet taken; empty if there is none.
-   */
+  /** Width [s] of the oldest unread pulse at the radio input; empty if none. */
   OptionalDouble nextRadioPulse() throws ConnectionLostException {
     return radio.isPresent() ? radio.get().next() : OptionalDouble.empty();
   }
 
-  /** In lockstep, takes note of bytes of the board that the library is about to get. */
+  /** In lockstep, inspects board bytes before the library receives them. */
   void comes(byte[] bytes) {
     radio.ifPresent(line -> line.comes(bytes));
   }

@@ -7,24 +7,24 @@ import ioio.lib.api.exception.IncompatibilityException;
 import ioio.lib.api.exception.OutOfResourceException;
 import java.util.Optional;
 
-/** One attempt to reach the board, and if it succeeds, the connection until its end. */
+/** One connection attempt and, if it succeeds, the connection until its end. */
 final class BoardSession {
   private final GuardedConnection guarded;
   private final IOIO ioio;
   private volatile BoardPins pins; // null until connected
-  private volatile String blame = ""; // why it was given up
+  private volatile String blame = ""; // reason for giving up
 
-  /** Does nothing yet. */
+  /** Idle until {@link #connect}. */
   BoardSession(BoardConnection connection) {
     guarded = new GuardedConnection(connection.newConnection(), connection.isLockstep());
     ioio = IOIOFactory.create(guarded);
   }
 
   /**
-   * Waits for the board and opens the pins. The library's own threads inherit that they are daemons
-   * from the thread that calls.
+   * Waits for the board and opens the pins. The library's threads inherit daemon status from the
+   * calling thread.
    *
-   * @return why it failed; empty if the board is there
+   * @return reason for failure; empty on success
    */
   String connect(PinPlan plan) {
     try {
@@ -41,7 +41,7 @@ final class BoardSession {
     } catch (IncompatibilityException e) {
       return failed(e.getMessage());
     } catch (IllegalArgumentException | IllegalStateException | OutOfResourceException e) {
-      return failed(String.valueOf(e.getMessage())); // the pins are not this board's; interrupted
+      return failed(String.valueOf(e.getMessage())); // pins invalid for this board, or interrupted
     }
   }
 
@@ -50,7 +50,7 @@ final class BoardSession {
     return blame.isEmpty() ? reason : blame;
   }
 
-  /** What the board and the library say they are. */
+  /** Versions reported by the board and the library. */
   String versions() {
     return "hardware "
         + ioio.getImplVersion(IOIO.VersionType.HARDWARE_VER)
@@ -62,17 +62,17 @@ final class BoardSession {
         + ioio.getImplVersion(IOIO.VersionType.IOIOLIB_VER);
   }
 
-  /** The pins; only after {@link #connect} has succeeded. */
+  /** The pins; valid only after a successful {@link #connect}. */
   BoardPins pins() {
     return pins;
   }
 
-  /** Counts in lockstep what the library sends; empty in real time. */
+  /** Counter of the library's output in lockstep; empty in real time. */
   Optional<FlushCounter> lockstep() {
     return guarded.flushes();
   }
 
-  /** In lockstep, once it is connected: has the library take bytes on the calling thread. */
+  /** In lockstep, once connected: lets the library consume bytes on the calling thread. */
   void take(byte[] bytes) {
     pins.comes(bytes);
     guarded.take(bytes);
@@ -82,27 +82,27 @@ final class BoardSession {
     return guarded;
   }
 
-  /** Whether the board is there, as far as is known. */
+  /** Whether the board is connected, as far as known. */
   boolean isUp() {
     return !guarded.hasEnded() && blame.isEmpty();
   }
 
-  /** Gives it up for a reason; to be disconnected. */
+  /** Marks the session as given up, with a reason; the caller disconnects it. */
   void giveUp(String reason) {
     blame = reason;
   }
 
   /**
-   * Waits for the end of the connection, when the library has told everyone.
+   * Waits until the connection has ended and the library has notified its objects.
    *
-   * @return why it ended
+   * @return reason for the end
    */
   String awaitEnd() throws InterruptedException {
     ioio.waitForDisconnect();
     return blame.isEmpty() ? "the connection has ended" : blame;
   }
 
-  /** Ends the connection, or the attempt. From any thread. */
+  /** Ends the connection or attempt. Thread-safe. */
   void disconnect() {
     ioio.disconnect();
   }

@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.io.OutputStream;
 
 /**
- * Sends to a board on a daemon thread, so that whoever writes never waits. What piles up because
- * the board takes nothing ends the connection.
+ * Sends to a board on a daemon thread so that writers never block. Too large a backlog ends the
+ * connection.
  */
 final class BoardWriter extends OutputStream {
   private static final int MOST = 1 << 16;
@@ -16,10 +16,10 @@ final class BoardWriter extends OutputStream {
   private final OutputStream target;
   private final Thread thread = new Thread(this::send, "u2sa-ioio-writer");
   private final ByteArrayOutputStream waiting = new ByteArrayOutputStream(); // guarded by this
-  private boolean flushed; // whether what waits may go; guarded by this
-  private boolean closed; // takes no more; guarded by this
-  private boolean done; // the thread is at its end; guarded by this
-  private IOException failure; // null while all goes well; guarded by this
+  private boolean flushed; // whether pending data may be sent; guarded by this
+  private boolean closed; // accepts no more data; guarded by this
+  private boolean done; // thread has finished; guarded by this
+  private IOException failure; // null if none; guarded by this
 
   BoardWriter(OutputStream target) {
     this.target = target;
@@ -89,10 +89,9 @@ final class BoardWriter extends OutputStream {
   }
 
   /**
-   * Takes no more; the thread ends when it has sent what waits, or when the connection is closed
-   * under it.
+   * Accepts no more data; the thread ends once pending data is sent or the connection is closed.
    *
-   * @param orderly whether to wait for that, a moment at most
+   * @param orderly whether to wait briefly for that
    */
   synchronized void finish(boolean orderly) {
     closed = true;

@@ -5,15 +5,16 @@ import java.io.IOException;
 import java.io.OutputStream;
 
 /**
- * Tells in lockstep whether, and by which thread, the IOIO library has sent a UART's data, and runs
+ * In lockstep, tracks whether and by which thread the IOIO library has sent a UART's data, and runs
  * the library's sending loop until it has.
  */
 final class FlushCounter extends OutputStream {
-  private static final int HEADER = 2; // of a message of UART data: type; number and length
+  private static final int HEADER = 2; // header of a UART data message: type; number and length
   private static final long AT_MOST_MS = 5_000;
 
   /**
-   * Leaves the library's loop. The same one each time, without a stack trace: that takes longest.
+   * Exits the library's loop. A shared instance without stack trace, whose creation would dominate
+   * the cost.
    */
   private static final class AllSent extends Error {
     private static final long serialVersionUID = 1L;
@@ -26,11 +27,12 @@ final class FlushCounter extends OutputStream {
   private final AllSent allSent = new AllSent();
   private final OutputStream target;
   private final ByteArrayOutputStream waiting =
-      new ByteArrayOutputStream(); // until the library flushes; guarded by this, as all below
-  private long dataSent; // bytes of what was flushed, less a header for each flush
+      new ByteArrayOutputStream(); // until the library flushes; guarded by this, as are all fields
+  // below
+  private long dataSent; // flushed bytes, excluding one header per flush
   private long dataExpected;
-  private boolean isLeft; // by an error, as soon as all data are sent
-  private Thread sender; // of the last data
+  private boolean isLeft; // exit by error once all data is sent
+  private Thread sender; // thread that sent the last data
 
   FlushCounter(OutputStream target) {
     this.target = target;
@@ -45,7 +47,7 @@ final class FlushCounter extends OutputStream {
   public synchronized void flush() throws IOException {
     byte[] bytes = waiting.toByteArray();
     waiting.reset();
-    target.write(bytes); // at once: the library writes byte by byte
+    target.write(bytes); // all at once: the library writes byte by byte
     target.flush();
     dataSent += bytes.length - HEADER;
     sender = Thread.currentThread();
@@ -56,19 +58,19 @@ final class FlushCounter extends OutputStream {
     }
   }
 
-  /** Counts from here; until the data are sent, nothing else may be written. */
+  /** Starts counting; nothing else may be written until the data is sent. */
   synchronized void expect(int dataBytes) {
     dataSent = 0;
     dataExpected = dataBytes;
   }
 
-  /** Runs the library's sending loop until it has sent the data, or would wait. */
+  /** Runs the library's sending loop until the data is sent or it would block. */
   void run(Runnable loop) {
     leave(true);
     try {
       loop.run();
     } catch (AllSent e) {
-      return; // nothing follows the flush: the message went out as a whole
+      return; // nothing follows the flush: the message was sent whole
     } finally {
       leave(false);
     }
@@ -78,7 +80,7 @@ final class FlushCounter extends OutputStream {
     isLeft = whenSent;
   }
 
-  /** Waits until the data are sent, and returns the library's thread that did so. */
+  /** Waits until the data is sent and returns the library thread that sent it. */
   synchronized Thread awaitSender() throws IOException, InterruptedException {
     while (dataSent < dataExpected) {
       long before = dataSent;
@@ -91,7 +93,7 @@ final class FlushCounter extends OutputStream {
   }
 
   /**
-   * @throws IOException if not all data are sent
+   * @throws IOException if not all data is sent
    */
   synchronized void requireAll() throws IOException {
     if (dataSent < dataExpected) {

@@ -10,11 +10,11 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * What stands between the IOIO library and a connection, for two reasons. Writing must not wait for
- * the board, so a thread of its own does it. And the library deadlocks when the connection ends
- * while a pin is being opened: {@code IOIOImpl.openUart} and its likes hold the IOIO's monitor and
- * ask for that of the incoming state, {@code IncomingState.handleConnectionLost} does the opposite.
- * So pins are opened in {@link #whileUp}, and the library hears of the end only outside of it.
+ * Wraps an IOIOLib connection for two reasons. Writes must not block on the board, so a separate
+ * thread sends. And the library deadlocks if the connection ends while a pin is being opened:
+ * {@code IOIOImpl.openUart} and similar methods lock the IOIO's monitor and then the incoming
+ * state's, {@code IncomingState.handleConnectionLost} the reverse. So pins are opened in {@link
+ * #whileUp}, and the library learns of a disconnect only outside it.
  */
 final class GuardedConnection implements IOIOConnection {
   private static final int BUFFER = 1024;
@@ -26,18 +26,18 @@ final class GuardedConnection implements IOIOConnection {
 
   private final IOIOConnection link;
   private final boolean direct;
-  private final ReentrantLock up = new ReentrantLock(); // held while pins are opened
+  private final ReentrantLock up = new ReentrantLock(); // held while opening pins
   private final AtomicLong received = new AtomicLong();
   private volatile boolean handshaking;
   private volatile boolean ended;
   private volatile InputStream in;
-  private volatile ReadingLoop loop; // null in real time, or before the connection
+  private volatile ReadingLoop loop; // null in real time and before connecting
   private volatile OutputStream out;
-  private BoardWriter writer; // null if writing does not wait; guarded by this
+  private BoardWriter writer; // null if writes never block; guarded by this
   private boolean disconnected; // guarded by this
 
   /**
-   * @param direct whether writing never waits anyway
+   * @param direct whether writes never block
    */
   GuardedConnection(IOIOConnection link, boolean direct) {
     this.link = link;
@@ -51,7 +51,7 @@ final class GuardedConnection implements IOIOConnection {
     OutputStream target = link.getOutputStream();
     synchronized (this) {
       if (disconnected) {
-        throw new ConnectionLostException(); // and nobody would end the writer
+        throw new ConnectionLostException(); // otherwise the writer would never end
       }
       in = new FromBoard(source);
       if (direct) {
@@ -66,7 +66,10 @@ final class GuardedConnection implements IOIOConnection {
     handshaking = true;
   }
 
-  /** Opens pins, unless the connection has ended; it does not end meanwhile. */
+  /**
+   * Opens pins unless the connection has ended, and keeps the library from seeing its end
+   * meanwhile.
+   */
   <T> T whileUp(Opening<T> opening) throws ConnectionLostException {
     up.lock();
     try {
@@ -79,37 +82,35 @@ final class GuardedConnection implements IOIOConnection {
     }
   }
 
-  /** Whether the way to the board is open, and so it is time that the board says something. */
+  /** Whether the transport is open, so that the board is expected to respond. */
   boolean isHandshaking() {
     return handshaking;
   }
 
-  /** Whether the library reads no more. */
+  /** Whether the library has stopped reading. */
   boolean hasEnded() {
     return ended;
   }
 
-  /** In lockstep, has the library take bytes on the calling thread while its own one waits. */
+  /**
+   * In lockstep, lets the library consume bytes on the calling thread while its own thread waits.
+   */
   void take(byte[] bytes) {
     received.addAndGet(bytes.length);
     loop.take(bytes);
   }
 
-  /** How many bytes have come. */
+  /** Number of bytes received. */
   long received() {
     return received.get();
   }
 
-  /**
-   * What counts the library's writing in lockstep; empty in real time, or before the connection.
-   */
+  /** Counter of the library's output in lockstep; empty in real time and before connecting. */
   Optional<FlushCounter> flushes() {
     return out instanceof FlushCounter counter ? Optional.of(counter) : Optional.empty();
   }
 
-  /**
-   * Ends the connection; what was written goes out before, if that takes no longer than a blink.
-   */
+  /** Ends the connection after flushing pending data, with a short time limit. */
   @Override
   public void disconnect() {
     BoardWriter leaving;
@@ -138,9 +139,7 @@ final class GuardedConnection implements IOIOConnection {
     return link.canClose();
   }
 
-  /**
-   * The bytes to the library, whose reading thread closes this before it tells anyone of the end.
-   */
+  /** Stream to the library, whose reading thread closes it before announcing the end. */
   private final class FromBoard extends InputStream {
     private final InputStream source;
     private final byte[] buffer = new byte[BUFFER];
@@ -155,7 +154,7 @@ final class GuardedConnection implements IOIOConnection {
     public int read() throws IOException {
       if (next == filled) {
         next = 0;
-        filled = 0; // should the source fail
+        filled = 0; // in case the source fails
         filled = Math.max(0, source.read(buffer, 0, buffer.length));
         received.addAndGet(filled);
       }

@@ -22,13 +22,13 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Joins a vehicle to the system through a IOIO board (thesis 4.6.2.1): GPS and compass at its
- * UARTs, motors at its PWM pins, the radio's switch, the battery, a status LED. In: actuation,
- * emergency-stop, arming-state. Out: sensed-state, power, actuators.
+ * Connects a vehicle through an IOIO board (thesis 4.6.2.1): GPS and compass on UARTs, motors on
+ * PWM pins, radio switch, battery and status LED. In: actuation, emergency-stop, arming-state. Out:
+ * sensed-state, power, actuators.
  *
- * <p>Motors get neutral pulses without a command in time, at an emergency stop, while not armed,
- * and while the radio's switch is not at automatic. Without a connection the board itself gives no
- * pulses, and the actuators are announced as lost. No call here waits for the board.
+ * <p>Motors are neutral without a current command, during an emergency stop, while disarmed, and
+ * while the radio switch is not on automatic. Without a connection the board outputs no pulses, and
+ * the actuators are announced as lost. No call blocks on the board.
  */
 public final class IoioService extends ProprioceptiveSensor implements ActuatorOwner {
   private static final double STEPS_PER_S = 100.0;
@@ -46,12 +46,12 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
   private RcSwitch.Position position = RcSwitch.Position.AUTOMATIC;
   private double batteryDueS;
 
-  /** Called by the launcher: the connection is the one that the configuration names. */
+  /** Launcher constructor: uses the configured connection. */
   public IoioService(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** For connections that the host makes: a phone's, or a simulated board's. */
+  /** Uses a given connection, such as a phone's or a simulated board's. */
   public IoioService(ServiceContext context, BoardConnection connection) {
     this(context, Optional.of(connection));
   }
@@ -114,7 +114,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     sensors.read(now).forEach(state -> publish(Channels.SENSED_STATE, state));
     with(session, pins -> sensors.send(now, session.flatMap(BoardSession::lockstep)));
     commands.available(session.isPresent() ? ALL_PERCENT : 0.0);
-    report(session); // last, so that it is the last error in the health report
+    report(session); // last, so that it is the latest error in the health report
     commands.step(nowS);
   }
 
@@ -133,7 +133,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     }
   }
 
-  /** Something done with the pins, if the board is there; at a loss the connection is given up. */
+  /** Runs an action on the pins if connected; gives the connection up if it is lost. */
   private void with(Optional<BoardSession> session, PinWork work) {
     try {
       work.on(session.map(BoardSession::pins));
@@ -206,7 +206,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     commands.takeOver(state);
   }
 
-  /** The board gives no pulses until the successor has connected; then it goes on. */
+  /** The board outputs no pulses until the successor has connected. */
   @Override
   protected void releaseToSuccessor() {
     connector.close();
@@ -219,13 +219,13 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     connector.close();
   }
 
-  /** What the board's LED tells who stands beside the vehicle. */
+  /** Meaning of the status LED for people near the vehicle. */
   private enum StatusLed {
-    /** It obeys commands: lit. Keep away. */
+    /** Obeys commands: on. Keep away. */
     OBEYS(1.0, 1.0),
-    /** The radio's switch is at manual, or no receiver is there: a slow blink. */
+    /** Radio switch on manual, or no receiver: slow blink. */
     MANUAL(1.0, 0.5),
-    /** An emergency stop holds, or the vehicle is not armed: a fast blink. */
+    /** Emergency stop or disarmed: fast blink. */
     STOPPED(0.25, 0.5);
 
     private final long periodMicros;
@@ -236,7 +236,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
       litMicros = Clock.micros(periodS * litShare);
     }
 
-    /** Whether the LED is lit at a time of the run [µs]. */
+    /** Whether the LED is on at a time of the run [µs]. */
     boolean isLit(long nowMicros) {
       return Math.floorMod(nowMicros, periodMicros) < litMicros;
     }

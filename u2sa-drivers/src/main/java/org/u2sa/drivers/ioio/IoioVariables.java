@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** The configuration variables that say what is wired to which pin. */
+/** Configuration variables for the pin assignment. */
 record IoioVariables(
     @Variable(
             ifAbsentText = "",
@@ -101,7 +101,7 @@ record IoioVariables(
   record ActuatorPin(String name, int pin) {}
 
   /**
-   * The actuators.
+   * * Parses the actuators.
    *
    * @throws BadInputException naming the variable, if it is not "NAME=PIN, NAME=PIN"
    */
@@ -127,10 +127,10 @@ record IoioVariables(
   }
 
   /**
-   * The pins.
+   * * Validates and assigns the pins.
    *
-   * @throws BadInputException naming the variable, if a pin is not there, cannot do what it is for,
-   *     or is used twice
+   * @throws BadInputException naming the variable, if a pin does not exist, lacks the function, or
+   *     is used twice
    */
   PinPlan plan() {
     PinAssignment pins = new PinAssignment(board.equals("otg"));
@@ -160,7 +160,7 @@ record IoioVariables(
     return Optional.of(new PinPlan.Uart(in, out, baud));
   }
 
-  /** Which pins are taken: each once, and only for what it can do. */
+  /** Assigned pins: each used once and only for a supported function. */
   private static final class PinAssignment {
     private final boolean isOtg;
     private final Map<Integer, String> taken = new TreeMap<>(); // variable by pin
@@ -170,12 +170,12 @@ record IoioVariables(
     }
 
     /**
-     * Takes a pin.
+     * * Assigns a pin.
      *
-     * @param variable which configures it, for the error
-     * @param pin its number; {@link PinPlan#NONE} takes nothing
+     * @param variable configuration variable, for the error
+     * @param pin number; {@link PinPlan#NONE} assigns nothing
      * @return the number
-     * @throws BadInputException if there is no such pin, it lacks the function, or it is taken
+     * @throws BadInputException if the pin does not exist, lacks the function, or is in use
      */
     int take(String variable, int pin, PinFunction function) {
       if (pin == PinPlan.NONE) {
@@ -198,9 +198,9 @@ record IoioVariables(
     }
 
     /**
-     * An analog input that nobody took.
+     * Finds an unused analog input.
      *
-     * @throws BadInputException if all are taken
+     * @throws BadInputException if all are in use
      */
     int anyAnalogInput() {
       for (int pin = PinFunction.FIRST_ANALOG; pin <= PinFunction.LAST_ANALOG; pin++) {

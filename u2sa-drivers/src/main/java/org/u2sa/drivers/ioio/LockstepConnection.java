@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * A board within the process, in lockstep, made of what it can do; so neither it nor its simulator
- * needs to know the other:
+ * An in-process board in lockstep, built from functions so that neither it nor the simulator
+ * depends on the other:
  *
  * <pre>{@code
  * new LockstepConnection(board::connect, board::disconnect, board::input, board::output, board::exchange)
@@ -30,10 +30,10 @@ public final class LockstepConnection implements BoardConnection {
   private final Exchange exchange;
 
   /**
-   * @param connect opens a connection; false if the board has no power
+   * @param connect opens a connection; false if the board is off
    * @param disconnect ends it
-   * @param input the bytes from the board, of the connection opened last
-   * @param output the bytes to the board, of the connection opened last; never waits
+   * @param input bytes from the board on the latest connection
+   * @param output bytes to the board on the latest connection; never blocks
    * @param exchange see {@link BoardConnection#exchange}
    */
   public LockstepConnection(

@@ -12,7 +12,7 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.ActuatorDescription;
 import org.u2sa.service.CommandedActuators;
 
-/** The actuators at the board: from commands to pulses. Belongs to the service's thread. */
+/** Actuators on the board: converts commands to pulses. Confined to the service's thread. */
 final class MotorOutputs {
   private static final double FULL_PERCENT = 100.0;
   private static final Map<String, String> EFFECTS =
@@ -22,14 +22,14 @@ final class MotorOutputs {
           "THROTTLE", "drives forward",
           "STEERING", "steers to the right");
 
-  private final Map<String, PulseOutput> outputs; // in the order of the pins
+  private final Map<String, PulseOutput> outputs; // in pin order
   private final Map<String, ActuatorDescription> descriptions;
   private final CommandedActuators commands;
   private final boolean together;
 
   /**
-   * @param descriptions of each output, for the announcements
-   * @param together whether all are neutral while one has no command
+   * @param descriptions description of each output, for announcements
+   * @param together whether all are neutral while any lacks a command
    */
   MotorOutputs(
       Map<String, PulseOutput> outputs,
@@ -42,7 +42,7 @@ final class MotorOutputs {
     this.together = together;
   }
 
-  /** What control systems are told of each. */
+  /** Announcement of each actuator. */
   List<ActuatorAnnouncement> announcements() {
     List<ActuatorAnnouncement> all = new ArrayList<>();
     for (String name : outputs.keySet()) {
@@ -60,8 +60,8 @@ final class MotorOutputs {
   /**
    * Sets each output's pulse.
    *
-   * @param mayMove false: neutral, whatever is commanded
-   * @param pins none: the board is not there, and the outputs begin at neutral when it is
+   * @param mayMove false forces neutral
+   * @param pins empty while disconnected; outputs restart at neutral after reconnection
    */
   void drive(boolean mayMove, Optional<BoardPins> pins, long nowMicros)
       throws ConnectionLostException {

@@ -1,17 +1,14 @@
 package org.u2sa.drivers.ioio;
 
-/**
- * What pins can do that is needed here, on both kinds of board, from the table {@code Board} of
- * IOIOLibCore 5.07.
- */
+/** Pin functions used here, for both boards, from the table {@code Board} of IOIOLibCore 5.07. */
 enum PinFunction {
   /** Any digital output. */
   OUTPUT("a digital output"),
-  /** PWM and the transmit line of a UART. */
+  /** PWM and UART transmit. */
   PERIPHERAL_OUTPUT("PWM or a UART's transmit line"),
-  /** Pulse capture and the receive line of a UART. */
+  /** Pulse capture and UART receive. */
   PERIPHERAL_INPUT("pulse measurement or a UART's receive line"),
-  /** Measurement of a voltage. */
+  /** Voltage measurement. */
   ANALOG_INPUT("an analog input");
 
   static final int FIRST_ANALOG = 31;
@@ -27,7 +24,7 @@ enum PinFunction {
     this.words = words;
   }
 
-  /** Whether a pin that exists has the function. */
+  /** Whether an existing pin supports the function. */
   boolean isAt(int pin, boolean isOtg) {
     return switch (this) {
       case OUTPUT -> true;
@@ -37,12 +34,12 @@ enum PinFunction {
     };
   }
 
-  /** The function in words. */
+  /** Display name. */
   String words() {
     return words;
   }
 
-  /** The last pin of a board. */
+  /** Highest pin number of a board. */
   static int lastPin(boolean isOtg) {
     return isOtg ? LAST_PIN_OTG : LAST_PIN_V1;
   }

@@ -4,16 +4,16 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What is wired to which pin.
+ * Pin assignment.
  *
- * @param pulses outputs of servo pulses
- * @param pulseHz pulses a second
+ * @param pulses servo pulse outputs
+ * @param pulseHz pulse rate [Hz]
  * @param gps the receiver
  * @param compass the compass
- * @param radio input of the radio's switch, {@link #NONE} if there is none
- * @param battery analog input, {@link #NONE} if there is none
- * @param sample analog input that is sampled in any case: the board's sign of life
- * @param led output of the status LED, {@link #NONE} if there is none
+ * @param radio radio switch input, or {@link #NONE}
+ * @param battery battery analog input, or {@link #NONE}
+ * @param sample analog input that is always sampled, as the board's heartbeat
+ * @param led status LED output, or {@link #NONE}
  */
 record PinPlan(
     List<Integer> pulses,
@@ -27,10 +27,10 @@ record PinPlan(
   static final int NONE = -1;
 
   /**
-   * Where a serial device is wired.
+   * Wiring of a serial device.
    *
-   * @param receive pin at which its bytes come
-   * @param transmit pin at which bytes to it leave, {@link #NONE} if there is none
+   * @param receive RX pin
+   * @param transmit TX pin, or {@link #NONE}
    * @param baud rate [bit/s]; 8 bits, no parity, one stop bit
    */
   record Uart(int receive, int transmit, int baud) {}

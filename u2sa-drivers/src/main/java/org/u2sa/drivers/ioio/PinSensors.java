@@ -10,10 +10,7 @@ import org.u2sa.device.TrueNorth;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.Sensor;
 
-/**
- * GPS and compass at the board's UARTs, and the messages that come of them. Belongs to the
- * service's thread.
- */
+/** GPS and compass on the board's UARTs and their messages. Confined to the service's thread. */
 final class PinSensors {
   private static final double SILENT_AFTER_S = 3.0;
 
@@ -22,11 +19,13 @@ final class PinSensors {
   private final Optional<FixReader> gps;
   private final Optional<HeadingReader> compass;
 
-  /** Reads the variables that say what the devices are. */
+  /** Reads the device variables. */
   PinSensors(Sensor service, PinPlan plan) {
     SensorVariables variables = service.settings(SensorVariables.class).get();
     TrueNorth north = new TrueNorth(service);
-    String name = service.sensorName(); // of two sensors: else a new heading replaced an unread fix
+    String name =
+        service.sensorName(); // distinct sensor names, so that a new heading does not replace an
+    // unread fix
     gps =
         plan.gps()
             .map(pins -> variables.gps(gpsLink, pins))
@@ -50,16 +49,16 @@ final class PinSensors {
                         variables.compassDelay()));
   }
 
-  /** Takes note of the board's pins, or that there are none now. */
+  /** Sets the board's pins; empty while disconnected. */
   void attach(Optional<BoardPins> pins) {
     gpsLink.attach(pins.flatMap(BoardPins::gps));
     compassLink.attach(pins.flatMap(BoardPins::compass));
   }
 
   /**
-   * Reads both. While the board is lost neither is: that is reported once, not for each device.
+   * Reads both devices. A lost board is reported once, not per device.
    *
-   * @return what is to be published: each fix and each heading once, at its own time
+   * @return messages to publish: each fix and heading once, with its own time
    */
   List<StateInformation> read(long nowMicros) {
     List<StateInformation> measured = new ArrayList<>(2);
@@ -75,7 +74,7 @@ final class PinSensors {
     return measured;
   }
 
-  /** Sends what is to go to the devices. */
+  /** Sends pending data to the devices. */
   void send(long nowMicros, Optional<FlushCounter> lockstep) throws IOException {
     gpsLink.send(nowMicros, lockstep);
     compassLink.send(nowMicros, lockstep);

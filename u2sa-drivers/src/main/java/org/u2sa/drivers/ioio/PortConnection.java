@@ -11,16 +11,16 @@ import org.u2sa.drivers.link.Port;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A board at a serial port of the desktop (IOIO-OTG on USB), or over TCP: the firmware simulator,
- * or a serial port on the network. The library's own socket connection waits for a board that
- * calls, which none does today.
+ * A board on a desktop serial port (IOIO-OTG on USB) or over TCP: the firmware simulator or a
+ * network serial port. The library's own socket connection waits for the board to call in, which no
+ * current board does.
  *
- * <p>The board takes the serial signal DTR for the connection: with its rise it says who it is,
- * with its fall, as when the port is closed or the process dies, it resets its pins.
+ * <p>The board treats the DTR signal as the connection: on its rise it identifies itself; on its
+ * fall, when the port closes or the process dies, it resets its pins.
  */
 final class PortConnection implements IOIOConnection {
   private final Port.Opener opener;
-  private Port port; // null before and after; guarded by this
+  private Port port; // null before and after the connection; guarded by this
   private volatile boolean ended;
 
   private PortConnection(Port.Opener opener) {
@@ -103,7 +103,7 @@ final class PortConnection implements IOIOConnection {
         byte[] buffer = new byte[length];
         int count = 0;
         while (count == 0 && !ended) {
-          count = source.read(buffer); // waits a moment at most
+          count = source.read(buffer); // blocks only briefly
         }
         System.arraycopy(buffer, 0, target, offset, count);
         return count == 0 ? -1 : count;

@@ -5,15 +5,16 @@ import ioio.lib.api.exception.ConnectionLostException;
 import java.util.OptionalDouble;
 
 /**
- * A pulse input of the board, read without waiting.
+ * A pulse input of the board, read without blocking.
  *
- * <p>The library can only wait for a pulse. An interrupted thread gets one that is there all the
- * same, and otherwise comes back at once, by an exception, which takes long. So where the board's
- * bytes are seen before the library gets them, as in lockstep, the library is asked only for pulses
- * that these bytes may have told of. Belongs to the service's thread.
+ * <p>The library can only wait for a pulse. An interrupted thread still receives an available pulse
+ * and otherwise returns immediately with an exception, which is slow. So in lockstep, where the
+ * board's bytes are seen before the library receives them, the library is asked only when those
+ * bytes may contain a pulse. Confined to the service's thread.
  */
 final class PulseLine {
-  // INCAP_REPORT: a pulse; then which input, 0 to 8, and its length (docs/drivers/ioio-protocol.md)
+  // INCAP_REPORT: a pulse, followed by input number, 0 to 8, and length
+  // (docs/drivers/ioio-protocol.md)
   private static final byte REPORT = 0x1C;
   private static final int INPUT = 0x0F;
   private static final int LAST_INPUT = 8;
@@ -21,13 +22,13 @@ final class PulseLine {
 
   private final PulseInput input;
   private boolean seesBytes;
-  private int told; // pulses not yet taken, at most: other bytes may look like a report
+  private int told; // upper bound of unread pulses: other bytes may look like a report
 
   PulseLine(PulseInput input) {
     this.input = input;
   }
 
-  /** Takes note of bytes that the library is about to get. */
+  /** Inspects bytes before the library receives them. */
   void comes(byte[] bytes) {
     seesBytes = true;
     for (int i = 0; i < bytes.length; i++) {
@@ -39,7 +40,7 @@ final class PulseLine {
     return (octet & UNUSED) == 0 && (octet & INPUT) <= LAST_INPUT;
   }
 
-  /** The width [s] of the oldest pulse not yet taken; empty if there is none. */
+  /** Width [s] of the oldest unread pulse; empty if none. */
   OptionalDouble next() throws ConnectionLostException {
     if (seesBytes && told == 0) {
       return OptionalDouble.empty();

@@ -4,19 +4,20 @@ import java.io.IOException;
 import java.io.InputStream;
 
 /**
- * Has the IOIO library read on the thread that has bytes for it. The library reads on a thread of
- * its own only, and to wake that and wait for it takes far longer than the reading.
+ * Lets the IOIO library read on the thread that has bytes for it. The library reads only on its own
+ * thread, and waking and awaiting that thread costs far more than the reading.
  *
- * <p>The library's loop ({@code IOIOProtocol.IncomingThread.run}) keeps nothing from one message to
- * the next but fields. So while its thread waits here for bytes, between two messages, another one
- * runs the same loop, and leaves it by an error when all is read. The loop closes its stream
- * whatever leaves it, and would tell everyone that the connection is lost if that returned: so
- * {@link #close} throws the error again.
+ * <p>The library's loop ({@code IOIOProtocol.IncomingThread.run}) keeps its state between messages
+ * in fields only. So while its thread waits here between two messages, another thread runs the same
+ * loop and exits it by an error once all bytes are read. The loop closes its stream on any exit and
+ * would then announce a lost connection, so {@link #close} rethrows the error.
  */
 final class ReadingLoop extends InputStream {
   private static final byte[] NOTHING = {};
 
-  /** Leaves the loop. The same one each time, without a stack trace: that would take longest. */
+  /**
+   * Exits the loop. A shared instance without stack trace, whose creation would dominate the cost.
+   */
   private static final class AllRead extends Error {
     private static final long serialVersionUID = 1L;
 
@@ -27,30 +28,30 @@ final class ReadingLoop extends InputStream {
 
   private final InputStream board;
   private final AllRead allRead = new AllRead();
-  private volatile Thread owner; // the library's, from its first read on
-  private byte[] bytes = NOTHING; // this and what follows belongs to the thread that takes bytes
+  private volatile Thread owner; // the library's thread, from its first read
+  private byte[] bytes = NOTHING; // this and the fields below belong to the consuming thread
   private int next;
   private boolean isLeaving;
 
   /**
-   * @param board the bytes that the library reads on its own thread, which waits there
+   * @param board stream the library reads, blocking, on its own thread
    */
   ReadingLoop(InputStream board) {
     this.board = board;
   }
 
-  /** Has the library take bytes, while its own thread waits for some. */
+  /** Lets the library consume bytes while its own thread waits. */
   void take(byte[] come) {
     bytes = come;
     next = 0;
     isLeaving = false;
     Runnable loop = owner;
     try {
-      loop.run(); // returns if the bytes were wrong: it has closed the stream, then
+      loop.run(); // returns only on invalid bytes, after closing the stream
     } catch (AllRead e) {
       bytes = NOTHING;
     } catch (AssertionError e) {
-      bytes = NOTHING; // so it says of wrong bytes, too, and has closed the stream
+      bytes = NOTHING; // also thrown on invalid bytes, after closing the stream
     }
   }
 

@@ -4,22 +4,21 @@ import java.io.IOException;
 import java.io.OutputStream;
 
 /**
- * Has the IOIO library send what is written to one UART, in lockstep, on the thread that writes.
- * The library sends on a thread of its own for each UART, at a moment of its own; to wake that and
- * to wait for it takes far longer than the sending.
+ * In lockstep, lets the IOIO library send a UART's data on the writing thread. The library uses one
+ * asynchronous sender thread per UART, and waking and awaiting it costs far more than the sending.
  *
- * <p>That thread sends once, and is then ended by an interrupt. From then on the writing thread
- * runs the library's loop ({@code FlowControlledOutputStream.FlushThread.run}), and leaves it by an
- * error when all is sent ({@link FlushCounter#run}). Its interrupt flag is set meanwhile: should
- * the loop wait for the board before, it returns there. Belongs to the service's thread.
+ * <p>That thread sends once and is then ended by an interrupt. Afterwards the writing thread runs
+ * the library's loop ({@code FlowControlledOutputStream.FlushThread.run}) and exits it by an error
+ * once all is sent ({@link FlushCounter#run}). Its interrupt flag is set meanwhile, so a wait for
+ * the board returns immediately. Confined to the service's thread.
  */
 final class SendingLoop {
-  private Thread owner; // the library's, ended; null before the first time
+  private Thread owner; // the library's ended thread; null before first use
 
   /**
-   * Writes bytes to a UART and returns when they are sent.
+   * Writes bytes to a UART and returns once they are sent.
    *
-   * @param sent counts what the library sends
+   * @param sent counter of the library's output
    */
   void send(OutputStream uart, byte[] bytes, int count, FlushCounter sent) throws IOException {
     sent.expect(count);
@@ -44,7 +43,7 @@ final class SendingLoop {
   }
 
   private static Thread end(Thread sender) throws InterruptedException {
-    sender.interrupt(); // nothing is left for it to send, so it is about to wait
+    sender.interrupt(); // it has nothing left to send and is about to wait
     sender.join();
     return sender;
   }

@@ -11,7 +11,7 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** The configuration variables that say what the GPS and the compass are. */
+/** Configuration variables of GPS and compass. */
 record SensorVariables(
     @Variable(
             ifAbsentText = "UBLOX 6",
@@ -64,7 +64,7 @@ record SensorVariables(
         double headingSigma) {
   private static final String NMEA = "NMEA";
 
-  /** The receiver at a line; if no pin leads to it, it is only listened to. */
+  /** Creates the receiver on a line; without a TX pin it is only read. */
   GpsReceiver gps(ByteLink link, PinPlan.Uart pins) {
     if (gpsReceiver.equals(NMEA)) {
       return LinkedGps.listening(link, new NmeaGps());
@@ -76,9 +76,9 @@ record SensorVariables(
   }
 
   /**
-   * The compass at a line.
+   * * Creates the compass on a line.
    *
-   * @throws BadInputException if it has to be asked and no pin leads to it
+   * @throws BadInputException if it must be polled and has no TX pin
    */
   Compass compass(ByteLink link, PinPlan.Uart pins) {
     if (compass.equals(NMEA)) {

@@ -10,14 +10,13 @@ import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A UART of the board, read and written without waiting. Bytes to the device leave somewhat slower
- * than the line could take them, so that they never fill the 256 bytes that the board holds.
- * Belongs to the service's thread.
+ * A UART of the board, read and written without blocking. Output is paced slightly below the line
+ * rate so that it never fills the board's 256-byte buffer. Confined to the service's thread.
  */
 final class UartLine {
   private static final double BITS_PER_BYTE = 10.0;
-  private static final double SHARE = 0.8; // of the line's rate
-  private static final int PACKET = 64; // what the board takes in one message
+  private static final double SHARE = 0.8; // share of the line rate
+  private static final int PACKET = 64; // maximum payload of one board message
 
   private final InputStream in;
   private final OutputStream out;
@@ -33,18 +32,18 @@ final class UartLine {
     bytesPerS = baud / BITS_PER_BYTE * SHARE;
   }
 
-  /** Takes what has come; returns how many bytes. */
+  /** Reads available bytes; returns their number. */
   int read(byte[] buffer) throws IOException {
     int available = in.available();
     return available == 0 ? 0 : in.read(buffer, 0, Math.min(available, buffer.length));
   }
 
-  /** How many bytes for the device wait. */
+  /** Number of bytes pending for the device. */
   int waiting() {
     return waiting.length;
   }
 
-  /** Bytes for the device; they leave in {@link #send}. */
+  /** Queues bytes for the device; {@link #send} sends them. */
   void write(byte[] bytes) {
     ByteArrayOutputStream all = new ByteArrayOutputStream();
     all.write(waiting, 0, waiting.length);
@@ -53,9 +52,9 @@ final class UartLine {
   }
 
   /**
-   * Sends as much of it as the line takes by now.
+   * Sends as many pending bytes as the line rate permits.
    *
-   * @param lockstep counts what the library sends, and all is sent on return; empty in real time
+   * @param lockstep counter of the library's output; all is sent on return. Empty in real time
    */
   void send(long nowMicros, Optional<FlushCounter> lockstep) throws IOException {
     double elapsedS = atMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(nowMicros - atMicros);

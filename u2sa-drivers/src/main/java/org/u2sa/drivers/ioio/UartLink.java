@@ -5,19 +5,19 @@ import java.util.Optional;
 import org.u2sa.drivers.link.ByteLink;
 
 /**
- * The way to a device at a UART of the board, over all connections to the board. What is written
- * leaves at the end of the service's step. Belongs to the service's thread.
+ * Link to a device on a board UART, persisting across board connections. Output is sent at the end
+ * of the service's step. Confined to the service's thread.
  */
 final class UartLink implements ByteLink {
   private static final int MOST_WAITING = 512;
   private static final String NOT_THERE = "the IOIO is not there";
 
-  private Optional<UartLine> line = Optional.empty(); // of the present connection
+  private Optional<UartLine> line = Optional.empty(); // current connection
   private int connections;
-  private boolean isUnseen; // the owner does not know of the present connection yet
+  private boolean isUnseen; // the owner has not been notified of the current connection yet
   private String trouble = NOT_THERE;
 
-  /** Takes note of the line of the present connection to the board, or that there is none. */
+  /** Sets the line of the current board connection; empty while disconnected. */
   void attach(Optional<UartLine> newLine) {
     if (newLine.isPresent() && newLine.get() != line.orElse(null)) {
       connections++;
@@ -28,9 +28,9 @@ final class UartLink implements ByteLink {
   }
 
   /**
-   * Sends what waits, as fast as the line takes it.
+   * Sends pending bytes, paced to the line rate.
    *
-   * @param lockstep counts what the library sends, and all is sent on return; empty in real time
+   * @param lockstep counter of the library's output; all is sent on return. Empty in real time
    */
   void send(long nowMicros, Optional<FlushCounter> lockstep) throws IOException {
     if (line.isPresent()) {
@@ -47,7 +47,8 @@ final class UartLink implements ByteLink {
     try {
       return line.get().read(buffer);
     } catch (IOException e) {
-      trouble = "the IOIO is lost: " + e.getMessage(); // which the keeper of the board notices, too
+      trouble =
+          "the IOIO is lost: " + e.getMessage(); // the board's supervisor notices this as well
       return 0;
     }
   }

@@ -3,28 +3,27 @@ package org.u2sa.drivers.link;
 import org.u2sa.device.Attached;
 
 /**
- * A two-way stream of bytes to a device: serial line, TCP or UDP, a UART of the IOIO, simulated or
- * replayed. A device that is not there is a state, not an exception: the link looks for it again by
- * itself. No call waits for the device.
+ * A bidirectional byte stream to a device: serial line, TCP, UDP, an IOIO UART, simulated or
+ * replayed. An absent device is a state, not an exception: the link reconnects by itself. No call
+ * blocks on the device.
  *
- * <p>One thread reads and writes; {@link #close} may come from any.
+ * <p>Reads and writes belong to one thread; {@link #close} is thread-safe.
  */
 public interface ByteLink extends Attached, AutoCloseable {
   /**
-   * Takes what has come since the last call.
+   * Reads the bytes received since the last call.
    *
-   * @param buffer filled from its beginning
-   * @return the number of bytes; 0 if nothing came or the device is not there, and once for each
-   *     new connection that the owner has not yet seen in {@link #connections}: so that no byte of
-   *     it is taken for a part of what came before. Bytes that were not read before a new
-   *     connection are dropped
+   * @param buffer filled from index 0
+   * @return number of bytes; 0 if nothing was received or the device is absent, and once after each
+   *     reconnection not yet visible in {@link #connections}, so that its bytes are never joined to
+   *     earlier ones. Bytes unread before a reconnection are dropped
    */
   int read(byte[] buffer);
 
   /**
-   * Hands bytes over for sending, all or none.
+   * Queues bytes for sending, all or none.
    *
-   * @return false if the device is not there or does not take them now; nothing was sent then
+   * @return false if the device is absent or the queue is full; nothing was queued then
    */
   boolean write(byte[] bytes);
 

@@ -8,7 +8,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
 
-/** Opens links from the addresses that users write in configuration files. */
+/** Opens links by address, as written in configuration files. */
 public final class ByteLinks {
 
   private static final double TCP_SILENCE_S = 5.0;
@@ -19,9 +19,9 @@ public final class ByteLinks {
   private ByteLinks() {}
 
   /**
-   * The link that a service's variable CONNECTION names; files are relative to the configuration.
+   * Opens the link of a service's variable CONNECTION; files are relative to the configuration.
    *
-   * @throws BadInputException if the address is none
+   * @throws BadInputException if the address is invalid
    */
   public static ByteLink of(ServiceContext context) {
     return open(
@@ -38,22 +38,23 @@ public final class ByteLinks {
   }
 
   /**
-   * Opens a link. Returns at once: the device need not be there yet.
+   * Opens a link. Returns immediately; the device may be absent.
    *
    * <ul>
    *   <li>{@code serial:PATH?baud=9600&parity=none&stop=1}: 8 data bits; parity none, even or odd;
-   *       {@code &dtr=off} drops the line Data Terminal Ready, which stops some devices
-   *   <li>{@code tcp:HOST:PORT?silence=5}: a device server, as client; after so many seconds
-   *       without a byte the connection counts as lost and is made anew; 0: never
-   *   <li>{@code udp:PORT?silence=2}: datagrams to that port, from anyone; answers go to who spoke
-   *       last
+   *       {@code &dtr=off} lowers Data Terminal Ready, which stops some devices
+   *   <li>{@code tcp:HOST:PORT?silence=5}: a device server, as client; after this many seconds
+   *       without a byte the connection counts as lost and is re-established; 0: never
+   *   <li>{@code udp:PORT?silence=2}: datagrams to that port, from anyone; replies go to the latest
+   *       sender
    *   <li>{@code udp:HOST:PORT?silence=2}: datagrams to and from that device
-   *   <li>{@code replay:FILE?speed=1}: a recording, so much faster than it was made; ends lost
+   *   <li>{@code replay:FILE?speed=1}: a recording, played at this multiple of its speed; lost at
+   *       its end
    * </ul>
    *
-   * @param clock the run's clock: times in recordings, and the pace of replays
-   * @param files where a relative file is; from {@code XmlConfiguration.resolve}
-   * @throws BadInputException if the address is none; the message quotes it and says what was
+   * @param clock the run's clock, for recording timestamps and replay speed
+   * @param files resolves relative file names; from {@code XmlConfiguration.resolve}
+   * @throws BadInputException if the address is invalid; the message quotes it and states what was
    *     expected
    */
   public static ByteLink open(String address, Clock clock, UnaryOperator<Path> files) {
@@ -72,8 +73,8 @@ public final class ByteLinks {
   }
 
   /**
-   * A way to open the device at {@code serial:PATH} or {@code tcp:HOST:PORT}, for those who look
-   * for it themselves. A serial device sees DTR rise.
+   * Opener of {@code serial:PATH} or {@code tcp:HOST:PORT}, for callers that manage the connection
+   * themselves. Opening a serial port raises DTR.
    *
    * @throws BadInputException if the address is neither
    */

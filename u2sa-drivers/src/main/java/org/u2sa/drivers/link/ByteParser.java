@@ -3,32 +3,33 @@ package org.u2sa.drivers.link;
 import java.util.Optional;
 
 /**
- * Makes sense of a device's bytes, however they came: serial line, network, a UART of the IOIO, a
- * recording. The bytes may be cut anywhere, and be garbage: what cannot be understood is counted
- * and passed over.
+ * Parses a device's bytes, independent of transport. Input boundaries are arbitrary and bytes may
+ * be garbage: malformed data is counted and skipped.
  *
- * <p>For one thread.
+ * <p>Not thread-safe.
  *
- * @param <R> what it makes of them
+ * @param <R> reading type
  */
 public interface ByteParser<R> {
   /**
-   * Takes the next bytes of the stream.
+   * Consumes bytes.
    *
-   * @param length how many of {@code bytes} count, from the beginning
-   * @param nowMicros when they came [µs of the run's clock]: the time of the readings in them
+   * @param length number of valid {@code bytes}
+   * @param nowMicros arrival time [µs, run's clock], used as the time of the readings
    */
   void accept(byte[] bytes, int length, long nowMicros);
 
-  /** Forgets what is half received, as after a loss of the device; the newest reading stays. */
+  /**
+   * Discards a partial message, for example after a loss of the device; the latest reading is kept.
+   */
   void reset();
 
-  /** The newest reading; empty before the first. A new object for each, the same until the next. */
+  /** Latest reading; empty before the first. The same object until the next reading. */
   Optional<R> latest();
 
-  /** How many messages were refused so far: wrong checksum, cut off, out of range. */
+  /** Number of messages rejected: wrong checksum, truncated, out of range. */
   long refused();
 
-  /** Why the last of {@link #refused} was, for the log; empty if none was. */
+  /** Reason of the last rejection, for the log; empty if none. */
   String lastRefusal();
 }

@@ -1,6 +1,6 @@
 package org.u2sa.drivers.link;
 
-/** The newest bytes that wait to be read, up to a limit. Not safe for several threads. */
+/** Ring buffer of unread bytes that drops the oldest. Not thread-safe. */
 final class ByteRing {
   private final byte[] bytes;
   private int first;
@@ -11,9 +11,9 @@ final class ByteRing {
   }
 
   /**
-   * Takes bytes in; where there are too many, the oldest are dropped.
+   * Appends bytes, dropping the oldest on overflow.
    *
-   * @return how many were dropped
+   * @return number of bytes dropped
    */
   int put(byte[] from, int length) {
     int skipped = Math.max(0, length - bytes.length);
@@ -29,7 +29,7 @@ final class ByteRing {
     return skipped + dropped;
   }
 
-  /** Gives the oldest bytes out; returns how many. */
+  /** Removes the oldest bytes; returns their number. */
   int take(byte[] to) {
     int taken = Math.min(to.length, count);
     int untilEnd = Math.min(taken, bytes.length - first);

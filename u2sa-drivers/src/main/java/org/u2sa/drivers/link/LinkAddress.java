@@ -7,12 +7,12 @@ import java.util.TreeSet;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Where a device is, as users write it: {@code serial:/dev/ttyUSB0?baud=9600}, {@code
+ * Address of a device as written by users: {@code serial:/dev/ttyUSB0?baud=9600}, {@code
  * tcp:192.168.1.7:4001}, {@code udp:10110}, {@code udp:192.168.1.7:10110}, {@code
  * replay:gps.rec?speed=2}; each with {@code &record=FILE}.
  */
 final class LinkAddress {
-  /** What is expected, for messages. */
+  /** Expected forms, for error messages. */
   static final String EXPECTED =
       "expected serial:PATH?baud=N, tcp:HOST:PORT, udp:PORT, udp:HOST:PORT or replay:FILE";
 
@@ -51,31 +51,31 @@ final class LinkAddress {
     return kind;
   }
 
-  /** What stands between kind and options. */
+  /** Text between kind and options. */
   String target() {
     return target;
   }
 
-  /** The host of HOST:PORT, or of [IPV6]:PORT; empty if there is a port only. */
+  /** Host of HOST:PORT or [IPV6]:PORT; empty if only a port is given. */
   String host() {
     int colon = target.lastIndexOf(':');
     String host = colon < 0 ? "" : target.substring(0, colon);
     return host.startsWith("[") && host.endsWith("]") ? host.substring(1, host.length() - 1) : host;
   }
 
-  /** The port of HOST:PORT or PORT. */
+  /** Port of HOST:PORT or PORT. */
   int port() {
     String port = target.substring(target.lastIndexOf(':') + 1);
     return whole("port", port, 1, HIGHEST_PORT);
   }
 
-  /** An option that is a whole number. */
+  /** An integer option. */
   int option(String name, int ifAbsent, int lowest, int highest) {
     String value = options.get(name);
     return value == null ? ifAbsent : whole("option \"" + name + "\"", value, lowest, highest);
   }
 
-  /** An option that is a number. */
+  /** A numeric option. */
   double option(String name, double ifAbsent, double lowest, double highest) {
     String value = options.get(name);
     if (value == null) {
@@ -92,7 +92,7 @@ final class LinkAddress {
     throw refused("option \"" + name + "\": " + value + " is outside " + lowest + "…" + highest);
   }
 
-  /** An option that is on or off. */
+  /** An on/off option. */
   boolean flag(String name, boolean ifAbsent) {
     String value = options.getOrDefault(name, ifAbsent ? "on" : "off");
     if (!value.equals("on") && !value.equals("off")) {
@@ -101,13 +101,13 @@ final class LinkAddress {
     return value.equals("on");
   }
 
-  /** An option that is text; empty if absent. */
+  /** A text option; empty if absent. */
   String option(String name) {
     return options.getOrDefault(name, "");
   }
 
   /**
-   * @throws BadInputException if there are others than these
+   * @throws BadInputException if there are other options
    */
   void onlyOptions(Set<String> known) {
     for (String name : options.keySet()) {

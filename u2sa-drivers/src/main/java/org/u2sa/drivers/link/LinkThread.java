@@ -1,17 +1,17 @@
 package org.u2sa.drivers.link;
 
-/** One of the threads of a link, which do not keep the process alive. */
+/** A daemon thread of a link. */
 final class LinkThread {
   private final Thread thread;
 
-  /** Starts it. */
+  /** Starts the thread. */
   LinkThread(String name, Runnable work) {
     thread = new Thread(work, name);
     thread.setDaemon(true);
     thread.start();
   }
 
-  /** Waits for its end; false if the caller was interrupted, which then interrupts it. */
+  /** Joins the thread; if the caller is interrupted, interrupts it and returns false. */
   boolean ended(int withinMs) {
     try {
       thread.join(withinMs);

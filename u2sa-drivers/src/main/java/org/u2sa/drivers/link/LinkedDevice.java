@@ -4,18 +4,19 @@ import java.util.Optional;
 import org.u2sa.device.Device;
 
 /**
- * A device at the other end of a link: begins anew with each connection, hears what has come, and
- * then says what is to be said. Belongs to one thread.
+ * A device on a link: resets on each connection, reads pending bytes, then writes what is due. Not
+ * thread-safe.
  */
 public abstract class LinkedDevice<R extends Device.Reading> implements Device<R> {
   private static final int BUFFER_BYTES = 4_096;
-  private static final int MOST_BYTES_A_READ = 1 << 20; // a flood must not hold its reader for ever
+  private static final int MOST_BYTES_A_READ =
+      1 << 20; // bounds one read so that a flood cannot starve the caller
 
   protected final ByteLink link;
   private final byte[] buffer = new byte[BUFFER_BYTES];
   private int connections;
 
-  /** Over that link, which is closed with the device. */
+  /** Uses the link; closing the device closes it. */
   protected LinkedDevice(ByteLink link) {
     this.link = link;
   }
@@ -34,19 +35,19 @@ public abstract class LinkedDevice<R extends Device.Reading> implements Device<R
     return latest();
   }
 
-  /** The device was found, maybe not for the first time: half a message is none any more. */
+  /** Called on every (re)connection; discards any partial message. */
   protected abstract void found(long nowMicros);
 
-  /** Takes bytes of the device; the first {@code length} count. */
+  /** Consumes the first {@code length} bytes. */
   protected abstract void hear(byte[] bytes, int length, long nowMicros);
 
-  /** Tells the device what is due, at the end of each read. */
+  /** Sends pending requests; called at the end of each read. */
   protected void act(long nowMicros) {}
 
-  /** The newest reading, as {@link #read} returns it. */
+  /** Latest reading, as returned by {@link #read}. */
   protected abstract Optional<R> latest();
 
-  /** What is wrong with a device whose link is well; empty if nothing is. */
+  /** Device fault while the link is up; empty if none. */
   protected String ownTrouble() {
     return "";
   }

@@ -3,20 +3,20 @@ package org.u2sa.drivers.link;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
-/** What waits to be sent, up to a limit. Not safe for several threads. */
+/** Bounded queue of outgoing data. Not thread-safe. */
 final class Outbox {
   private final int capacity;
   private final Deque<byte[]> waiting = new ArrayDeque<>();
   private int count;
 
   /**
-   * @param capacity most bytes that wait
+   * @param capacity maximum number of queued bytes
    */
   Outbox(int capacity) {
     this.capacity = capacity;
   }
 
-  /** Takes a copy of all, or nothing; returns whether. */
+  /** Queues a copy if it fits; returns whether it did. */
   boolean put(byte[] bytes) {
     if (count + bytes.length > capacity) {
       return false;
@@ -30,7 +30,7 @@ final class Outbox {
     return waiting.isEmpty();
   }
 
-  /** The oldest. */
+  /** Removes the oldest entry. */
   byte[] take() {
     byte[] next = waiting.remove();
     count -= next.length;

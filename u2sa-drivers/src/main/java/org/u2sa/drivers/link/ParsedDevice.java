@@ -3,11 +3,11 @@ package org.u2sa.drivers.link;
 import java.util.Optional;
 import org.u2sa.device.Device;
 
-/** A device at the other end of a link whose bytes a parser understands. */
+/** A device on a link with a parser. */
 public abstract class ParsedDevice<R extends Device.Reading> extends LinkedDevice<R> {
   private final ByteParser<R> parser;
 
-  /** Over that link, which is closed with the device. */
+  /** Uses the link; closing the device closes it. */
   protected ParsedDevice(ByteLink link, ByteParser<R> parser) {
     super(link);
     this.parser = parser;

@@ -5,9 +5,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * A link to a device that may be unplugged: one thread looks for it and reads, another one writes,
- * so that the owner never waits. The waits between two attempts grow from 0.1 s to 0.8 s, so that a
- * device that returns is found within 2 s.
+ * A link that reconnects automatically: one thread connects and reads, another writes, so the owner
+ * never blocks. Back-off between attempts grows from 0.1 s to 0.8 s, so a returning device is found
+ * within 2 s.
  */
 final class ReconnectingLink implements ByteLink {
   private static final int FIRST_WAIT_MS = 100;
@@ -19,26 +19,26 @@ final class ReconnectingLink implements ByteLink {
   private static final int BUFFER_BYTES = 4_096;
 
   private final Port.Opener opener;
-  private final long silenceMicros; // 0: silence is no loss
-  private final Clock stopwatch = new SystemClock(); // devices live in real time
+  private final long silenceMicros; // 0: silence does not count as loss
+  private final Clock stopwatch = new SystemClock(); // hardware timeouts use real time
   private final LinkThread reader;
   private final LinkThread writer;
 
   // guarded by this
   private final ByteRing unread = new ByteRing(UNREAD_BYTES);
   private final Outbox unsent = new Outbox(UNSENT_BYTES);
-  private Port port; // null: none is open
+  private Port port; // null if none is open
   private boolean connected;
   private int found;
-  private int told; // the number of the connection that the owner knows of
+  private int told; // number of connections the owner has seen
   private String trouble = "not found yet";
-  private boolean closing; // takes no more, but sends what it has: such as that a motor is to stop
+  private boolean closing; // accepts no more data but sends pending data, such as a motor stop
   private boolean closed;
 
   /**
-   * Begins to look for the device.
+   * Starts connecting.
    *
-   * @param name for the threads
+   * @param name used in thread names
    * @param silenceS time without a byte after which the device counts as lost [s]; 0: never
    */
   ReconnectingLink(String name, Port.Opener opener, double silenceS) {
@@ -63,11 +63,11 @@ final class ReconnectingLink implements ByteLink {
         waitMs = Math.min(LONGEST_WAIT_MS, 2 * waitMs);
       }
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // told to end
+      Thread.currentThread().interrupt(); // shutting down
     }
   }
 
-  /** Returns whether the device was there. */
+  /** Returns whether the device was reached. */
   private boolean readUntilLost() {
     boolean wasThere = false;
     try (Port opened = opener.open()) {
@@ -77,7 +77,7 @@ final class ReconnectingLink implements ByteLink {
       }
     } catch (IOException e) {
       lost(e.getMessage());
-    } catch (RuntimeException e) { // a library's bug must not end the looking
+    } catch (RuntimeException e) { // a library bug must not stop reconnection
       lost(e.toString());
     }
     synchronized (this) {
@@ -103,7 +103,7 @@ final class ReconnectingLink implements ByteLink {
     }
   }
 
-  /** Returns false if this was closed meanwhile. */
+  /** Returns false if the link was closed in the meantime. */
   private synchronized boolean use(Port opened) {
     if (closed) {
       return false;
@@ -158,7 +158,7 @@ final class ReconnectingLink implements ByteLink {
         send(to, next);
       }
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // told to end
+      Thread.currentThread().interrupt(); // shutting down
     }
   }
 
@@ -167,7 +167,7 @@ final class ReconnectingLink implements ByteLink {
       to.write(bytes);
     } catch (IOException | RuntimeException e) {
       lost(e.getMessage());
-      close(to); // the reader notices and looks for the device anew
+      close(to); // the reader detects this and reconnects
     }
   }
 
@@ -186,7 +186,7 @@ final class ReconnectingLink implements ByteLink {
   @Override
   public synchronized int read(byte[] buffer) {
     if (told != found) {
-      told = found; // what comes next is of another connection: the owner shall look first
+      told = found; // the next bytes belong to a new connection; the owner must notice first
       return 0;
     }
     return unread.take(buffer);

@@ -9,12 +9,12 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Writes down all that passes a link, with times, for a {@link ReplayLink}. Text, a line for each
- * event: microseconds since the beginning, then {@code <} and the bytes that came, {@code >} and
- * those sent, {@code +} for a device found, {@code -} for one lost; bytes in hexadecimal.
+ * Records a link's traffic for a {@link ReplayLink}. Text, one line per event: microseconds since
+ * the start, then {@code <} with received bytes, {@code >} with sent bytes, {@code +} for
+ * connected, {@code -} for lost; bytes in hexadecimal.
  */
 final class RecordingLink implements ByteLink {
-  /** The first line of a recording. */
+  /** First line of a recording. */
   static final String HEADER = "# u2sa link recording 1";
 
   private static final char[] HEX = "0123456789abcdef".toCharArray();
@@ -24,15 +24,15 @@ final class RecordingLink implements ByteLink {
   private final Clock clock;
   private final long beginMicros;
   private final StringBuilder line = new StringBuilder();
-  private Writer out; // null after a failure, or closed
+  private Writer out; // null after a failure or close
   private String failure = "";
   private int connections;
   private boolean connected;
 
   /**
-   * Begins a recording.
+   * Starts a recording.
    *
-   * @param file written anew
+   * @param file overwritten
    * @throws BadInputException if it cannot be written
    */
   RecordingLink(ByteLink link, Path file, Clock clock) {
@@ -94,7 +94,7 @@ final class RecordingLink implements ByteLink {
     }
     try {
       out.append(line).append('\n');
-      out.flush(); // what led to a crash is worth most
+      out.flush(); // the bytes before a crash matter most
     } catch (IOException e) {
       fail(e);
     }

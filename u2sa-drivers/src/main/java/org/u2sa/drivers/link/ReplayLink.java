@@ -11,9 +11,9 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Plays a {@link RecordingLink}'s file in place of the device, at its pace, on the run's clock: in
- * simulated time too. What is written to it is taken and forgotten. After the last event the device
- * is lost.
+ * Replays a {@link RecordingLink}'s file in place of the device, at recorded speed on the run's
+ * clock, including simulated time. Writes are accepted and discarded. After the last event the
+ * device is lost.
  */
 final class ReplayLink implements ByteLink {
   private record Event(long dueMicros, char what, byte[] bytes) {}
@@ -23,7 +23,7 @@ final class ReplayLink implements ByteLink {
   private final double speed;
   private final Deque<Event> events = new ArrayDeque<>();
   private final ByteRing unread;
-  private long beginMicros = Clock.NEVER; // the first look
+  private long beginMicros = Clock.NEVER; // time of the first access
   private boolean connected;
   private int connections;
   private int told;
@@ -32,8 +32,8 @@ final class ReplayLink implements ByteLink {
   /**
    * Opens a recording.
    *
-   * @param speed how many times faster than it was made
-   * @throws BadInputException if it is not there or no recording; names the line
+   * @param speed playback speed relative to the recording
+   * @throws BadInputException if it is missing or not a recording; names the line
    */
   ReplayLink(Path file, Clock clock, double speed) {
     this.file = file;
@@ -94,7 +94,7 @@ final class ReplayLink implements ByteLink {
     return bytes;
   }
 
-  /** Lets happen what is due. */
+  /** Processes due events. */
   private void play() {
     long now = clock.micros();
     if (beginMicros == Clock.NEVER) {

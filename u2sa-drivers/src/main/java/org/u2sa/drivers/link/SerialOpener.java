@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.util.Arrays;
 
 /**
- * Opens a serial port of the desktop, by jSerialComm: the only class that knows it, loaded for
- * {@code serial:} addresses only, since Android has no such ports.
+ * Opens desktop serial ports with jSerialComm; the only class that uses it, loaded only for {@code
+ * serial:} addresses because Android has no such ports.
  */
 final class SerialOpener implements Port.Opener {
   private static final int DATA_BITS = 8;
@@ -23,8 +23,8 @@ final class SerialOpener implements Port.Opener {
   private final boolean raisesDtr;
 
   /**
-   * @param raisesDtr whether the device awaits the rise of DTR, which may be up already
-   * @throws org.u2sa.interfaces.BadInputException if an option is wrong
+   * @param raisesDtr whether the device waits for a rising DTR, which may already be high
+   * @throws org.u2sa.interfaces.BadInputException if an option is invalid
    */
   SerialOpener(LinkAddress address, boolean raisesDtr) {
     this.raisesDtr = raisesDtr;
@@ -62,7 +62,8 @@ final class SerialOpener implements Port.Opener {
       return new Opened(path, port);
     } catch (SerialPortInvalidPortException e) {
       throw new IOException(path + " is not there", e);
-    } catch (LinkageError e) { // a phone has no such natives: first unsatisfied, then no class
+    } catch (LinkageError e) { // no native library on phones: UnsatisfiedLinkError first, then
+      // NoClassDefFoundError
       throw new IOException("no serial ports on this platform: " + e.getMessage(), e);
     }
   }
@@ -78,7 +79,7 @@ final class SerialOpener implements Port.Opener {
     };
   }
 
-  /** The numbers of errno(3) that users meet. */
+  /** Messages for the errno(3) values users encounter. */
   private static String errorText(int code) {
     return switch (code) {
       case 2 -> "it is not there";

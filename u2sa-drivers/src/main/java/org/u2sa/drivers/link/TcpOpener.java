@@ -24,7 +24,7 @@ final class TcpOpener implements Port.Opener {
   public Port open() throws IOException {
     Socket socket = new Socket();
     try {
-      socket.connect(new InetSocketAddress(host, port), CONNECT_MS); // resolved anew each time
+      socket.connect(new InetSocketAddress(host, port), CONNECT_MS); // resolved on every attempt
       socket.setTcpNoDelay(true);
       socket.setSoTimeout(Port.PATIENCE_MS);
       return new Connected(host + ":" + port, socket);
@@ -57,7 +57,7 @@ final class TcpOpener implements Port.Opener {
         }
         return count;
       } catch (SocketTimeoutException e) {
-        return 0; // nothing came: that is no trouble
+        return 0; // a read timeout is normal
       }
     }
 

@@ -10,13 +10,13 @@ import java.net.SocketAddress;
 import java.net.SocketTimeoutException;
 
 /**
- * Exchanges datagrams with a device: one that sends to a port of this machine, or one at a known
- * address. Each datagram's bytes are taken as the next ones of a stream.
+ * Exchanges datagrams with a device that sends to a local port, or with one at a known address.
+ * Datagram payloads are treated as a byte stream.
  */
 final class UdpOpener implements Port.Opener {
   private static final int LARGEST = 65_507;
 
-  private final String host; // empty: whoever sends
+  private final String host; // empty for any sender
   private final int port;
 
   UdpOpener(String host, int port) {
@@ -44,9 +44,9 @@ final class UdpOpener implements Port.Opener {
   private static final class Exchange implements Port {
     private final DatagramSocket socket;
     private final DatagramPacket packet = new DatagramPacket(new byte[LARGEST], LARGEST);
-    private final SocketAddress known; // null: whoever sends
+    private final SocketAddress known; // null for any sender
     private volatile SocketAddress peer;
-    private int taken; // of the packet
+    private int taken; // bytes consumed of the packet
     private int length;
 
     Exchange(DatagramSocket socket, SocketAddress known) throws IOException {
@@ -74,10 +74,10 @@ final class UdpOpener implements Port.Opener {
       try {
         socket.receive(packet);
       } catch (SocketTimeoutException | PortUnreachableException e) {
-        return false; // nobody speaks: silence tells that the device is gone
+        return false; // no sender yet: presence is known only from received data
       }
       if (known != null && !known.equals(packet.getSocketAddress())) {
-        return false; // a stranger
+        return false; // unknown sender
       }
       peer = packet.getSocketAddress();
       length = packet.getLength();

@@ -1,5 +1,5 @@
 /**
- * Ways to a device: two-way streams of bytes that may be lost and come back. What the bytes mean
- * belongs to the packages of the devices.
+ * Transports to devices: bidirectional byte streams that reconnect. Protocols belong to the device
+ * packages.
  */
 package org.u2sa.drivers.link;

@@ -10,13 +10,13 @@ import java.util.function.Function;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Commands as roll and pitch angles, rate of yaw and thrust: SET_ATTITUDE_TARGET. Neutral is level,
- * at the heading that was reached, at the neutral thrust.
+ * Commands as roll, pitch, yaw rate and thrust: SET_ATTITUDE_TARGET. Neutral is level attitude,
+ * current heading and neutral thrust.
  *
- * <p>The rate of yaw is sent as a heading that moves on from the vehicle's own: ArduCopter stops at
- * a message with some of the three body rates, and takes the quaternion's yaw as a compass heading.
- * An attitude without rates is what it, its older versions, ArduPlane, Rover and PX4 all read the
- * same way (docs/drivers/mavlink.md).
+ * <p>Yaw rate is sent as a heading that advances from the vehicle's own, because ArduCopter stops
+ * on a message with only some body rates and treats the quaternion's yaw as a compass heading. An
+ * attitude without rates is interpreted identically by all ArduCopter versions, ArduPlane, Rover
+ * and PX4 (docs/drivers/mavlink.md).
  */
 final class AttitudeTarget implements CommandForm {
   static final String ROLL = "ROLL ANGLE";
@@ -25,16 +25,17 @@ final class AttitudeTarget implements CommandForm {
   static final String THRUST = "THRUST";
 
   private static final double FULL_PERCENT = 100.0;
-  // Bits 0, 1 and 2 ignore the rates of roll, pitch and yaw: the angles are left.
+  // Bits 0, 1 and 2 ignore roll, pitch and yaw rates, leaving the angles.
   private static final EnumValue<AttitudeTargetTypemask> ANGLES = EnumValue.create(0b111);
   private static final long NEVER = Long.MIN_VALUE / 2;
   private static final long FRESH_MICROS = Clock.micros(1.0);
-  private static final double MOST_LEAD_RAD = 0.5; // a vehicle that cannot follow is not run from
+  private static final double MOST_LEAD_RAD =
+      0.5; // bounds the lead over a vehicle that cannot follow
 
   private final double fullTiltRad;
   private final double fullYawRadPerS;
   private final double neutralThrust;
-  private double vehicleRad; // where its nose points, clockwise from true north
+  private double vehicleRad; // heading, clockwise from true north
   private long vehicleMicros = NEVER;
   private double targetRad;
   private long targetMicros = NEVER;
@@ -42,7 +43,7 @@ final class AttitudeTarget implements CommandForm {
   /**
    * @param fullTiltRad roll, right wing down, and pitch, nose up, at 100 % [rad]
    * @param fullYawRadPerS rate of yaw to the right at 100 % [rad/s]
-   * @param neutralThrust 0…1, where nothing is commanded
+   * @param neutralThrust thrust without a command, 0…1
    */
   AttitudeTarget(double fullTiltRad, double fullYawRadPerS, double neutralThrust) {
     this.fullTiltRad = fullTiltRad;
@@ -72,7 +73,7 @@ final class AttitudeTarget implements CommandForm {
     return nowMicros - vehicleMicros <= FRESH_MICROS || isTurning(nowMicros);
   }
 
-  /** Whether there is a target heading to go on from. */
+  /** Whether a target heading exists. */
   private boolean isTurning(long nowMicros) {
     return nowMicros - targetMicros <= FRESH_MICROS;
   }

@@ -7,8 +7,8 @@ import java.util.function.Function;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * When which command message goes out: while commands hold, at their rate; when they end, neutral
- * for a time; then control is given back, and nothing more is said.
+ * Schedules command messages: at their rate while commands are valid, then neutral for a while,
+ * then control is released.
  */
 final class AutopilotCommands {
   private static final int RELEASES = 3; // a datagram may be lost
@@ -18,15 +18,15 @@ final class AutopilotCommands {
   private final long neutralMicros;
   private final Consumer<Object> out;
   private boolean isWaiting;
-  private boolean holds; // control: something was sent since it was given back
+  private boolean holds; // in control: something was sent since the last release
   private int releasesLeft;
-  private long heldMicros; // when a command last held
+  private long heldMicros; // time of the last valid command
   private long dueMicros = Long.MIN_VALUE;
 
   /**
-   * @param everyS between two messages [s]
-   * @param neutralS how long neutral is sent at the end [s]
-   * @param out takes the messages
+   * @param everyS interval between messages [s]
+   * @param neutralS duration of neutral at the end [s]
+   * @param out receives the messages
    */
   AutopilotCommands(CommandForm form, double everyS, double neutralS, Consumer<Object> out) {
     this.form = form;
@@ -36,7 +36,7 @@ final class AutopilotCommands {
   }
 
   /**
-   * Sends what is due.
+   * Sends due messages.
    *
    * @param percentages of each actuator by name; empty without a command
    */
@@ -65,7 +65,7 @@ final class AutopilotCommands {
     dueMicros = nowMicros + everyMicros;
   }
 
-  /** Sends neutral at once, if anything was commanded. */
+  /** Sends neutral immediately if in control. */
   void stop(CommandForm.Target target, long nowMicros) {
     if (holds) {
       sendNeutral(target, nowMicros);
@@ -73,7 +73,7 @@ final class AutopilotCommands {
     }
   }
 
-  /** Neutral, and control is given back, at once: the service ends. */
+  /** Sends neutral and releases control immediately, for shutdown. */
   void end(CommandForm.Target target, long nowMicros) {
     if (holds) {
       sendNeutral(target, nowMicros);
@@ -88,7 +88,7 @@ final class AutopilotCommands {
     }
   }
 
-  /** Whether a command holds that cannot be sent: too little is known of the vehicle. */
+  /** Whether a valid command cannot be sent because the vehicle's state is unknown. */
   boolean isWaiting() {
     return isWaiting;
   }

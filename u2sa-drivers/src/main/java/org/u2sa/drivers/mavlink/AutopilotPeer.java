@@ -16,8 +16,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * The conversation beside measurements and commands: who the autopilot is, heartbeats both ways,
- * which messages it is to send, and what it says of itself.
+ * Session with the autopilot: identification, heartbeats both ways, message rates, and status
+ * texts.
  */
 final class AutopilotPeer {
   private static final long HEARTBEAT_MICROS = Clock.micros(1.0);
@@ -32,7 +32,7 @@ final class AutopilotPeer {
 
   private final double stateHz;
   private final Consumer<Object> out;
-  private int system; // 0: not known yet
+  private int system; // 0 until known
   private long heartbeatDueMicros = Long.MIN_VALUE;
   private long askDueMicros = Long.MIN_VALUE;
   private long streamedMicros = Long.MIN_VALUE / 2;
@@ -40,9 +40,9 @@ final class AutopilotPeer {
   private MavState said;
 
   /**
-   * @param system the autopilot's ID; 0: whichever is heard first
-   * @param stateHz how often it is to send attitude and position [Hz]
-   * @param out takes the messages to send
+   * @param system the autopilot's system ID; 0 for the first one heard
+   * @param stateHz requested rate of attitude and position [Hz]
+   * @param out receives the messages to send
    */
   AutopilotPeer(int system, double stateHz, Consumer<Object> out) {
     this.system = system;
@@ -50,7 +50,7 @@ final class AutopilotPeer {
     this.out = out;
   }
 
-  /** Whether a message is the autopilot's; the first autopilot's heartbeat settles who that is. */
+  /** Whether a message is from the autopilot, which the first autopilot heartbeat identifies. */
   boolean isFrom(MavlinkStream.Received message) {
     boolean isAutopilot =
         message.payload() instanceof Heartbeat heartbeat
@@ -64,14 +64,14 @@ final class AutopilotPeer {
         && message.componentId() == AUTOPILOT_COMPONENT;
   }
 
-  /** To whom commands go; empty until it is known. */
+  /** Target of commands; empty until known. */
   Optional<CommandForm.Target> target() {
     return system == 0
         ? Optional.empty()
         : Optional.of(new CommandForm.Target(system, AUTOPILOT_COMPONENT));
   }
 
-  /** Sends the own heartbeat, and asks for messages that do not come. */
+  /** Sends our heartbeat and requests missing messages. */
   void step(boolean isHeard, long nowMicros) {
     if (nowMicros >= heartbeatDueMicros) {
       heartbeatDueMicros = nowMicros + HEARTBEAT_MICROS;
@@ -103,12 +103,12 @@ final class AutopilotPeer {
             .build());
   }
 
-  /** Takes note that what was asked for comes. */
+  /** Marks a requested message as received. */
   void streams(long nowMicros) {
     streamedMicros = nowMicros;
   }
 
-  /** Tells of arming, and of states that are trouble, when they change. */
+  /** Reports changes of arming and of fault states. */
   void take(Heartbeat heartbeat, Consumer<String> log, Consumer<String> trouble) {
     boolean isArmed = heartbeat.baseMode().flagsEnabled(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED);
     if (armed.isEmpty() || armed.get() != isArmed) {
@@ -124,7 +124,7 @@ final class AutopilotPeer {
     }
   }
 
-  /** Passes on what it says in words. */
+  /** Forwards status texts. */
   void take(Statustext text, Consumer<String> log, Consumer<String> trouble) {
     boolean isGrave = text.severity().value() <= MavSeverity.MAV_SEVERITY_ERROR.ordinal();
     (isGrave ? trouble : log).accept("the autopilot says: " + text.text());

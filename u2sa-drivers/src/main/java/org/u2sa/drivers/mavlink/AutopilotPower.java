@@ -6,8 +6,8 @@ import java.util.Optional;
 import org.u2sa.messages.BatteryState;
 
 /**
- * The autopilot's batteries: BATTERY_STATUS for each, or the one of SYS_STATUS while none of those
- * has come.
+ * The autopilot's batteries, from BATTERY_STATUS, or from SYS_STATUS until a BATTERY_STATUS
+ * arrives.
  */
 final class AutopilotPower {
   private static final double MILLI = 1.0e-3;
@@ -21,7 +21,7 @@ final class AutopilotPower {
     this.sensorName = sensorName;
   }
 
-  /** Empty once there are details, or if it knows no voltage. */
+  /** Empty once BATTERY_STATUS arrives, or if the voltage is unknown. */
   Optional<BatteryState> of(SysStatus message) {
     if (hasDetails || message.voltageBattery() == UNKNOWN_MV) {
       return Optional.empty();
@@ -31,11 +31,11 @@ final class AutopilotPower {
     return Optional.of(withRest(state, message.currentBattery(), message.batteryRemaining()));
   }
 
-  /** Empty if it knows no voltage. */
+  /** Empty if the voltage is unknown. */
   Optional<BatteryState> of(BatteryStatus message) {
     int sumMv = 0;
     boolean isKnown = false;
-    for (int mv : message.voltages()) { // of the cells, or of the whole in the first
+    for (int mv : message.voltages()) { // per cell, or the total in the first entry
       if (mv != UNKNOWN_MV) {
         sumMv += mv;
         isKnown = true;
@@ -44,7 +44,7 @@ final class AutopilotPower {
     if (!isKnown) {
       return Optional.empty();
     }
-    for (int mv : message.voltagesExt()) { // cells 11 to 14; 0: none
+    for (int mv : message.voltagesExt()) { // cells 11 to 14; 0 if absent
       sumMv += mv;
     }
     hasDetails = true;
@@ -53,7 +53,7 @@ final class AutopilotPower {
     return Optional.of(withRest(state, message.currentBattery(), message.batteryRemaining()));
   }
 
-  /** Negative: unknown. */
+  /** Empty for negative values, which mean unknown. */
   private static BatteryState withRest(BatteryState state, int centiamps, int percent) {
     if (centiamps >= 0) {
       state.current(centiamps * CENTI);

@@ -11,9 +11,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * The vehicle's state as its autopilot tells it, in GLOBAL: one State Information for each
- * ATTITUDE, one for each GLOBAL_POSITION_INT, with what GPS_RAW_INT says of the errors. Each number
- * is published once, at the time that it came (mavlink.io/en/messages/common.html).
+ * State Information in GLOBAL from the autopilot: one per ATTITUDE and one per GLOBAL_POSITION_INT,
+ * with accuracies from GPS_RAW_INT. Each value is published once, with its arrival time
+ * (mavlink.io/en/messages/common.html).
  */
 final class AutopilotState {
   private static final double DEGREES = 1.0e-7;
@@ -37,7 +37,7 @@ final class AutopilotState {
     staleMicros = Clock.micros(staleAfterS);
   }
 
-  /** Forgets all: another autopilot, or the same one after a loss. */
+  /** Resets, for another autopilot or after a loss. */
   void beginAnew() {
     gps = null;
   }
@@ -47,7 +47,7 @@ final class AutopilotState {
     gpsMicros = nowMicros;
   }
 
-  /** What a new attitude says; empty if that is none. */
+  /** State from an attitude; empty if invalid. */
   Optional<StateInformation> attitude(Attitude attitude, long nowMicros) {
     boolean isFinite =
         Float.isFinite(attitude.roll() + attitude.pitch() + attitude.yaw())
@@ -70,7 +70,7 @@ final class AutopilotState {
     return Optional.of(state);
   }
 
-  /** What a new position says; empty if that is none, or the autopilot has no fix to make it of. */
+  /** State from a position; empty if invalid or without a fix. */
   Optional<StateInformation> position(GlobalPositionInt position, long nowMicros) {
     double latitude = position.lat() * DEGREES;
     double longitude = position.lon() * DEGREES;
@@ -79,7 +79,8 @@ final class AutopilotState {
       return Optional.empty();
     }
     boolean hasGps = gps != null && nowMicros - gpsMicros <= staleMicros;
-    boolean isUnknown = position.lat() == 0 && position.lon() == 0; // as it says before it knows
+    boolean isUnknown =
+        position.lat() == 0 && position.lon() == 0; // sent before the position is known
     if (isUnknown || hasGps && gps.fixType().value() < FIX_3D) {
       return Optional.empty();
     }
@@ -99,7 +100,7 @@ final class AutopilotState {
     return Optional.of(state);
   }
 
-  /** MAVLink's are the rates about the vehicle's axes, ours those of the angles. */
+  /** Converts MAVLink's body rates to Euler angle rates. */
   private static void rates(Attitude attitude, StateInformation state) {
     Point euler =
         new org.u2sa.messages.frame.Attitude(attitude.roll(), attitude.pitch(), attitude.yaw())
@@ -108,7 +109,7 @@ final class AutopilotState {
   }
 
   private void errors(StateInformation state) {
-    if (gps.hAcc() > 0) { // 0: it does not say
+    if (gps.hAcc() > 0) { // 0: unknown
       double sigma = HorizontalError.perAxisM(gps.hAcc() * MILLI);
       state.xSigma(sigma).ySigma(sigma);
     }
@@ -116,12 +117,12 @@ final class AutopilotState {
       state.zSigma(gps.vAcc() * MILLI);
     }
     if (gps.velAcc() > 0) {
-      double sigma = gps.velAcc() * MILLI; // of the whole velocity: no axis has more
+      double sigma = gps.velAcc() * MILLI; // of the total velocity: an upper bound per axis
       state.xDotSigma(sigma).yDotSigma(sigma).zDotSigma(sigma);
     }
   }
 
-  /** How often a message held numbers that cannot be. */
+  /** Number of messages with invalid values. */
   long refused() {
     return refused;
   }

@@ -5,43 +5,43 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 
-/** A form in which an autopilot takes commands, and the actuators that it makes of it. */
+/** A MAVLink command encoding and the actuators it provides. */
 interface CommandForm {
   /**
-   * One actuator.
+   * * An actuator.
    *
-   * @param minimum smallest percentage it takes [%]
-   * @param effect what moving it does to the vehicle
+   * @param minimum minimum percentage [%]
+   * @param effect effect on the vehicle
    */
   record Axis(String name, double minimum, String effect) {}
 
-  /** To whom a message goes. */
+  /** Target of a message. */
   record Target(int systemId, int componentId) {}
 
-  /** The actuators; none if the autopilot is a sensor only. */
+  /** The actuators; empty if the autopilot is only a sensor. */
   List<Axis> axes();
 
-  /** Takes note of how the vehicle lies, for commands that are relative to it. */
+  /** Updates the vehicle's attitude, for commands relative to it. */
   default void hear(Attitude attitude, long nowMicros) {}
 
-  /** Whether enough is known of the vehicle to make a message. */
+  /** Whether the vehicle's state suffices to build a message. */
   default boolean isReady(long nowMicros) {
     return true;
   }
 
   /**
-   * The message that commands them; only if it is ready.
+   * Builds the command message; call only if ready.
    *
-   * @param percentages of each actuator by name; empty is its neutral
+   * @param percentages percentage of each actuator by name; empty means neutral
    */
   Object message(Target target, Function<String, OptionalDouble> percentages, long nowMicros);
 
-  /** The messages that give control back; none if silence does. */
+  /** Messages that release control; none if silence suffices. */
   default List<Object> release(Target target) {
     return List.of();
   }
 
-  /** An actuator's share of full, −1…1; 0 where nothing is commanded. */
+  /** Normalised command of an actuator, −1…1; 0 without a command. */
   static double share(Function<String, OptionalDouble> percentages, String actuator) {
     return percentages.apply(actuator).orElse(0.0) / 100.0 + 0.0; // no negative zero
   }

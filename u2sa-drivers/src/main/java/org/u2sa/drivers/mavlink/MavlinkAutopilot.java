@@ -26,9 +26,9 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * An autopilot that speaks MAVLink, ArduPilot or PX4: a sensor of the vehicle's state, and
- * actuators named by what the variable COMMANDS says. In: actuation, emergency-stop, arming-state.
- * Out: sensed-state, power, actuators, announced as lost while no heartbeat comes.
+ * A MAVLink autopilot (ArduPilot or PX4): a state sensor, and actuators chosen by the variable
+ * COMMANDS. In: actuation, emergency-stop, arming-state. Out: sensed-state, power, actuators,
+ * announced as lost without heartbeats.
  */
 public final class MavlinkAutopilot extends ProprioceptiveSensor implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;
@@ -44,15 +44,16 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   private final CommandedActuators commands;
   private final AutopilotCommands output;
   private final byte[] buffer = new byte[4096];
-  private final String positionName; // apart from attitude: a newer one replaces an unread one
+  private final String
+      positionName; // separate from attitude, because a newer message replaces an unread one
   private boolean isWaitSaid;
 
-  /** Called by the launcher: opens the link that CONNECTION names. */
+  /** Launcher constructor: opens the link of CONNECTION. */
   public MavlinkAutopilot(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Over a link that the host made, whatever CONNECTION says. */
+  /** Uses the given link and ignores CONNECTION. */
   public MavlinkAutopilot(ServiceContext context, ByteLink link) {
     this(context, Optional.of(link));
   }
@@ -78,7 +79,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   }
 
   private void send(Object message) {
-    link.write(stream.encode(message)); // one that is not taken is said again soon, or too late
+    link.write(stream.encode(message)); // a rejected message is soon repeated or outdated
   }
 
   @Override
@@ -179,7 +180,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
     commands.takeOver(state);
   }
 
-  /** The autopilot holds the last command until the successor renews it. */
+  /** The autopilot holds the last command until the successor takes over. */
   @Override
   protected void releaseToSuccessor() {
     link.close();

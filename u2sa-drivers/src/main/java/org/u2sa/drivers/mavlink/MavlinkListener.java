@@ -5,8 +5,8 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.LinkedDevice;
 
 /**
- * A device that only listens to MAVLink: messages of a kind, whoever sends them. It has the address
- * of a ground station, and never says anything.
+ * A receive-only MAVLink device for one message type from any sender. Uses a ground station's
+ * address but never transmits.
  */
 abstract class MavlinkListener<R extends Device.Reading> extends LinkedDevice<R> {
   private static final int OWN_SYSTEM = 255;
@@ -20,10 +20,10 @@ abstract class MavlinkListener<R extends Device.Reading> extends LinkedDevice<R>
     super(link);
   }
 
-  /** Takes a message, of whatever kind. */
+  /** Handles a message of any type. */
   abstract void take(Object payload, long nowMicros);
 
-  /** Counts a message that says what cannot be. */
+  /** Counts a message with invalid values. */
   final void refuse(String what) {
     refused++;
     refusal = what;
@@ -39,7 +39,7 @@ abstract class MavlinkListener<R extends Device.Reading> extends LinkedDevice<R>
     stream.accept(bytes, length, message -> take(message.payload(), nowMicros));
   }
 
-  /** Damaged messages, and refused ones. */
+  /** Number of damaged and rejected messages. */
   @Override
   public final long malformed() {
     return stream.malformed() + refused;

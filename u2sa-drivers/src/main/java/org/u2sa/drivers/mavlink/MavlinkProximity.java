@@ -14,12 +14,12 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A radar, laser or camera that sends the distances around it by MAVLink's OBSTACLE_DISTANCE (330),
- * or an autopilot that passes them on (mavlink.io/en/messages/common.html). It only listens.
+ * A radar, lidar or camera that sends MAVLink OBSTACLE_DISTANCE (330), or an autopilot that
+ * forwards it (mavlink.io/en/messages/common.html). Receive-only.
  *
- * <p>Distances about north (frame GLOBAL, the message's default) are refused: a scan is about the
- * sensor's own axes. Directions in which the sensor does not look have no beam. Nearer than the
- * least distance counts as that far: 0 is something that touches the sensor.
+ * <p>Distances about north (frame GLOBAL, the message's default) are rejected, because a scan is in
+ * sensor axes. Directions outside the field of view have no beam. Distances below the minimum count
+ * as the minimum; 0 means contact.
  */
 public final class MavlinkProximity extends MavlinkListener<LaserScanner.Scan>
     implements LaserScanner {
@@ -29,7 +29,7 @@ public final class MavlinkProximity extends MavlinkListener<LaserScanner.Scan>
 
   private Optional<Scan> latest = Optional.empty();
 
-  /** Over that link, which is closed with this. */
+  /** Uses the link; closing the device closes it. */
   public MavlinkProximity(ByteLink link) {
     super(link);
   }
@@ -74,7 +74,7 @@ public final class MavlinkProximity extends MavlinkListener<LaserScanner.Scan>
     }
   }
 
-  /** MAVLink counts angles clockwise from ahead, a scan to the left. */
+  /** MAVLink angles are clockwise from ahead; scan angles are left positive. */
   private static List<RangeScan.Beam> beams(ObstacleDistance obstacles, double stepDeg) {
     List<RangeScan.Beam> beams = new ArrayList<>();
     for (int i = 0; i < obstacles.distances().size(); i++) {
@@ -97,9 +97,9 @@ public final class MavlinkProximity extends MavlinkListener<LaserScanner.Scan>
     return latest;
   }
 
-  /** LIDAR mavlink in a configuration. */
+  /** Provider of LIDAR = mavlink. */
   public static final class Provider extends DeviceProvider<LaserScanner> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(LaserScanner.class, "mavlink");
     }

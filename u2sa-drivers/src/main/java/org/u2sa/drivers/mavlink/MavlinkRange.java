@@ -13,10 +13,10 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A radar, laser or ultrasonic altimeter or range finder that sends MAVLink's DISTANCE_SENSOR
- * (132), or an autopilot that passes it on (mavlink.io/en/messages/common.html). It only listens.
+ * A radar, laser or ultrasonic range finder or altimeter that sends MAVLink DISTANCE_SENSOR (132),
+ * or an autopilot that forwards it (mavlink.io/en/messages/common.html). Receive-only.
  *
- * <p>Nearer than its least distance, a sensor says no more than that: it counts as that far.
+ * <p>Distances below the sensor's minimum count as the minimum.
  */
 public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
     implements RangeFinder {
@@ -39,10 +39,10 @@ public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
   private Optional<Distance> latest = Optional.empty();
 
   /**
-   * Over that link, which is closed with this.
+   * Uses the link; closing the device closes it.
    *
-   * @param kind of the sensor to hear
-   * @param id of the sensor to hear; −1: whichever
+   * @param kind sensor type to accept
+   * @param id sensor ID to accept; −1 for any
    */
   MavlinkRange(ByteLink link, Kind kind, int id) {
     super(link);
@@ -62,7 +62,7 @@ public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
       return;
     }
     if (sensor.signalQuality() == INVALID) {
-      return; // it says itself that it has not measured: then it is silent
+      return; // the sensor reports an invalid measurement
     }
     int now = sensor.currentDistance();
     latest =
@@ -85,7 +85,7 @@ public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
     return latest;
   }
 
-  /** MODEL MAVLINK in a configuration. */
+  /** Provider of MODEL = MAVLINK. */
   public static final class Provider extends DeviceProvider<RangeFinder> {
     private record Choice(
         @Variable(ifAbsentText = "ANY", text = "MAVLINK: kind of the sensor to hear.")
@@ -97,7 +97,7 @@ public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
                 text = "MAVLINK: id of the sensor to hear; -1: whichever.")
             int distanceSensorId) {}
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(RangeFinder.class, "MAVLINK");
     }

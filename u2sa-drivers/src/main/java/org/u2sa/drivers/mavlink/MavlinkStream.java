@@ -10,10 +10,9 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * From bytes to messages of MAVLink 1 and 2 and back to MAVLink 2
- * (mavlink.io/en/guide/serialization): frames are found here, without waiting for bytes as the
- * library's reader does; checksums and payloads are the library's business. Signatures are passed
- * over.
+ * Decodes MAVLink 1 and 2 and encodes MAVLink 2 (mavlink.io/en/guide/serialization). Framing is
+ * done here, because the library's reader blocks; checksums and payloads are left to the library.
+ * Signatures are ignored.
  */
 final class MavlinkStream {
   private static final int MAGIC_1 = 0xFE;
@@ -24,7 +23,7 @@ final class MavlinkStream {
   private static final int SIGNATURE = 13;
   private static final int SIGNED = 0x01;
 
-  private final MavlinkDialect dialect = new ArdupilotmegaDialect(); // has all common messages
+  private final MavlinkDialect dialect = new ArdupilotmegaDialect(); // includes all common messages
   private final ReflectionPayloadDeserializer deserializer = new ReflectionPayloadDeserializer();
   private final ReflectionPayloadSerializer serializer = new ReflectionPayloadSerializer();
   private final int systemId;
@@ -34,24 +33,24 @@ final class MavlinkStream {
   private long malformed;
 
   /**
-   * A message as it came.
+   * * A received message.
    *
-   * @param payload one of the library's message classes
+   * @param payload instance of a library message class
    */
   record Received(int systemId, int componentId, Object payload) {}
 
-  /** Speaks as that component of that system. */
+  /** Creates a stream that sends as this component and system. */
   MavlinkStream(int systemId, int componentId) {
     this.systemId = systemId;
     this.componentId = componentId;
   }
 
-  /** Forgets what was begun: the stream was cut. */
+  /** Discards a partial frame after an interruption. */
   void beginAnew() {
     pending = new byte[0];
   }
 
-  /** Takes the next bytes of the stream and hands on what they complete. */
+  /** Consumes bytes and delivers completed messages. */
   void accept(byte[] bytes, int length, Consumer<Received> to) {
     int kept = pending.length;
     pending = Arrays.copyOf(pending, kept + length);
@@ -64,7 +63,7 @@ final class MavlinkStream {
     pending = Arrays.copyOfRange(pending, from, pending.length);
   }
 
-  /** Reads on from there; returns the bytes that are done with, 0 if more must come first. */
+  /** Parses at an index; returns the number of bytes consumed, 0 if more are needed. */
   private int step(int from, Consumer<Received> to) {
     int left = pending.length - from;
     if (left == 0) {
@@ -81,7 +80,7 @@ final class MavlinkStream {
     int flags = magic == MAGIC_2 ? pending[from + 2] & 0xFF : 0;
     if ((flags & ~SIGNED) != 0) {
       malformed++;
-      return 1; // a reader must drop what it does not understand
+      return 1; // unknown incompatibility flags: the frame must be dropped
     }
     int payload = pending[from + 1] & 0xFF;
     int whole = header + payload + CHECKSUM + (flags == SIGNED ? SIGNATURE : 0);
@@ -92,14 +91,14 @@ final class MavlinkStream {
     return decode(frame, to) ? whole : 1;
   }
 
-  /** Returns false if the bytes are no frame. */
+  /** Returns false if the bytes are not a frame. */
   private boolean decode(byte[] frame, Consumer<Received> to) {
     MavlinkPacket packet =
         (frame[0] & 0xFF) == MAGIC_2
             ? MavlinkPacket.fromV2Bytes(frame)
             : MavlinkPacket.fromV1Bytes(frame);
     if (!dialect.supports(packet.getMessageId())) {
-      return true; // its checksum cannot be known
+      return true; // unknown message: its checksum cannot be verified
     }
     Class<?> type = dialect.resolve(packet.getMessageId());
     if (!packet.validateCrc(type.getAnnotation(MavlinkMessageInfo.class).crc())) {
@@ -110,18 +109,18 @@ final class MavlinkStream {
       Object payload = deserializer.deserialize(packet.getPayload(), type);
       to.accept(new Received(packet.getSystemId(), packet.getComponentId(), payload));
     } catch (IllegalArgumentException | IllegalStateException | IndexOutOfBoundsException e) {
-      malformed++; // the checksum is right, but the library cannot make a message of it
+      malformed++; // valid checksum, but the library cannot decode it
     }
     return true;
   }
 
-  /** The bytes of a message, as MAVLink 2. */
+  /** Encodes a message as MAVLink 2. */
   byte[] encode(Object message) {
     MavlinkMessageInfo info = message.getClass().getAnnotation(MavlinkMessageInfo.class);
     byte[] payload = serializer.serialize(message);
     int length = payload.length;
     while (length > 1 && payload[length - 1] == 0) {
-      length--; // MAVLink 2 leaves out the zeros at the end
+      length--; // MAVLink 2 truncates trailing zeros
     }
     return MavlinkPacket.createUnsignedMavlink2Packet(
             sequence++ & 0xFF,
@@ -133,7 +132,7 @@ final class MavlinkStream {
         .getRawBytes();
   }
 
-  /** How often bytes looked like a frame and were none. */
+  /** Number of false frame starts. */
   long malformed() {
     return malformed;
   }

@@ -16,8 +16,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A transponder or receiver that sends MAVLink's ADSB_VEHICLE (246), such as uAvionix's ping
- * family, or an autopilot that passes it on (mavlink.io/en/messages/common.html). It only listens.
+ * A transponder or receiver that sends MAVLink ADSB_VEHICLE (246), such as uAvionix ping, or an
+ * autopilot that forwards it (mavlink.io/en/messages/common.html). Receive-only.
  */
 public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffic>
     implements TrafficReceiver {
@@ -30,7 +30,7 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
 
   private final TrafficPicture picture = new TrafficPicture();
 
-  /** Over that link, which is closed with this. */
+  /** Uses the link; closing the device closes it. */
   public MavlinkTraffic(ByteLink link) {
     super(link);
   }
@@ -67,7 +67,7 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
             has(vehicle, AdsbFlags.ADSB_FLAGS_VALID_ALTITUDE)
                 ? OptionalDouble.of(vehicle.altitude() * MILLI)
                 : OptionalDouble.empty(),
-            // "QNH" by the message's text, but what transponders send is the setting 1013.25 hPa
+            // documented as QNH, but transponders report pressure altitude at 1013.25 hPa
             vehicle.altitudeType().value() != GEOMETRIC,
             velocity(vehicle),
             OptionalDouble.empty());
@@ -99,9 +99,9 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
     return picture.latest();
   }
 
-  /** RECEIVER MAVLINK in a configuration. */
+  /** Provider of RECEIVER = MAVLINK. */
   public static final class Provider extends DeviceProvider<TrafficReceiver> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(TrafficReceiver.class, "MAVLINK");
     }

@@ -148,9 +148,9 @@ record MavlinkVariables(
   }
 
   /**
-   * What COMMANDS chooses.
+   * Command form selected by COMMANDS.
    *
-   * @param variables of the service; declares those of the radio channels
+   * @param variables variables of the service; the radio channels are declared here
    */
   CommandForm form(Configurator variables) {
     List<RcOverride.Channel> channels = new ArrayList<>();
@@ -167,7 +167,7 @@ record MavlinkVariables(
       case "rc" -> new RcOverride(channels, pulses(shortestPulse, neutralPulse, longestPulse));
       case "velocity" -> new VelocityTarget(fullSpeed, fullClimb, fullTurn);
       case "attitude" -> new AttitudeTarget(fullTilt, fullTurn, neutralThrust);
-      default -> new RcOverride(List.of(), PulseWidth.STANDARD); // no channels: a sensor only
+      default -> new RcOverride(List.of(), PulseWidth.STANDARD); // no channels: sensor only
     };
   }
 }

@@ -9,8 +9,8 @@ import java.util.function.IntUnaryOperator;
 import org.u2sa.drivers.motor.PulseWidth;
 
 /**
- * Commands in place of a radio's sticks: RC_CHANNELS_OVERRIDE. Of channels 1…8 those with an
- * actuator get its pulse, the others 65535, "ignore"; 0 gives a channel back to the radio.
+ * Commands that override radio channels: RC_CHANNELS_OVERRIDE. Channels 1…8 with an actuator get
+ * its pulse, the others 65535, "ignore"; 0 releases a channel to the radio.
  */
 final class RcOverride implements CommandForm {
   private static final int CHANNELS = 8;
@@ -20,10 +20,11 @@ final class RcOverride implements CommandForm {
   private static final double FULL_PERCENT = 100.0;
 
   /**
-   * One stick.
+   * * A radio channel.
    *
    * @param channel 1…8
-   * @param oneWay whether 0 % is the shortest pulse, as of an aeroplane's throttle, and not neutral
+   * @param oneWay whether 0 % is the shortest pulse, as for an aeroplane's throttle, rather than
+   *     neutral
    */
   record Channel(int channel, String actuator, boolean oneWay) {}
 
@@ -70,7 +71,7 @@ final class RcOverride implements CommandForm {
     for (Channel each : channels) {
       raw[each.channel() - 1] = ofOurs.applyAsInt(each.channel() - 1);
     }
-    return RcChannelsOverride.builder() // channels 9…18 stay 0, which is "ignore" for those
+    return RcChannelsOverride.builder() // 0 means "ignore" for channels 9…18
         .targetSystem(target.systemId())
         .targetComponent(target.componentId())
         .chan1Raw(raw[0])

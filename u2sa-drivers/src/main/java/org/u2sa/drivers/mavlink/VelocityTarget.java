@@ -9,8 +9,8 @@ import java.util.OptionalDouble;
 import java.util.function.Function;
 
 /**
- * Commands as velocities along the vehicle's axes and a rate of turn: SET_POSITION_TARGET_LOCAL_NED
- * in BODY_NED, for ArduPilot's Guided and PX4's Offboard mode. Neutral is to stand.
+ * Commands as body velocities and yaw rate: SET_POSITION_TARGET_LOCAL_NED in BODY_NED, for
+ * ArduPilot's Guided and PX4's Offboard mode. Neutral is zero velocity.
  */
 final class VelocityTarget implements CommandForm {
   static final String FORWARD = "FORWARD SPEED";
@@ -19,10 +19,10 @@ final class VelocityTarget implements CommandForm {
   static final String TURN = "TURN RATE";
 
   private static final double FULL_PERCENT = 100.0;
-  // MAV_FRAME_BODY_NED: deprecated by name, but the one that both ArduPilot and PX4 obey.
+  // MAV_FRAME_BODY_NED: deprecated, but the one both ArduPilot and PX4 accept.
   private static final EnumValue<MavFrame> BODY_NED = EnumValue.create(8);
 
-  // Bits 0…2 ignore the position, 6…8 the acceleration, 10 the yaw: velocity and yaw rate are left.
+  // Bits 0…2 ignore position, 6…8 acceleration, 10 yaw, leaving velocity and yaw rate.
   private static final EnumValue<PositionTargetTypemask> VELOCITY_AND_YAW_RATE =
       EnumValue.create(0b101_1100_0111);
 
@@ -32,8 +32,8 @@ final class VelocityTarget implements CommandForm {
 
   /**
    * @param fullMps speed forward and to the left at 100 % [m/s]
-   * @param fullClimbMps upwards at 100 % [m/s]
-   * @param fullTurnRadPerS rate of turn to the left at 100 % [rad/s]
+   * @param fullClimbMps climb rate at 100 % [m/s]
+   * @param fullTurnRadPerS left yaw rate at 100 % [rad/s]
    */
   VelocityTarget(double fullMps, double fullClimbMps, double fullTurnRadPerS) {
     this.fullMps = fullMps;

@@ -1,5 +1,5 @@
 /**
- * Autopilots that speak MAVLink 2 (ArduPilot, PX4), as sensors and as actuators. The library's
- * messages stay within this package.
+ * MAVLink autopilots (ArduPilot, PX4) as sensors and actuators, and MAVLink sensors. The library's
+ * classes do not leave this package.
  */
 package org.u2sa.drivers.mavlink;

@@ -5,10 +5,7 @@ import org.u2sa.device.SlewLimit;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Variable;
 
-/**
- * One servo or speed control: from what an actuator should do to the pulse that it gets. Not safe
- * for several threads.
- */
+/** Converts an actuator command to a servo or ESC pulse. Not thread-safe. */
 public final class PulseOutput {
   private final PulseWidth width;
   private final SlewLimit slew;
@@ -23,9 +20,9 @@ public final class PulseOutput {
           double slewLimit) {}
 
   /**
-   * The output that the variables describe whose names begin with an actuator's.
+   * Creates the output from the variables prefixed with an actuator's name.
    *
-   * @throws org.u2sa.interfaces.configuration.ConfigurationException if one is wrong
+   * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is invalid
    */
   public static PulseOutput configured(Configurator variables, String actuator) {
     String prefix = actuator + " ";
@@ -34,17 +31,17 @@ public final class PulseOutput {
         width, new SlewLimit(variables.settings(Tuning.class, prefix).get().slewLimit()));
   }
 
-  /** At neutral. */
+  /** Creates an output at neutral. */
   public PulseOutput(PulseWidth width, SlewLimit slew) {
     this.width = width;
     this.slew = slew;
   }
 
   /**
-   * The pulse to give now [s].
+   * Current pulse width [s].
    *
-   * @param percentage as {@link org.u2sa.service.CommandedActuators#percentage} says; empty is
-   *     neutral at once, without slew limit
+   * @param percentage from {@link org.u2sa.service.CommandedActuators#percentage}; empty means
+   *     neutral immediately, without slew limit
    * @param nowMicros time of the run's clock [µs]
    */
   public double seconds(OptionalDouble percentage, long nowMicros) {
@@ -55,7 +52,7 @@ public final class PulseOutput {
     return width.seconds(slew.towards(percentage.getAsDouble(), nowMicros));
   }
 
-  /** The pulse at which nothing moves [s]. */
+  /** Neutral pulse width [s]. */
   public double neutralS() {
     return width.neutralS();
   }

@@ -3,9 +3,8 @@ package org.u2sa.drivers.motor;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * How a percentage becomes the width of a servo pulse, for servos and electronic speed controls.
- * Straight from neutral to either end, so that both halves may be of different length. The
- * variables' names begin with the actuator's.
+ * Maps a percentage to a servo or ESC pulse width: linear from neutral to either end, so the halves
+ * may differ. Variable names are prefixed with the actuator's name.
  */
 public record PulseWidth(
     @Variable(
@@ -47,24 +46,24 @@ public record PulseWidth(
   private static final double FULL_PERCENT = 100.0;
   private static final double MICRO = 1.0e-6;
 
-  /** As servos and radios have it: 1000, 1500 and 2000 µs. */
+  /** Standard servo range: 1000, 1500 and 2000 µs. */
   public static final PulseWidth STANDARD = new PulseWidth(1000.0, 1500.0, 2000.0, false, 0.0);
 
   /**
-   * @throws IllegalArgumentException naming all three pulses, if they do not grow
+   * @throws IllegalArgumentException naming all three pulses, if they are not in increasing order
    */
   public PulseWidth {
     if (!(minimumUs < neutralUs && neutralUs < maximumUs)) {
       throw new IllegalArgumentException(
           ("SHORTEST PULSE " + minimumUs + " us, NEUTRAL PULSE " + neutralUs)
-              + (" us and LONGEST PULSE " + maximumUs + " us must be in growing order"));
+              + (" us and LONGEST PULSE " + maximumUs + " us must be in increasing order"));
     }
   }
 
   /**
-   * The pulse for a percentage [s], never outside minimum…maximum.
+   * Pulse width for a percentage [s], always within minimum…maximum.
    *
-   * @param percent −100…100 [%]; beyond counts as the end, not a number as neutral
+   * @param percent −100…100 [%]; clamped, NaN is neutral
    */
   public double seconds(double percent) {
     if (!(Math.abs(percent) > deadBandPercent)) { // NaN too
@@ -74,10 +73,10 @@ public record PulseWidth(
     double towardsMaximum = reversed ? -share : share;
     double lengthUs = towardsMaximum < 0.0 ? neutralUs - minimumUs : maximumUs - neutralUs;
     double us = neutralUs + towardsMaximum * lengthUs;
-    return Math.max(minimumUs, Math.min(maximumUs, us)) * MICRO; // rounding stays within, too
+    return Math.max(minimumUs, Math.min(maximumUs, us)) * MICRO; // also bounds rounding
   }
 
-  /** The pulse at which nothing moves [s]. */
+  /** Neutral pulse width [s]. */
   public double neutralS() {
     return neutralUs * MICRO;
   }

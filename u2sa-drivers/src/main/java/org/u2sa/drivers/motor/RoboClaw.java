@@ -14,25 +14,26 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * A RoboClaw on a serial line, in packet serial mode (RoboClaw Series User Manual, Basicmicro). One
- * question at a time; duty cycles and questions for the encoders take turns.
+ * request at a time; duty-cycle commands and encoder requests alternate.
  *
- * <p>It is told to stop by itself when it hears nothing for the serial time-out. Until it has
- * acknowledged that, it is told duty 0 only: also if only its answers are lost.
+ * <p>The controller is configured to stop by itself after the serial time-out. Until it
+ * acknowledges that, only duty 0 is sent, even if only its replies are lost.
  */
 public final class RoboClaw extends LinkedDevice<MotorController.Counts>
     implements MotorController {
   private static final long ANSWER_WITHIN_MICROS = Clock.micros(0.1); // USB adapters take 0.016 s
-  // A packet with a pause of 10 ms in it is discarded ("Packet Timeout"): so both begin anew.
+  // A pause of 10 ms within a packet discards it ("Packet Timeout"), which resynchronises both
+  // sides.
   private static final long QUIET_MICROS = Clock.micros(0.02);
   private static final long LOST_AFTER_MICROS = Clock.micros(0.5);
-  private static final int BATTERY_EVERY = 100; // questions
+  private static final int BATTERY_EVERY = 100; // requests
   private static final double BATTERY_STEP_V = 0.1;
 
   private final int address;
   private final double serialTimeoutS;
   private final byte[] reply = new byte[64];
   private int replyLength;
-  private RoboClawRequest asked; // null: no answer is due
+  private RoboClawRequest asked; // null if no reply is pending
   private long askedMicros;
   private long quietUntilMicros;
   private long heardMicros;
@@ -47,7 +48,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
 
   /**
    * @param address 0x80…0x87, as set at the controller
-   * @param serialTimeoutS after which it stops by itself without hearing anything [s], 0.1…25.5
+   * @param serialTimeoutS time without a command after which it stops by itself [s], 0.1…25.5
    */
   public RoboClaw(ByteLink link, int address, double serialTimeoutS) {
     super(link);
@@ -64,7 +65,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   @Override
   protected void hear(byte[] bytes, int length, long nowMicros) {
     if (asked == null || replyLength + length > reply.length) {
-      replyLength = reply.length; // nothing was asked, or too much came
+      replyLength = reply.length; // no pending request, or excess bytes
     } else {
       System.arraycopy(bytes, 0, reply, replyLength, length);
       replyLength += length;
@@ -74,7 +75,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   @Override
   protected void act(long nowMicros) {
     if (!link.isConnected()) {
-      found(nowMicros); // and again when it is
+      found(nowMicros); // and again once reconnected
     }
     understand(nowMicros);
     if (asked != null && nowMicros - askedMicros > ANSWER_WITHIN_MICROS) {
@@ -96,7 +97,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
 
   private void understand(long nowMicros) {
     if (asked == null) {
-      replyLength = 0; // answers to what was given up, or noise
+      replyLength = 0; // replies to abandoned requests, or noise
     } else if (replyLength >= asked.replyLength()) {
       if (asked.isAnsweredBy(address, reply, replyLength)) {
         answered(nowMicros);
@@ -127,7 +128,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   }
 
   private void lost() {
-    isSetUp = false; // it may have been without power
+    isSetUp = false; // it may have lost power
     batteryV = OptionalDouble.empty();
     latest = Optional.empty();
   }
@@ -178,7 +179,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   public void stop(long nowMicros) {
     drive(0.0, 0.0);
     link.write(RoboClawRequest.duty(0.0, 0.0).packet(address));
-    giveUp(nowMicros, QUIET_MICROS); // whatever it answers now, to this or to what was asked before
+    giveUp(nowMicros, QUIET_MICROS); // ignore late replies to this or earlier requests
   }
 
   @Override
@@ -200,7 +201,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
     }
   }
 
-  /** CONTROLLER ROBOCLAW in a configuration. */
+  /** Provider of CONTROLLER = ROBOCLAW. */
   public static final class Provider extends DeviceProvider<MotorController> {
     private record Tuning(
         @Variable(
@@ -210,7 +211,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
                 text = "ROBOCLAW: address set at the controller; 128 is 0x80.")
             int address) {}
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(MotorController.class, "ROBOCLAW");
     }

@@ -3,12 +3,12 @@ package org.u2sa.drivers.motor;
 import java.nio.ByteBuffer;
 
 /**
- * One command of RoboClaw's packet serial protocol and the answer that belongs to it (RoboClaw
- * Series User Manual, "Packet Serial" and "Advanced Packet Serial").
+ * A command of RoboClaw's packet serial protocol and its reply (RoboClaw Series User Manual,
+ * "Packet Serial" and "Advanced Packet Serial").
  *
  * @param command number of the command
- * @param data what follows it, big-endian
- * @param answerBytes of data in the answer, without CRC; 0 for commands that are only acknowledged
+ * @param data payload, big-endian
+ * @param answerBytes length of reply data without CRC; 0 for commands that are only acknowledged
  */
 record RoboClawRequest(int command, byte[] data, int answerBytes) {
   private static final int SET_SERIAL_TIMEOUT = 14;
@@ -26,7 +26,7 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
   private static final int MASK = 0xFFFF;
   private static final byte ACKNOWLEDGED = (byte) 0xFF;
 
-  /** The controller stops both motors by itself when it hears nothing for that time [s]. */
+  /** Sets the serial time-out, after which the controller stops both motors [s]. */
   static RoboClawRequest serialTimeout(double seconds) {
     return new RoboClawRequest(
         SET_SERIAL_TIMEOUT, new byte[] {(byte) Math.ceil(seconds / TIMEOUT_STEP_S - 1.0e-9)}, 0);
@@ -40,7 +40,7 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
     return new RoboClawRequest(DRIVE_SIGNED_DUTY, data, 0);
   }
 
-  /** Signed speeds of both motors in encoder counts per second, which the controller holds. */
+  /** Signed closed-loop speeds of both motors [encoder counts/s]. */
   static RoboClawRequest speed(double firstPerS, double secondPerS) {
     ByteBuffer data = ByteBuffer.allocate(8); // big-endian
     data.putInt((int) Math.round(firstPerS)).putInt((int) Math.round(secondPerS));
@@ -69,7 +69,7 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
     return command == SET_SERIAL_TIMEOUT;
   }
 
-  /** As sent: address, command, data, and a CRC unless it asks only. */
+  /** Encoded request: address, command, data, and a CRC unless it is a read. */
   byte[] packet(int address) {
     byte[] packet = new byte[2 + data.length + (answerBytes == 0 ? CRC_BYTES : 0)];
     packet[0] = (byte) address;
@@ -84,12 +84,12 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
     return packet;
   }
 
-  /** How many bytes the controller answers. */
+  /** Length of the reply. */
   int replyLength() {
     return answerBytes == 0 ? 1 : answerBytes + CRC_BYTES;
   }
 
-  /** Whether it is a right answer: the CRC covers address, command and data. */
+  /** Whether a reply is valid: the CRC covers address, command and data. */
   boolean isAnsweredBy(int address, byte[] reply, int length) {
     if (length != replyLength()) {
       return false;
@@ -102,20 +102,20 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
     return crc == unsigned16(reply, answerBytes);
   }
 
-  /** A number of 16 bits in an answer. */
+  /** A 16-bit number in a reply. */
   static int unsigned16(byte[] reply, int at) {
     return (reply[at] & 0xFF) << 8 | reply[at + 1] & 0xFF;
   }
 
-  /** A number of 32 bits in an answer. */
+  /** A 32-bit number in a reply. */
   static int signed32(byte[] reply, int at) {
     return unsigned16(reply, at) << 16 | unsigned16(reply, at + 2);
   }
 
   /**
-   * CRC-16 with polynomial 0x1021, as XMODEM has it.
+   * CRC-16/XMODEM, polynomial 0x1021.
    *
-   * @param before that of the bytes before; 0 at the beginning
+   * @param before CRC of the preceding bytes; 0 at the start
    */
   static int crc(int before, byte[] bytes, int from, int to) {
     int crc = before;

@@ -13,16 +13,16 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A VESC motor controller on USB or a UART, which turns a propeller: duty cycles out, values in
- * (vedderb/bldc, {@code comm/commands.c}). It stops by itself when it hears nothing for the timeout
- * of its own application settings (from the factory 1 s).
+ * A VESC motor controller driving a propeller, on USB or a UART: duty cycles out, values in
+ * (vedderb/bldc, {@code comm/commands.c}). It stops by itself after the time-out of its own
+ * application settings (factory default 1 s).
  */
 public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thruster {
   private static final byte GET_VALUES = 4;
   private static final byte SET_DUTY = 5;
   private static final double DUTY_PER_PERCENT = 1000.0; // 100 000 is full
   private static final long ASK_EVERY_MICROS = Clock.micros(0.1);
-  private static final int VALUES_BYTES = 54; // up to the fault code; newer firmware appends
+  private static final int VALUES_BYTES = 54; // up to the fault code; newer firmware appends fields
   private static final int INPUT_CURRENT = 9;
   private static final int ELECTRICAL_RPM = 23;
   private static final int INPUT_VOLTAGE = 27;
@@ -38,9 +38,9 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
   private Optional<Turning> latest = Optional.empty();
 
   /**
-   * Over that link, which is closed with this.
+   * Uses the link; closing the device closes it.
    *
-   * @param polePairs of the motor: electrical turns for each turn of it
+   * @param polePairs pole pairs of the motor: electrical revolutions per mechanical revolution
    */
   public Vesc(ByteLink link, int polePairs) {
     super(link);
@@ -142,7 +142,7 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
     }
   }
 
-  /** THRUSTER VESC in a configuration. */
+  /** Provider of THRUSTER = VESC. */
   public static final class Provider extends DeviceProvider<Thruster> {
     private record Tuning(
         @Variable(
@@ -153,7 +153,7 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
                     "VESC: pairs of magnetic poles of the motor; half the number of its magnets.")
             int polePairs) {}
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(Thruster.class, "VESC");
     }

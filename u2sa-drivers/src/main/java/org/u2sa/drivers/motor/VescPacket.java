@@ -17,13 +17,13 @@ final class VescPacket {
   private int length;
   private long refused;
 
-  /** A payload of at most 255 bytes as it is sent. */
+  /** Encodes a payload of up to 255 bytes. */
   static byte[] of(byte... payload) {
     byte[] packet = new byte[HEAD_BYTES + payload.length + TAIL_BYTES];
     packet[0] = SHORT;
     packet[1] = (byte) payload.length;
     System.arraycopy(payload, 0, packet, HEAD_BYTES, payload.length);
-    int crc = RoboClawRequest.crc(0, payload, 0, payload.length); // XMODEM's, too
+    int crc = RoboClawRequest.crc(0, payload, 0, payload.length); // same CRC-16/XMODEM
     packet[packet.length - 3] = (byte) (crc >> 8);
     packet[packet.length - 2] = (byte) crc;
     packet[packet.length - 1] = END;
@@ -31,9 +31,9 @@ final class VescPacket {
   }
 
   /**
-   * Takes the next byte.
+   * Consumes a byte.
    *
-   * @return the payload that it completes; empty if it completes none
+   * @return the payload if this byte completes a packet
    */
   byte[] accept(byte each) {
     bytes[length++] = each;
@@ -56,7 +56,7 @@ final class VescPacket {
     return new byte[0];
   }
 
-  /** Looks for a packet that begins later. */
+  /** Resynchronises on the next start byte. */
   private void drop() {
     int next = 1;
     while (next < length && bytes[next] != SHORT) {
@@ -77,12 +77,12 @@ final class VescPacket {
         && RoboClawRequest.crc(0, bytes, HEAD_BYTES, end) == RoboClawRequest.unsigned16(bytes, end);
   }
 
-  /** Forgets what is half received. */
+  /** Discards a partial packet. */
   void reset() {
     length = 0;
   }
 
-  /** Packets with a wrong checksum or end so far. */
+  /** Number of packets rejected. */
   long refused() {
     return refused;
   }

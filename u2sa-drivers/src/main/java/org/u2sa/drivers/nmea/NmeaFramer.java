@@ -1,13 +1,13 @@
 package org.u2sa.drivers.nmea;
 
 /**
- * Finds NMEA 0183 sentences in a stream of bytes that may be cut anywhere and be garbage. Those
- * with a wrong checksum or none, that are cut off or too long are refused and counted.
+ * Extracts NMEA 0183 sentences from a byte stream with arbitrary boundaries and garbage. Sentences
+ * with a wrong or missing checksum, truncated or too long, are rejected and counted.
  *
- * <p>For one thread.
+ * <p>Not thread-safe.
  */
 public final class NmeaFramer {
-  /** Longer than the standard's 82, since receivers write more decimals; bounds what is kept. */
+  /** Longer than the standard's 82 because receivers send more decimals; bounds the buffer. */
   private static final int LONGEST = 255;
 
   private static final int CHECKSUM_CHARACTERS = 3; // a star and two digits
@@ -17,21 +17,21 @@ public final class NmeaFramer {
 
   private final byte[] bytes = new byte[LONGEST];
   private final NmeaSentence sentence = new NmeaSentence(bytes);
-  private int count; // 0: waits for a dollar
+  private int count; // 0 while waiting for a dollar sign
   private long refused;
   private String lastRefusal = "";
 
-  /** Takes sentences. */
+  /** Receives sentences. */
   @FunctionalInterface
   public interface Sink {
-    /** Takes one; its bytes count during this call only. */
+    /** Handles a sentence; its bytes are valid only during this call. */
     void sentence(NmeaSentence sentence);
   }
 
   /**
-   * Takes the next bytes of the stream, and hands the sentences that they end over.
+   * Consumes bytes and delivers completed sentences.
    *
-   * @param length how many of {@code from} count, from the beginning
+   * @param length number of valid bytes in {@code from}
    */
   public void accept(byte[] from, int length, Sink sink) {
     for (int i = 0; i < length; i++) {
@@ -86,17 +86,17 @@ public final class NmeaFramer {
     lastRefusal = why + sentence.text();
   }
 
-  /** Forgets what is half received. */
+  /** Discards a partial sentence. */
   public void reset() {
     count = 0;
   }
 
-  /** How many sentences were refused so far. */
+  /** Number of sentences rejected. */
   public long refused() {
     return refused;
   }
 
-  /** Why, and which, the last time; empty if none was. */
+  /** Reason and text of the last rejection; empty if none. */
   public String lastRefusal() {
     return lastRefusal;
   }

@@ -3,16 +3,16 @@ package org.u2sa.drivers.nmea;
 import java.util.Optional;
 import org.u2sa.drivers.link.ByteParser;
 
-/** Makes readings of NMEA 0183 sentences, for devices that say all in one sentence. */
+/** Parses readings that fit in one NMEA 0183 sentence. */
 public final class NmeaParser<R> implements ByteParser<R> {
-  /** What a sentence means. */
+  /** Interprets a sentence. */
   @FunctionalInterface
   public interface Meaning<R> {
     /**
-     * The reading in a sentence; empty if the sentence is about something else.
+     * Reading of a sentence; empty for other sentence types.
      *
-     * @param nowMicros when it arrived [µs of the run's clock]
-     * @throws IllegalArgumentException if it cannot be understood; the message says why
+     * @param nowMicros arrival time [µs, run's clock]
+     * @throws IllegalArgumentException if it is malformed; the message gives the reason
      */
     Optional<R> of(NmeaSentence sentence, long nowMicros);
   }
@@ -25,7 +25,7 @@ public final class NmeaParser<R> implements ByteParser<R> {
   private long refused;
   private String lastRefusal = "";
 
-  /** With what the device's sentences mean. */
+  /** Creates a parser with the device's interpretation. */
   public NmeaParser(Meaning<R> meaning) {
     this.meaning = meaning;
   }
@@ -40,7 +40,7 @@ public final class NmeaParser<R> implements ByteParser<R> {
     try {
       Optional<R> said = meaning.of(sentence, nowMicros);
       latest = said.isPresent() ? said : latest;
-    } catch (IllegalArgumentException e) { // NumberFormatException is one
+    } catch (IllegalArgumentException e) { // includes NumberFormatException
       refused++;
       lastRefusal = e.getMessage() + ": " + sentence.text();
     }

@@ -2,10 +2,7 @@ package org.u2sa.drivers.nmea;
 
 import java.nio.charset.StandardCharsets;
 
-/**
- * A sentence that came whole, as {@link NmeaFramer} hands it over: its bytes count during that call
- * only.
- */
+/** A complete sentence delivered by {@link NmeaFramer}; valid only during that call. */
 public final class NmeaSentence {
   private static final int TALKER_LETTERS = 2;
 
@@ -22,7 +19,7 @@ public final class NmeaSentence {
     whole = newWhole;
   }
 
-  /** Whether it is of this kind, whoever said it: {@code "RMC"} for {@code $GPRMC} and $GNRMC. */
+  /** Whether it has this type, for any talker: {@code "RMC"} for {@code $GPRMC} and $GNRMC. */
   public boolean is(String kind) {
     return hasAt(1 + TALKER_LETTERS, kind);
   }
@@ -48,7 +45,7 @@ public final class NmeaSentence {
   /**
    * A field's text.
    *
-   * @param index 1 is the first after the address; empty if there is none
+   * @param index 1 is the first after the address
    */
   public String field(int index) {
     int begin = 0;
@@ -67,7 +64,7 @@ public final class NmeaSentence {
     return new String(bytes, begin, end - begin, StandardCharsets.US_ASCII);
   }
 
-  /** All of it, from the dollar to the checksum. */
+  /** Full text, from the dollar sign to the checksum. */
   public String text() {
     return new String(bytes, 0, whole, StandardCharsets.US_ASCII);
   }

@@ -1,5 +1,2 @@
-/**
- * NMEA 0183 sentences in a stream of bytes: where they begin and end, and whether they came whole.
- * What they mean belongs to the packages of the devices.
- */
+/** NMEA 0183 framing and checksums. Interpretation belongs to the device packages. */
 package org.u2sa.drivers.nmea;

@@ -15,13 +15,13 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A range finder with an analog output, on an analog-to-digital converter that Linux's industrial
- * I/O reads: a file such as {@code /sys/bus/iio/devices/iio:device0/in_voltage0_raw}.
+ * A range finder with analog output, on an ADC supported by Linux industrial I/O: a file such as
+ * {@code /sys/bus/iio/devices/iio:device0/in_voltage0_raw}.
  */
 public final class AnalogRangeFinder implements RangeFinder {
   /**
-   * Metres and volts of Sharp's GP2Y0A21YK0F, near to far: 0.4 V at 0.8 m, 1.9 V more at 0.1 m, and
-   * between them the typical curve of figure 2 of its data sheet (OP13008EN).
+   * Range [m] and voltage [V] of Sharp's GP2Y0A21YK0F, near to far: 0.4 V at 0.8 m, 2.3 V at 0.1 m,
+   * and the typical curve of data sheet OP13008EN, figure 2, in between.
    */
   private static final double[][] SHARP = {
     {0.10, 2.30},
@@ -35,7 +35,8 @@ public final class AnalogRangeFinder implements RangeFinder {
     {0.80, 0.40}
   };
 
-  private static final double MARGIN = 0.1; // of a voltage, beyond the ends: sensors vary
+  private static final double MARGIN =
+      0.1; // tolerance beyond the curve's ends, relative: sensors vary
 
   private final Path file;
   private final double voltsPerCount;
@@ -45,8 +46,8 @@ public final class AnalogRangeFinder implements RangeFinder {
   private int connections;
 
   /**
-   * @param file of the converter's counts; need not be there
-   * @param curve distance [m] by voltage [V]
+   * @param file file with the ADC counts; may be absent
+   * @param curve range [m] over voltage [V]
    */
   AnalogRangeFinder(Path file, double voltsPerCount, DoubleFunction<OptionalDouble> curve) {
     this.file = file;
@@ -55,22 +56,22 @@ public final class AnalogRangeFinder implements RangeFinder {
   }
 
   /**
-   * The distance that a MaxBotix LV-MaxSonar-EZ means [m]: supply / 512 volts an inch, 6…254 inches
-   * (data sheet PD11832). Nearer objects read as 6 inches.
+   * Range of a MaxBotix LV-MaxSonar-EZ [m]: supply / 512 volts per inch, 6…254 inches (data sheet
+   * PD11832). Nearer objects read as 6 inches.
    */
   static OptionalDouble maxBotixLvM(double volts, double supplyV) {
     return SonarModel.LV.rangeM(volts / (supplyV / 512.0));
   }
 
   /**
-   * The distance that a Sharp GP2Y0A21YK0F means [m], 0.10…0.80: between two points of its curve
-   * the inverse is interpolated, as the voltage is about proportional to that. Nearer than 0.1 m
-   * the voltage falls again, so that such an object looks far: mount it 0.1 m back.
+   * Range of a Sharp GP2Y0A21YK0F [m], 0.10…0.80: interpolates 1 / range between curve points, to
+   * which voltage is roughly proportional. Below 0.1 m the voltage falls again and the object
+   * appears far: mount the sensor 0.1 m back.
    */
   static OptionalDouble sharpM(double volts) {
     int last = SHARP.length - 1;
     if (!(volts <= SHARP[0][1] * (1.0 + MARGIN)) || volts < SHARP[last][1]) {
-      return OptionalDouble.empty(); // NaN, or nothing in reach
+      return OptionalDouble.empty(); // NaN or out of range
     }
     int far = 1;
     while (volts < SHARP[far][1]) {
@@ -89,7 +90,7 @@ public final class AnalogRangeFinder implements RangeFinder {
       latest = Optional.of(new Distance(nowMicros, curve.apply(counts * voltsPerCount)));
       connections += isConnected() ? 0 : 1;
       trouble = "";
-    } catch (IOException | NumberFormatException e) { // a lost device is a state, no exception
+    } catch (IOException | NumberFormatException e) { // a lost device is a state, not an exception
       trouble = e.toString();
     }
     return latest;
@@ -110,7 +111,7 @@ public final class AnalogRangeFinder implements RangeFinder {
     return trouble;
   }
 
-  /** MODEL LV ANALOG and SHARP in a configuration. */
+  /** Provider of MODEL = LV ANALOG and SHARP. */
   public static final class Provider extends DeviceProvider<RangeFinder> {
     private record Tuning(
         @Variable(
@@ -129,7 +130,7 @@ public final class AnalogRangeFinder implements RangeFinder {
                 text = "LV ANALOG: supply voltage of the sonar.")
             double sonarSupply) {}
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(RangeFinder.class, "LV ANALOG", "SHARP");
     }

@@ -16,17 +16,17 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Runs a Hokuyo, or another sensor that speaks SCIP 2: has it speak SCIP 2, ends what it was doing,
- * asks what it is, switches the laser on, has it measure without end, and begins again when scans
- * fail to come.
+ * Operates a Hokuyo or another SCIP 2 sensor: selects SCIP 2, stops any measurement, queries its
+ * parameters, switches the laser on, starts continuous measurement, and restarts when scans stop
+ * arriving.
  *
- * <p>A URG-04LX wakes up with SCIP 1.1 each time that it gets power, and answers "SCIP2.0" with
- * status 0; one that speaks SCIP 2 already refuses it ("0E"), or says nothing. Both will do.
+ * <p>A URG-04LX powers up in SCIP 1.1 and answers "SCIP2.0" with status 0; one already in SCIP 2
+ * rejects it ("0E") or stays silent. Both are accepted.
  */
 public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements LaserScanner {
   private static final String MEASURES = "99";
   private static final String DONE = "00";
-  private static final String ALREADY = "02"; // in answer to "BM": the laser is on
+  private static final String ALREADY = "02"; // reply to "BM": the laser is already on
   private static final long ANSWER_WITHIN_MICROS = Clock.micros(0.5);
   private static final long SCAN_WITHIN_MICROS = Clock.micros(1.0);
 
@@ -53,7 +53,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   private String trouble = "";
   private long malformed;
 
-  /** Over that link, which is closed with this. */
+  /** Uses the link; closing the device closes it. */
   public Hokuyo(ByteLink link) {
     super(link);
   }
@@ -100,9 +100,9 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
 
   private void answered(List<String> lines, long nowMicros) {
     if (!lines.get(0).startsWith(state.command)) {
-      return; // a scan from before, or noise
+      return; // an earlier scan, or noise
     }
-    if (state == State.SWITCHING) { // SCIP 1.1 has no check characters
+    if (state == State.SWITCHING) { // SCIP 1.1 has no checksums
       ask(State.QUITTING, "QT", nowMicros);
       return;
     }
@@ -130,7 +130,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
     }
   }
 
-  /** What is not expected is said; the next request then is overdue, and all begins again. */
+  /** Reports an unexpected reply; the next request then times out and the sequence restarts. */
   private boolean expect(boolean isExpected, String status) {
     if (!isExpected) {
       trouble = "the laser answers " + asked + " with status " + status;
@@ -149,7 +149,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   }
 
   private void measure(long nowMicros) {
-    String command = // each step by itself, each scan, without end
+    String command = // every step, every scan, continuously
         String.format(Locale.ROOT, "MD%04d%04d01000", sensor.firstStep(), sensor.lastStep());
     ask(State.MEASURING, command, nowMicros);
     untilMicros = nowMicros + SCAN_WITHIN_MICROS;
@@ -167,7 +167,8 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
             .maxRange(sensor.farthestMm() * ScipSensor.MILLI)
             .timeIncrement(sensor.stepS())
             .beams(sensor.azimuth(sensor.firstStep()), sensor.stepRad(), ranges.get());
-    scan.timestamp(nowMicros - Clock.micros(sensor.steps() * sensor.stepS())); // sent at its end
+    scan.timestamp(
+        nowMicros - Clock.micros(sensor.steps() * sensor.stepS())); // the scan is sent at its end
     latest = Optional.of(new Scan(nowMicros, scan));
     trouble = "";
     untilMicros = nowMicros + SCAN_WITHIN_MICROS;
@@ -177,7 +178,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
     state = next;
     asked = command;
     untilMicros = nowMicros + ANSWER_WITHIN_MICROS;
-    link.write((command + "\n").getBytes(US_ASCII)); // one that is not taken is overdue later
+    link.write((command + "\n").getBytes(US_ASCII)); // an unsent request times out later
   }
 
   @Override
@@ -199,9 +200,9 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
     }
   }
 
-  /** LIDAR hokuyo in a configuration. */
+  /** Provider of LIDAR = hokuyo. */
   public static final class Provider extends DeviceProvider<LaserScanner> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(LaserScanner.class, "hokuyo");
     }

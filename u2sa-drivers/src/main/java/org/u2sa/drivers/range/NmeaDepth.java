@@ -12,13 +12,13 @@ import org.u2sa.drivers.nmea.NmeaSentence;
 import org.u2sa.service.ServiceContext;
 
 /**
- * An echo sounder with NMEA 0183: water below its transducer, from DPT, or from DBT in metres. One
- * that sends both says the same twice.
+ * An NMEA 0183 echo sounder: depth below the transducer from DPT, or from DBT in metres. Devices
+ * that send both report each depth twice.
  */
 public final class NmeaDepth extends ParsedDevice<RangeFinder.Distance> implements RangeFinder {
   private static final double DEEPEST_M = 12_000.0;
 
-  /** Over that link, which is closed with this. */
+  /** Uses the link; closing the device closes it. */
   public NmeaDepth(ByteLink link) {
     super(link, new NmeaParser<>(NmeaDepth::distance));
   }
@@ -30,7 +30,7 @@ public final class NmeaDepth extends ParsedDevice<RangeFinder.Distance> implemen
     }
     String text = sentence.field(field);
     if (text.isEmpty()) {
-      return Optional.of(new Distance(nowMicros, OptionalDouble.empty())); // no bottom in reach
+      return Optional.of(new Distance(nowMicros, OptionalDouble.empty())); // bottom out of range
     }
     double metres = Double.parseDouble(text);
     if (!(metres >= 0.0 && metres <= DEEPEST_M)) {
@@ -39,9 +39,9 @@ public final class NmeaDepth extends ParsedDevice<RangeFinder.Distance> implemen
     return Optional.of(new Distance(nowMicros, OptionalDouble.of(metres)));
   }
 
-  /** MODEL NMEA DEPTH in a configuration. */
+  /** Provider of MODEL = NMEA DEPTH. */
   public static final class Provider extends DeviceProvider<RangeFinder> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(RangeFinder.class, "NMEA DEPTH");
     }

@@ -14,13 +14,12 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Runs an RPLIDAR: stops it, asks for its health, resets it if it has stopped to protect itself,
- * starts its motor if that is ours to do, starts the standard scan, and begins again when scans
- * fail to come.
+ * Operates an RPLIDAR: stops it, queries its health, resets it after a protection stop, starts the
+ * motor if needed, starts the standard scan, and restarts when scans stop arriving.
  *
- * <p>The A1's motor turns by itself, or by DTR. From the A2 on it hangs on the USB adapter, which
- * the laser is asked for and which obeys SET_MOTOR_PWM (Slamtec's rplidar_sdk, sl_lidar_cmd.h and
- * sl_lidar_driver.cpp; LR001 does not have it).
+ * <p>The A1's motor runs by itself or by DTR. From the A2 on it is driven by the USB adapter, whose
+ * presence is queried and which obeys SET_MOTOR_PWM (Slamtec's rplidar_sdk, sl_lidar_cmd.h and
+ * sl_lidar_driver.cpp; not in LR001).
  */
 public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements LaserScanner {
   private static final int START = 0xA5;
@@ -40,9 +39,10 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   private static final long STOPPED_AFTER_MICROS = Clock.micros(0.05);
   private static final long RESET_AFTER_MICROS = Clock.micros(1.0);
   private static final long ANSWER_WITHIN_MICROS = Clock.micros(0.5);
-  private static final long MOTOR_MICROS = Clock.micros(0.5); // as the SDK waits
+  private static final long MOTOR_MICROS = Clock.micros(0.5); // same delay as the SDK
   private static final long SPIN_UP_MICROS = Clock.micros(4.0);
-  private static final long SCAN_WITHIN_MICROS = Clock.micros(1.0); // the slowest turns at 2 Hz
+  private static final long SCAN_WITHIN_MICROS =
+      Clock.micros(1.0); // the slowest models scan at 2 Hz
 
   private enum State {
     STOPPING,
@@ -67,12 +67,12 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   private String trouble = "";
   private long unanswered;
 
-  /** Over that link, which is closed with this. */
+  /** Uses the link; closing the device closes it. */
   public Rplidar(ByteLink link) {
     super(link);
   }
 
-  /** Start, command, length, payload, and the check sum: all before it, by exclusive or. */
+  /** Encodes a request: start, command, length, payload, and the XOR of all preceding bytes. */
   static byte[] request(int command, int... payload) {
     byte[] request = new byte[payload.length + 4];
     request[0] = (byte) START;
@@ -90,9 +90,9 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   }
 
   /**
-   * Runs the motor.
+   * * Motor command.
    *
-   * @param width of the pulses, 0…1023; 0 stops it
+   * @param width PWM duty, 0…1023; 0 stops it
    */
   static byte[] motor(int width) {
     return request(SET_MOTOR_PWM, width & 0xFF, width >> 8);
@@ -178,7 +178,7 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
     if (state == State.STOPPING) {
       ask(GET_HEALTH, State.HEALTH_ASKED, nowMicros + ANSWER_WITHIN_MICROS);
     } else if (MAY_BE_UNANSWERED.contains(state)) {
-      scan(nowMicros); // an older one need not know the question
+      scan(nowMicros); // older models may not support the query
     } else {
       unanswered += state == State.RESETTING ? 0 : 1;
       stop(nowMicros);
@@ -191,7 +191,7 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
 
   private void ask(byte[] request, State next, long until) {
     parser.beginAnew();
-    link.write(request); // one that is not taken is overdue later
+    link.write(request); // an unsent request times out later
     enter(next, until);
   }
 
@@ -222,9 +222,9 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
     }
   }
 
-  /** LIDAR rplidar in a configuration. */
+  /** Provider of LIDAR = rplidar. */
   public static final class Provider extends DeviceProvider<LaserScanner> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(LaserScanner.class, "rplidar");
     }

@@ -9,9 +9,9 @@ import java.util.OptionalInt;
 import org.u2sa.messages.RangeScan;
 
 /**
- * Reads what an RPLIDAR sends: response descriptors, its health and model, whether a board runs its
- * motor, and the 5 bytes of each measurement of a standard scan (Slamtec LR001, "RPLIDAR Interface
- * Protocol", rev. 2.1; the board: Slamtec's rplidar_sdk).
+ * Parses an RPLIDAR's output: response descriptors, health, model, motor-board support, and the
+ * 5-byte measurements of a standard scan (Slamtec LR001, "RPLIDAR Interface Protocol", rev. 2.1;
+ * the board: Slamtec's rplidar_sdk).
  */
 final class RplidarParser {
   private static final int SYNC_1 = 0xA5;
@@ -21,32 +21,31 @@ final class RplidarParser {
   private static final double STEPS_PER_DEGREE = 64.0;
   private static final double STEPS_PER_METRE = 4000.0;
 
-  /** The farthest that 16 bits can say [m]. */
+  /** Maximum range representable in 16 bits [m]. */
   static final double FARTHEST_M = 65_535 / STEPS_PER_METRE;
 
   private static final int FULL_TURN = 360 * 64;
-  // A position in random bytes looks like a node once in five times: so many in a row are no
-  // chance.
+  // Random bytes look like a node at one in five positions, so this many in a row cannot be chance.
   private static final int NODES_TO_TRUST = 16;
-  private static final int MOST_BEAMS = 20_000; // of a scan; a motor that stands sends no begin
+  private static final int MOST_BEAMS = 20_000; // per scan; a stopped motor sends no scan start
 
   /**
-   * The device's own word on itself.
+   * Health reported by the device.
    *
-   * @param status 0 good, 1 warning, 2 error: it has stopped to protect itself
-   * @param errorCode of the manufacturer
+   * @param status 0 good, 1 warning, 2 error (protection stop)
+   * @param errorCode manufacturer's error code
    */
   record Health(int status, int errorCode) {}
 
   /**
-   * One turn.
+   * * One revolution.
    *
-   * @param firstMicros when its first measurement came [µs]
-   * @param endMicros when the first of the next turn came [µs]
+   * @param firstMicros arrival of its first measurement [µs]
+   * @param endMicros arrival of the next revolution's first measurement [µs]
    */
   record Turn(long firstMicros, long endMicros, List<RangeScan.Beam> beams) {}
 
-  /** What comes next: a descriptor, or the answer of a type and length that it announced. */
+  /** Parser state: expecting a descriptor, or the announced response. */
   private enum Expecting {
     DESCRIPTOR(-1, 7),
     HEALTH(0x06, 3),
@@ -67,11 +66,11 @@ final class RplidarParser {
   private int pendingBytes;
   private Expecting expecting = Expecting.DESCRIPTOR;
   private boolean trusted;
-  private boolean hasBegun; // a scan, at its beginning
+  private boolean hasBegun; // a scan was received from its start
   private List<RangeScan.Beam> beams = new ArrayList<>();
   private long nowMicros;
   private long firstMicros;
-  private Turn ended; // one whose end was seen, until enough measurements confirm it
+  private Turn ended; // completed revolution, held until enough measurements confirm it
   private int confirmations;
   private Turn whole;
   private Health health;
@@ -79,11 +78,11 @@ final class RplidarParser {
   private Optional<Boolean> board = Optional.empty();
   private long malformed;
 
-  /** Forgets all but the count: a request follows, and its descriptor is awaited. */
+  /** Resets all but the counter before a request, and expects its descriptor. */
   void beginAnew() {
     pendingBytes = 0;
     expecting = Expecting.DESCRIPTOR;
-    trusted = true; // what follows a descriptor is aligned
+    trusted = true; // data after a descriptor is aligned
     hasBegun = false;
     beams = new ArrayList<>();
     ended = null;
@@ -93,7 +92,7 @@ final class RplidarParser {
     board = Optional.empty();
   }
 
-  /** Takes the next bytes of the stream, which came then. */
+  /** Consumes bytes with their arrival time. */
   void accept(byte[] bytes, int length, long cameMicros) {
     nowMicros = cameMicros;
     int from = 0;
@@ -112,7 +111,7 @@ final class RplidarParser {
     }
   }
 
-  /** Reads on from there; returns the bytes that are done with, 0 if more must come first. */
+  /** Parses at an index; returns the number of bytes consumed, 0 if more are needed. */
   private int step(int at) {
     int left = pendingBytes - at;
     if (expecting == Expecting.NODES) {
@@ -149,7 +148,7 @@ final class RplidarParser {
         }
       }
     }
-    return 1; // rests of a scan that was stopped
+    return 1; // remainder of a stopped scan
   }
 
   private int node(int at, int left) {
@@ -159,8 +158,8 @@ final class RplidarParser {
     if (!isNode(at)) {
       malformed++;
       trusted = false;
-      hasBegun = false; // a scan with a gap is none
-      ended = null; // nor one whose end may have been none
+      hasBegun = false; // discard a scan with a gap
+      ended = null; // and one whose end may be false
       return 1;
     }
     confirm();
@@ -194,7 +193,7 @@ final class RplidarParser {
     }
   }
 
-  /** Whether start bit and its inverse differ, the check bit is 1, and the angle is one. */
+  /** Whether start bit and inverse differ, the check bit is 1, and the angle is valid. */
   private boolean isNode(int at) {
     return (at(at) & 1) != (at(at) >> 1 & 1) && (at(at + 1) & 1) == 1 && angleSteps(at) < FULL_TURN;
   }
@@ -216,34 +215,34 @@ final class RplidarParser {
     return node(at, left);
   }
 
-  /** Whether measurements come. */
+  /** Whether measurements are arriving. */
   boolean isScanning() {
     return expecting == Expecting.NODES;
   }
 
-  /** What was said of health since the last {@link #beginAnew}. */
+  /** Health received since the last {@link #beginAnew}. */
   Optional<Health> health() {
     return Optional.ofNullable(health);
   }
 
-  /** The model that the device says it is, since the last {@link #beginAnew}; A2 is 0x28. */
+  /** Model received since the last {@link #beginAnew}; A2 is 0x28. */
   OptionalInt model() {
     return model;
   }
 
-  /** Whether it says that a board runs its motor, since the last {@link #beginAnew}. */
+  /** Motor-board support received since the last {@link #beginAnew}. */
   Optional<Boolean> hasMotorBoard() {
     return board;
   }
 
-  /** The newest whole turn; once. */
+  /** Returns the latest complete revolution once. */
   Optional<Turn> takeTurn() {
     Optional<Turn> taken = Optional.ofNullable(whole);
     whole = null;
     return taken;
   }
 
-  /** How often measurements were out of step. */
+  /** Number of misaligned measurements. */
   long malformed() {
     return malformed;
   }

@@ -6,19 +6,19 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 
-/** Splits what a SCIP sensor sends into answers: lines up to an empty one. */
+/** Splits a SCIP sensor's output into replies, each ended by an empty line. */
 final class ScipReader {
   private static final int LONGEST_LINE = 256;
-  private static final int MOST_LINES = 400; // a scan of 8192 steps
+  private static final int MOST_LINES = 400; // enough for a scan of 8192 steps
   private static final int MOST_ANSWERS = 16;
 
   private final StringBuilder line = new StringBuilder();
   private List<String> lines = new ArrayList<>();
   private final Deque<List<String>> answers = new ArrayDeque<>();
-  private boolean skips; // up to the next empty line
+  private boolean skips; // discarding up to the next empty line
   private long malformed;
 
-  /** Forgets all but the count: the stream was cut. */
+  /** Resets all but the counter after an interruption. */
   void beginAnew() {
     line.setLength(0);
     lines = new ArrayList<>();
@@ -26,7 +26,7 @@ final class ScipReader {
     skips = false;
   }
 
-  /** Takes the next bytes of the stream. */
+  /** Consumes bytes. */
   void accept(byte[] bytes, int length) {
     for (int i = 0; i < length; i++) {
       char each = (char) (bytes[i] & 0xFF);
@@ -53,7 +53,7 @@ final class ScipReader {
     if (!skips && !lines.isEmpty()) {
       answers.add(lines);
       if (answers.size() > MOST_ANSWERS) {
-        answers.remove(); // nobody takes them: the newest count
+        answers.remove(); // unread: keep only the newest
       }
     }
     skips = false;
@@ -67,12 +67,12 @@ final class ScipReader {
     lines = new ArrayList<>();
   }
 
-  /** The oldest answer not yet taken: echo, status, data. */
+  /** Oldest unread reply: echo, status, data. */
   Optional<List<String>> take() {
     return Optional.ofNullable(answers.poll());
   }
 
-  /** How often lines or answers were endless. */
+  /** Number of overlong lines and replies. */
   long malformed() {
     return malformed;
   }

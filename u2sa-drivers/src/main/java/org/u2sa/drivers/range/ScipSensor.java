@@ -8,17 +8,17 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What a SCIP 2 sensor says of itself in answer to "PP", and how its answers are read: check
- * characters and numbers of six bits a character (Hokuyo C-42-03320B, "Communication Protocol
- * Specification for SCIP2.0 Standard", chapters 6 and 7).
+ * Parameters of a SCIP 2 sensor from its reply to "PP", and decoding of its data: checksum
+ * characters and 6-bit encoded numbers (Hokuyo C-42-03320B, "Communication Protocol Specification
+ * for SCIP2.0 Standard", chapters 6 and 7).
  *
- * @param nearestMm DMIN: less is an error code [mm]
- * @param farthestMm DMAX: more is nothing [mm]
+ * @param nearestMm DMIN: smaller values are error codes [mm]
+ * @param farthestMm DMAX: larger values mean no echo [mm]
  * @param stepsPerTurn ARES
  * @param firstStep AMIN
  * @param lastStep AMAX
- * @param frontStep AFRT: the step straight ahead
- * @param turnsPerMinute SCAN; 0 if it does not say
+ * @param frontStep AFRT: step pointing straight ahead
+ * @param turnsPerMinute SCAN; 0 if unknown
  */
 record ScipSensor(
     int nearestMm,
@@ -32,10 +32,12 @@ record ScipSensor(
   private static final double SECONDS_PER_MINUTE = 60.0;
   private static final int SIX_BITS = 0x3F;
   private static final int OFFSET = 0x30;
-  private static final int CHARACTERS = 3; // of a distance
+  private static final int CHARACTERS = 3; // per distance
   static final double MILLI = 0.001;
 
-  /** Reads the lines after the status, each "NAME:value;sum"; empty if one is wrong or missing. */
+  /**
+   * Parses the lines after the status, each "NAME:value;sum"; empty if one is invalid or missing.
+   */
   static Optional<ScipSensor> of(List<String> lines) {
     Map<String, Integer> values = new HashMap<>();
     for (String line : lines) {
@@ -44,7 +46,7 @@ record ScipSensor(
       if (colon < 0 || semicolon != line.length() - 2 || semicolon < colon) {
         return Optional.empty();
       }
-      // The sum leaves out the semicolon, against the specification's figure but as sensors do.
+      // Contrary to the specification's figure, sensors exclude the semicolon from the sum.
       if (line.charAt(semicolon + 1) != sum(line.substring(0, semicolon))) {
         return Optional.empty();
       }
@@ -82,33 +84,33 @@ record ScipSensor(
     return fits ? Optional.of(parameters) : Optional.empty();
   }
 
-  /** How many distances a scan has. */
+  /** Number of distances per scan. */
   int steps() {
     return lastStep - firstStep + 1;
   }
 
-  /** From each step to the next [rad]. */
+  /** Angle between steps [rad]. */
   double stepRad() {
     return 2.0 * Math.PI / stepsPerTurn;
   }
 
-  /** Time from each step to the next [s]; 0 if not known. */
+  /** Time between steps [s]; 0 if unknown. */
   double stepS() {
     return turnsPerMinute == 0 ? 0.0 : SECONDS_PER_MINUTE / turnsPerMinute / stepsPerTurn;
   }
 
-  /** Direction of a step from straight ahead, to the left positive [rad]; seen from above. */
+  /** Direction of a step relative to straight ahead, left positive seen from above [rad]. */
   double azimuth(int step) {
     return (step - frontStep) * stepRad();
   }
 
   /**
-   * What each step measured [m]; empty where no echo came: less than the nearest is an error code,
-   * more than the farthest nothing.
+   * Ranges per step [m]; empty without an echo: below the minimum is an error code, above the
+   * maximum is no echo.
    *
-   * @param lines after the status: time stamp, and blocks of at most 64 characters, each with its
-   *     check character
-   * @return empty if a check character is wrong, or there are not as many distances as steps
+   * @param lines lines after the status: timestamp, and blocks of at most 64 characters with a
+   *     checksum character each
+   * @return empty if a checksum is wrong or the number of distances differs from the steps
    */
   Optional<List<OptionalDouble>> ranges(List<String> lines) {
     StringBuilder data = new StringBuilder();
@@ -116,7 +118,7 @@ record ScipSensor(
       if (!isChecked(lines.get(i))) {
         return Optional.empty();
       }
-      if (i > 0) { // the first is the time stamp
+      if (i > 0) { // line 0 is the timestamp
         data.append(lines.get(i), 0, lines.get(i).length() - 1);
       }
     }
@@ -135,7 +137,7 @@ record ScipSensor(
     return Optional.of(ranges);
   }
 
-  /** The check character of a text: the low six bits of the sum, as a printable character. */
+  /** Checksum character of a text: the low six bits of the sum, as a printable character. */
   static char sum(CharSequence text) {
     int sum = 0;
     for (int i = 0; i < text.length(); i++) {
@@ -144,13 +146,13 @@ record ScipSensor(
     return (char) ((sum & SIX_BITS) + OFFSET);
   }
 
-  /** Whether a line ends with the check character of what is before it. */
+  /** Whether a line ends with a valid checksum character. */
   static boolean isChecked(CharSequence line) {
     int end = line.length() - 1;
     return end >= 0 && line.charAt(end) == sum(line.subSequence(0, end));
   }
 
-  /** The number that some characters stand for, six bits each; −1 if one cannot be. */
+  /** Decodes characters of six bits each; −1 if one is invalid. */
   static int decode(CharSequence text, int from, int characters) {
     int value = 0;
     for (int i = from; i < from + characters; i++) {

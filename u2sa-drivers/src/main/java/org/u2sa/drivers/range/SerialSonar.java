@@ -9,16 +9,16 @@ import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.service.ServiceContext;
 
-/** A MaxBotix sonar on a link; it measures by itself, again and again. */
+/** A free-running MaxBotix sonar on a link. */
 public final class SerialSonar extends ParsedDevice<RangeFinder.Distance> implements RangeFinder {
-  /** Over that link, which is closed with this. */
+  /** Uses the link; closing the device closes it. */
   public SerialSonar(ByteLink link, SonarModel model) {
     super(link, new SonarParser(model));
   }
 
-  /** MODEL LV, XL and HR in a configuration. */
+  /** Provider of MODEL = LV, XL and HR. */
   public static final class Provider extends DeviceProvider<RangeFinder> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(RangeFinder.class, "LV", "XL", "HR");
     }
@@ -29,18 +29,18 @@ public final class SerialSonar extends ParsedDevice<RangeFinder.Distance> implem
     }
   }
 
-  /** Reads a MaxBotix sonar's serial output: "R", digits, carriage return. */
+  /** Parses a MaxBotix sonar's serial output: "R", digits, carriage return. */
   static final class SonarParser implements ByteParser<RangeFinder.Distance> {
     private static final int CARRIAGE_RETURN = '\r';
     private static final int BEGIN = 'R';
 
     private final SonarModel model;
-    private int digits = -1; // seen since the R; -1: no R yet
+    private int digits = -1; // digits since the R; -1 before an R
     private int count;
     private Optional<RangeFinder.Distance> latest = Optional.empty();
     private long refused;
 
-    /** For sonars of a family. */
+    /** Creates a parser for a sonar family. */
     SonarParser(SonarModel model) {
       this.model = model;
     }
@@ -54,7 +54,7 @@ public final class SerialSonar extends ParsedDevice<RangeFinder.Distance> implem
 
     private void accept(int each, long nowMicros) {
       if (each == BEGIN) {
-        refused += digits >= 0 ? 1 : 0; // another one had begun
+        refused += digits >= 0 ? 1 : 0; // a partial message was interrupted
         digits = 0;
         count = 0;
       } else if (each >= '0' && each <= '9' && digits >= 0 && digits < model.digits()) {

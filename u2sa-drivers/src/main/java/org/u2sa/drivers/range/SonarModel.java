@@ -2,7 +2,7 @@ package org.u2sa.drivers.range;
 
 import java.util.OptionalDouble;
 
-/** MaxBotix's families: how many digits in which unit, and how far they see. */
+/** MaxBotix sonar families: digits, unit and range. */
 public enum SonarModel {
   /** LV-MaxSonar-EZ: R and 3 digits, inches, 6…254 (data sheet PD11832). */
   LV(3, 0.0254, 6.0, 254.0),
@@ -30,8 +30,8 @@ public enum SonarModel {
   }
 
   /**
-   * The distance [m] at a count of the family's own unit; nearer than it sees is its nearest,
-   * beyond its reach nothing.
+   * Range [m] for a count in the family's unit; clamped to the minimum range, empty beyond the
+   * maximum.
    */
   OptionalDouble rangeM(double count) {
     if (!(count >= 0.0) || count > farthest + ROUNDING) {

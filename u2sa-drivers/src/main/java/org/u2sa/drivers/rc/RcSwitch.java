@@ -4,26 +4,26 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * The switch on the radio between automatic and manual (thesis 4.6.3). A short pulse, one that no
- * receiver gives, or none for the time-out is manual at once; automatic needs several long pulses
- * in a row. So a lost receiver is manual. Not safe for several threads.
+ * The radio's automatic/manual switch (thesis 4.6.3). A short pulse, an invalid pulse, or none
+ * within the time-out selects manual immediately; automatic requires several consecutive long
+ * pulses. A lost receiver therefore means manual. Not thread-safe.
  */
 public final class RcSwitch {
   private static final double MICRO = 1.0e-6;
-  private static final double SHORTEST_US = 800.0; // what radios give with trims at their ends
+  private static final double SHORTEST_US = 800.0; // covers radios with trims at their ends
   private static final double LONGEST_US = 2200.0;
 
-  /** What the switch and its receiver say. */
+  /** Switch position. */
   public enum Position {
-    /** Commands of the system may pass. */
+    /** System commands are passed on. */
     AUTOMATIC,
-    /** Whoever holds the radio drives. */
+    /** The radio operator drives. */
     MANUAL,
-    /** No receiver: as manual. */
+    /** No receiver; treated as manual. */
     LOST
   }
 
-  /** The configuration variables of the switch. */
+  /** Configuration variables of the switch. */
   public record Tuning(
       @Variable(
               name = "RC AUTOMATIC ABOVE",
@@ -69,9 +69,9 @@ public final class RcSwitch {
   }
 
   /**
-   * Takes a measured pulse.
+   * Handles a measured pulse.
    *
-   * @param pulseS its width [s]; NaN or out of range: the receiver is lost
+   * @param pulseS width [s]; NaN or out of range means the receiver is lost
    * @param nowMicros time of the run's clock [µs]
    */
   public void accept(double pulseS, long nowMicros) {
@@ -92,7 +92,7 @@ public final class RcSwitch {
     }
   }
 
-  /** Where the switch is at a time of the run's clock [µs]. */
+  /** Switch position at a time of the run's clock [µs]. */
   public Position position(long nowMicros) {
     if (position != Position.LOST && nowMicros - lastMicros > timeoutMicros) {
       becomes(Position.LOST);

@@ -14,8 +14,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Blue Robotics' Ping echo sounder, an altimeter of one beam, asked for its distance: message 1211
- * by request 6 (bluerobotics/ping-protocol, ping1d.json).
+ * Blue Robotics Ping single-beam echo sounder, polled for its distance: message 1211 by request 6
+ * (bluerobotics/ping-protocol, ping1d.json).
  */
 public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements RangeFinder {
   private static final int REQUEST = 6;
@@ -31,9 +31,9 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
   private Optional<Distance> latest = Optional.empty();
 
   /**
-   * Over that link, which is closed with this.
+   * Uses the link; closing the device closes it.
    *
-   * @param leastConfidence below which an echo is none [%]
+   * @param leastConfidence minimum confidence of an echo [%]
    */
   public Ping1d(ByteLink link, int leastConfidence) {
     super(link);
@@ -81,7 +81,7 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
     return framer.refused();
   }
 
-  /** MODEL PING1D in a configuration. */
+  /** Provider of MODEL = PING1D. */
   public static final class Provider extends DeviceProvider<RangeFinder> {
     private record Tuning(
         @Variable(
@@ -92,7 +92,7 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
                 text = "PING1D: least confidence of an echo that counts.")
             int leastConfidence) {}
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(RangeFinder.class, "PING1D");
     }

@@ -15,9 +15,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Blue Robotics' Ping360, which is told to turn and ping, and answers with the echo's strengths:
- * messages 2601 and 2300 (bluerobotics/ping-protocol, ping360.json). Angles grow clockwise as seen
- * from above with the transducer on top; the sonar's ahead is its angle 0.
+ * Blue Robotics Ping360 scanning sonar: commanded to turn and ping, it replies with echo
+ * intensities: messages 2601 and 2300 (bluerobotics/ping-protocol, ping360.json). Angles are
+ * clockwise seen from above with the transducer on top; angle 0 is ahead.
  */
 public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
   private static final int TRANSDUCER = 2601;
@@ -31,15 +31,16 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
   private static final int SAMPLES = 600;
   private static final int FREQUENCY_KHZ = 740;
   private static final double MICROS_PER_S = 1e6;
-  private static final double CYCLE_SHARE = 0.01; // of the echo's time, for the pulse
-  private static final long ANSWER_WITHIN_MICROS = Clock.micros(4.0); // as the messages' text says
+  private static final double CYCLE_SHARE = 0.01; // pulse length relative to the echo time
+  private static final long ANSWER_WITHIN_MICROS =
+      Clock.micros(4.0); // from the message description
   private static final byte[] AUTO_BAUD = {'U', 'U', 'U', 'U', 'U', 'U', 'U'};
 
   private final PingFramer framer = new PingFramer();
   private final double soundMps;
   private final int stepGradians;
   private final int gain;
-  private final int period; // of samples [25 ns]
+  private final int period; // sample period [25 ns]
   private int angle;
   private boolean isAsked;
   private long askedMicros;
@@ -47,11 +48,11 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
   private long refused;
 
   /**
-   * Over that link, which is closed with this.
+   * Uses the link; closing the device closes it.
    *
-   * @param reachM how far it listens [m]
+   * @param reachM maximum range [m]
    * @param soundMps speed of sound in the water [m/s]
-   * @param stepGradians from each ping to the next, clockwise; 400 are a turn
+   * @param stepGradians step between pings, clockwise; 400 per turn
    * @param gain 0 low, 1 normal, 2 high
    */
   public Ping360(ByteLink link, double reachM, double soundMps, int stepGradians, int gain) {
@@ -59,7 +60,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
     this.soundMps = soundMps;
     this.stepGradians = stepGradians;
     this.gain = gain;
-    // the way out and back: 2 r = c · n · T
+    // two-way travel: 2 r = c · n · T
     double exact = 2.0 * reachM / (soundMps * SAMPLES * PERIOD_STEP_S);
     period = (int) Math.max(LEAST_PERIOD, Math.min(MOST_PERIOD, Math.round(exact)));
   }
@@ -68,7 +69,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
   protected void found(long nowMicros) {
     framer.reset();
     isAsked = false;
-    link.write(AUTO_BAUD); // it takes a line's speed from these
+    link.write(AUTO_BAUD); // lets the device detect the baud rate
   }
 
   @Override
@@ -90,7 +91,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
     isAsked = false;
     angle = (said + stepGradians) % GRADIANS;
     if (count == 0) {
-      return; // it has only turned
+      return; // reply to a turn without a ping
     }
     byte[] strengths = Arrays.copyOfRange(data.array(), DATA_HEAD_BYTES, DATA_HEAD_BYTES + count);
     double bearing = -Math.IEEEremainder(said * RAD_PER_GRADIAN, 2.0 * Math.PI);
@@ -127,7 +128,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
     return framer.refused() + refused;
   }
 
-  /** SONAR PING360 in a configuration. */
+  /** Provider of SONAR = PING360. */
   public static final class Provider extends DeviceProvider<Sonar> {
     private record Tuning(
         @Variable(
@@ -158,7 +159,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
                 text = "PING360: analog gain: 0 low, 1 normal, 2 high.")
             int gain) {}
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(Sonar.class, "PING360");
     }

@@ -6,8 +6,8 @@ import java.util.Arrays;
 import java.util.function.ObjIntConsumer;
 
 /**
- * Framing of the ping protocol: {@code BR}, length of the payload, message's ID, sender, receiver,
- * payload, sum of all bytes before; low bytes first (bluerobotics/ping-protocol, README).
+ * Framing of the ping protocol: {@code BR}, payload length, message ID, sender, receiver, payload,
+ * sum of all preceding bytes; little-endian (bluerobotics/ping-protocol, README).
  */
 final class PingFramer {
   private static final int HEAD_BYTES = 8;
@@ -18,7 +18,7 @@ final class PingFramer {
   private int length;
   private long refused;
 
-  /** A message to any device as it is sent. */
+  /** Encodes a message to any device. */
   static byte[] of(int id, byte... payload) {
     ByteBuffer message =
         ByteBuffer.allocate(HEAD_BYTES + payload.length + SUM_BYTES).order(ByteOrder.LITTLE_ENDIAN);
@@ -28,9 +28,9 @@ final class PingFramer {
   }
 
   /**
-   * Takes the next bytes.
+   * Consumes bytes.
    *
-   * @param to gets the payload, low bytes first, and the ID of each whole message
+   * @param to receives the little-endian payload and the ID of each complete message
    */
   void accept(byte[] from, int count, ObjIntConsumer<ByteBuffer> to) {
     for (int i = 0; i < count; i++) {
@@ -81,12 +81,12 @@ final class PingFramer {
     return sum;
   }
 
-  /** Forgets what is half received. */
+  /** Discards a partial message. */
   void reset() {
     length = 0;
   }
 
-  /** Messages with a wrong sum so far. */
+  /** Number of messages with a wrong checksum. */
   long refused() {
     return refused;
   }

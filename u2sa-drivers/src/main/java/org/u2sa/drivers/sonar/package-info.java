@@ -1,5 +1,5 @@
 /**
- * Sonars of Blue Robotics' ping family, by one protocol. Sonars that print lines of text belong to
- * {@code org.u2sa.drivers.range}.
+ * Blue Robotics sonars using the ping protocol. Sonars with text output belong to {@code
+ * org.u2sa.drivers.range}.
  */
 package org.u2sa.drivers.sonar;

@@ -5,17 +5,17 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.device.Device;
 
-/** A device whose reading is the numbers of some files. */
+/** A device read from numeric files. */
 abstract class FileDevice<R extends Device.Reading> implements Device<R> {
   private final NumberFiles files;
   private Optional<R> latest = Optional.empty();
 
-  /** Of files that need not be there yet. */
+  /** Uses files that may be absent. */
   FileDevice(List<Path> files) {
     this.files = new NumberFiles(files);
   }
 
-  /** What the numbers mean, in the order of the files. */
+  /** Converts the values, in file order, to a reading. */
   abstract R reading(long nowMicros, double[] numbers);
 
   @Override
@@ -27,7 +27,7 @@ abstract class FileDevice<R extends Device.Reading> implements Device<R> {
     return latest;
   }
 
-  /** Whether the newest reading is of that moment already. */
+  /** Whether the latest reading already has this time. */
   private boolean isOf(long nowMicros) {
     return latest.isPresent() && latest.get().measuredAtMicros() == nowMicros;
   }

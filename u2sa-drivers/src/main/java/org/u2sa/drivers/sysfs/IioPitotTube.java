@@ -8,8 +8,8 @@ import org.u2sa.device.PitotTube;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A differential pressure sensor that Linux's industrial I/O reads, such as Honeywell's HSC or ABP
- * series; static pressure and temperature are the standard atmosphere's.
+ * A differential pressure sensor on Linux industrial I/O, such as Honeywell HSC or ABP; static
+ * pressure and temperature are taken from the standard atmosphere.
  */
 public final class IioPitotTube extends FileDevice<PitotTube.Impact> implements PitotTube {
   private static final double PASCALS = 1000.0;
@@ -17,8 +17,8 @@ public final class IioPitotTube extends FileDevice<PitotTube.Impact> implements 
   private final double scale;
 
   /**
-   * @param file of the pressure difference; need not be there
-   * @param scale kilopascals of its unit
+   * @param file differential pressure file; may be absent
+   * @param scale kilopascals per unit
    */
   IioPitotTube(Path file, double scale) {
     super(List.of(file));
@@ -31,9 +31,9 @@ public final class IioPitotTube extends FileDevice<PitotTube.Impact> implements 
         nowMicros, PASCALS * scale * numbers[0], OptionalDouble.empty(), OptionalDouble.empty());
   }
 
-  /** PITOT TUBE IIO in a configuration. */
+  /** Provider of PITOT TUBE = IIO. */
   public static final class Provider extends DeviceProvider<PitotTube> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(PitotTube.class, "IIO");
     }

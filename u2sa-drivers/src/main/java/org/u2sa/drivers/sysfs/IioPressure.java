@@ -11,7 +11,7 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A pressure sensor that Linux's industrial I/O reads, such as BMP280, MS5611 or MS5837. {@code
+ * A pressure sensor on Linux industrial I/O, such as BMP280, MS5611 or MS5837. {@code
  * in_pressure_input} is in kilopascal, {@code in_pressure_raw} times {@code in_pressure_scale} too
  * (Documentation/ABI/testing/sysfs-bus-iio).
  */
@@ -21,8 +21,8 @@ public final class IioPressure extends FileDevice<Pressure> implements Barometer
   private final double scale;
 
   /**
-   * @param file of the pressure; need not be there
-   * @param scale kilopascals of its unit; 1 for a file whose name ends in {@code input}
+   * @param file pressure file; may be absent
+   * @param scale kilopascals per unit; 1 for files named {@code …input}
    */
   IioPressure(Path file, double scale) {
     super(List.of(file));
@@ -34,7 +34,7 @@ public final class IioPressure extends FileDevice<Pressure> implements Barometer
     return new Pressure(nowMicros, PASCALS * scale * numbers[0], OptionalDouble.empty());
   }
 
-  /** The variable of all pressure files. */
+  /** Variable common to all pressure files. */
   record Scale(
       @Variable(
               unit = "kPa",
@@ -58,9 +58,9 @@ public final class IioPressure extends FileDevice<Pressure> implements Barometer
     return context.configuration().settings(Scale.class).get().fileScale();
   }
 
-  /** BAROMETER IIO in a configuration. */
+  /** Provider of BAROMETER = IIO. */
   public static final class BarometerProvider extends DeviceProvider<Barometer> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public BarometerProvider() {
       super(Barometer.class, "IIO");
     }
@@ -76,9 +76,9 @@ public final class IioPressure extends FileDevice<Pressure> implements Barometer
     }
   }
 
-  /** DEPTH GAUGE IIO in a configuration. */
+  /** Provider of DEPTH GAUGE = IIO. */
   public static final class DepthGaugeProvider extends DeviceProvider<DepthGauge> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public DepthGaugeProvider() {
       super(DepthGauge.class, "IIO");
     }

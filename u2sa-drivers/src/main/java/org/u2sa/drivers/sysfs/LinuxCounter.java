@@ -8,12 +8,12 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Two quadrature decoders of Linux's counter subsystem, one at each wheel: the files {@code
+ * Two quadrature decoders of the Linux counter subsystem, one per wheel: files {@code
  * /sys/bus/counter/devices/counterX/countY/count} (Documentation/ABI/testing/sysfs-bus-counter).
- * Counters of fewer bits jump where they wrap; such a jump is dropped as a speed that no wheel has.
+ * Narrow counters jump when they wrap; such jumps are rejected as impossible speeds.
  */
 public final class LinuxCounter extends FileDevice<WheelEncoder.Ticks> implements WheelEncoder {
-  /** Of files that need not be there yet. */
+  /** Uses files that may be absent. */
   LinuxCounter(Path left, Path right) {
     super(List.of(left, right));
   }
@@ -23,7 +23,7 @@ public final class LinuxCounter extends FileDevice<WheelEncoder.Ticks> implement
     return new Ticks(nowMicros, (int) (long) numbers[0], (int) (long) numbers[1]);
   }
 
-  /** ENCODERS LINUX COUNTER in a configuration. */
+  /** Provider of ENCODERS = LINUX COUNTER. */
   public static final class Provider extends DeviceProvider<WheelEncoder> {
     private record Files(
         @Variable(
@@ -32,7 +32,7 @@ public final class LinuxCounter extends FileDevice<WheelEncoder.Ticks> implement
                     "LINUX COUNTER: file of the right wheel's count; CONNECTION is the left one's.")
             String rightCounter) {}
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(WheelEncoder.class, "LINUX COUNTER");
     }

@@ -9,18 +9,18 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.device.Attached;
 
-/** Files with one number each that belong to one device: readable all together, or not at all. */
+/** Files with one number each that form one device: all readable, or none. */
 final class NumberFiles implements Attached {
   private final List<Path> files;
   private String trouble = "not read yet";
   private int connections;
 
-  /** Of files that need not be there yet. */
+  /** Uses files that may be absent. */
   NumberFiles(List<Path> files) {
     this.files = List.copyOf(files);
   }
 
-  /** Their numbers in their order; empty if one cannot be read. */
+  /** Values in file order; empty if one cannot be read. */
   Optional<double[]> read() {
     double[] numbers = new double[files.size()];
     try {
@@ -31,7 +31,7 @@ final class NumberFiles implements Attached {
           throw new NumberFormatException(file + ": " + numbers[i] + " is not a finite number");
         }
       }
-    } catch (IOException | NumberFormatException e) { // a lost device is a state, no exception
+    } catch (IOException | NumberFormatException e) { // a lost device is a state, not an exception
       trouble = e.toString();
       return Optional.empty();
     }

@@ -1,5 +1,5 @@
 /**
- * Sensors that Linux's kernel has drivers for, read through the files of its sysfs. Sensors on a
- * link of their own belong to the package of their subject.
+ * Sensors with Linux kernel drivers, read through sysfs. Sensors on their own link belong to the
+ * package of their subject.
  */
 package org.u2sa.drivers.sysfs;

@@ -7,8 +7,8 @@ import org.u2sa.device.TrafficReceiver;
 import org.u2sa.drivers.link.ByteParser;
 
 /**
- * Cuts GDL 90's messages out of a stream and keeps the picture that they make (Garmin, GDL 90 Data
- * Interface Specification, 560-1058-00 Rev A, chapter 2): between two flags 7E, 7D before an
+ * Extracts GDL 90 messages from a byte stream and maintains the traffic picture (Garmin, GDL 90
+ * Data Interface Specification, 560-1058-00 Rev A, chapter 2): between two flags 7E, 7D before an
  * escaped byte, and a CRC with its low byte first.
  */
 final class Gdl90Parser implements ByteParser<TrafficReceiver.Traffic> {
@@ -17,7 +17,7 @@ final class Gdl90Parser implements ByteParser<TrafficReceiver.Traffic> {
   private static final int ESCAPED = 0x20;
   private static final int POLYNOMIAL = 0x1021;
   private static final int CRC_BYTES = 2;
-  private static final int LONGEST = 1_024; // uplink data have 436 bytes
+  private static final int LONGEST = 1_024; // uplink data has 436 bytes
   private static final int HEARTBEAT = 0;
   private static final int TRAFFIC_REPORT = 20;
 
@@ -25,7 +25,7 @@ final class Gdl90Parser implements ByteParser<TrafficReceiver.Traffic> {
   private final byte[] message = new byte[LONGEST];
   private int length;
   private boolean isEscaped;
-  private boolean isInside; // a flag was seen
+  private boolean isInside; // after a flag byte
   private long refused;
   private String lastRefusal = "";
 
@@ -76,7 +76,7 @@ final class Gdl90Parser implements ByteParser<TrafficReceiver.Traffic> {
     }
   }
 
-  /** The CRC of section 2.2.3, which unlike others takes each byte in at its low end. */
+  /** CRC of section 2.2.3, which, unlike others, feeds each byte in at the low end. */
   static int crc(byte[] bytes, int end) {
     int crc = 0;
     for (int i = 0; i < end; i++) {

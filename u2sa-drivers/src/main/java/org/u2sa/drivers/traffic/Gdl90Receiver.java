@@ -8,19 +8,19 @@ import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.service.ServiceContext;
 
 /**
- * An ADS-B receiver that speaks GDL 90, as Stratux, Sentry, SkyEcho and most others do, usually by
- * UDP to port 4000. Its own ship's reports are passed over.
+ * A GDL 90 ADS-B receiver such as Stratux, Sentry or SkyEcho, usually on UDP port 4000. Ownship
+ * reports are ignored.
  */
 public final class Gdl90Receiver extends ParsedDevice<TrafficReceiver.Traffic>
     implements TrafficReceiver {
-  /** Over that link, which is closed with this. */
+  /** Uses the link; closing the device closes it. */
   public Gdl90Receiver(ByteLink link) {
     super(link, new Gdl90Parser());
   }
 
-  /** RECEIVER GDL90 in a configuration. */
+  /** Provider of RECEIVER = GDL90. */
   public static final class Provider extends DeviceProvider<TrafficReceiver> {
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(TrafficReceiver.class, "GDL90");
     }

@@ -10,7 +10,7 @@ import org.u2sa.messages.frame.Point;
 
 /**
  * A traffic report, message 20 (GDL 90 Data Interface Specification, section 3.5): 28 bytes,
- * numbers with their high byte first.
+ * big-endian.
  */
 final class Gdl90Report {
   private static final int BYTES = 28;
@@ -29,7 +29,7 @@ final class Gdl90Report {
   private static final int TRUE_TRACK = 1;
   private static final double MOST_LATITUDE_DEG = 90.0;
 
-  /** Radius of 95 % of the positions by NACp, 1 to 11 [m] (table 12; DO-260B). */
+  /** 95 % position radius by NACp, 1 to 11 [m] (table 12; DO-260B). */
   private static final double[] NACP_M = {
     18_520, 7_408, 3_704, 1_852, 926, 555.6, 185.2, 92.6, 30, 10, 3
   };
@@ -39,10 +39,10 @@ final class Gdl90Report {
   private Gdl90Report() {}
 
   /**
-   * The target of a report; empty if its position is not valid.
+   * Target of a report; empty if its position is invalid.
    *
-   * @param report from the message's ID on, without checksum
-   * @throws IllegalArgumentException if it has not the length of one, or is nowhere on earth
+   * @param report report starting at the message ID, without checksum
+   * @throws IllegalArgumentException if its length or coordinates are invalid
    */
   static Optional<TrafficTarget> target(byte[] report, long nowMicros) {
     if (report.length != BYTES) {
@@ -75,7 +75,7 @@ final class Gdl90Report {
             sigmaM(unsigned(report, 13) & 0xF)));
   }
 
-  /** The ICAO address; those that are none have the type of their address before them. */
+  /** ICAO address; other address types are prefixed with their type. */
   private static String id(byte[] report) {
     int type = unsigned(report, 1) & 0xF;
     boolean isIcao = type == 0 || type == 2;
@@ -89,7 +89,7 @@ final class Gdl90Report {
     return isIcao ? address : type + "-" + address;
   }
 
-  /** Empty without a speed, and without a track over ground: a heading is none. */
+  /** Empty without a speed or ground track; a heading does not count as track. */
   private static Optional<Point> velocity(byte[] report) {
     int speed = unsigned(report, 14) << 4 | unsigned(report, 15) >> 4;
     int climb = (unsigned(report, 15) & 0xF) << 8 | unsigned(report, 16);

@@ -1,2 +1,2 @@
-/** Receivers of other traffic's reports. Radars and receivers of an autopilot belong here, too. */
+/** Receivers of traffic reports, including radars and autopilots' receivers. */
 package org.u2sa.drivers.traffic;

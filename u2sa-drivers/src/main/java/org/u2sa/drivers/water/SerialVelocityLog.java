@@ -13,8 +13,8 @@ import org.u2sa.drivers.nmea.NmeaSentence;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A log that speaks by itself: Water Linked's DVLs, or any with NMEA 0183's VBW (speeds over ground
- * and through the water, forward and to starboard) or VHW (speed through the water).
+ * A streaming velocity log: Water Linked DVLs, or NMEA 0183 with VBW (speeds over ground and
+ * through the water, forward and starboard) or VHW (speed through the water).
  */
 public final class SerialVelocityLog extends ParsedDevice<VelocityLog.Speeds>
     implements VelocityLog {
@@ -26,12 +26,12 @@ public final class SerialVelocityLog extends ParsedDevice<VelocityLog.Speeds>
     super(link, parser);
   }
 
-  /** A DVL of Water Linked's, over that link, which is closed with this. */
+  /** Creates a Water Linked DVL. Closing the device closes the link. */
   public static SerialVelocityLog waterLinked(ByteLink link) {
     return new SerialVelocityLog(link, new WaterLinkedParser());
   }
 
-  /** A log with NMEA 0183, over that link, which is closed with this. */
+  /** Creates an NMEA 0183 log. Closing the device closes the link. */
   public static SerialVelocityLog nmea(ByteLink link) {
     return new SerialVelocityLog(link, new NmeaParser<>(SerialVelocityLog::speeds));
   }
@@ -69,11 +69,11 @@ public final class SerialVelocityLog extends ParsedDevice<VelocityLog.Speeds>
     return OptionalDouble.of(value);
   }
 
-  /** LOG WATER LINKED and NMEA in a configuration. */
+  /** Provider of LOG = WATER LINKED and NMEA. */
   public static final class Provider extends DeviceProvider<VelocityLog> {
     private static final String WATER_LINKED = "WATER LINKED";
 
-    /** For {@link java.util.ServiceLoader}. */
+    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(VelocityLog.class, WATER_LINKED, "NMEA");
     }

@@ -8,9 +8,9 @@ import org.u2sa.device.VelocityLog;
 import org.u2sa.drivers.link.ByteParser;
 
 /**
- * Reads the velocity reports of Water Linked's DVLs: lines {@code wrz,…} of protocol 2 and {@code
- * wrx,…} of older ones, with a CRC-8 (docs.waterlinked.com, "DVL protocol"). Its axes are x
- * forward, y right, z down.
+ * Parses velocity reports of Water Linked DVLs: lines {@code wrz,…} of protocol 2 and {@code wrx,…}
+ * of older ones, with a CRC-8 (docs.waterlinked.com, "DVL protocol"). Its axes are x forward, y
+ * right, z down.
  */
 final class WaterLinkedParser implements ByteParser<VelocityLog.Speeds> {
   private static final int LONGEST = 512;
@@ -40,11 +40,11 @@ final class WaterLinkedParser implements ByteParser<VelocityLog.Speeds> {
   private void take(long nowMicros) {
     String text = new String(line, 0, length, US_ASCII);
     if (length == 0 || !text.startsWith("wrz,") && !text.startsWith("wrx,")) {
-      return; // transducers, positions, answers
+      return; // transducer, position and reply lines
     }
     try {
       latest = Optional.of(speeds(text, nowMicros));
-    } catch (IllegalArgumentException e) { // NumberFormatException is one
+    } catch (IllegalArgumentException e) { // includes NumberFormatException
       refused++;
       lastRefusal = e.getMessage() + ": " + text;
     }

@@ -74,7 +74,7 @@ class SpartonCompassTest {
     hear(0xA4, 0xAE, 0xA0, 0xA4, 0x09, 0x08, 0x00, 0xA0);
 
     assertThat(headingDeg()).isCloseTo(180.0, within(TINY));
-    assertThat(compass.lastRefusal()).isEqualTo("an answer that nobody asked for: A4 AE");
+    assertThat(compass.lastRefusal()).isEqualTo("an unrequested answer: A4 AE");
   }
 
   @Test
