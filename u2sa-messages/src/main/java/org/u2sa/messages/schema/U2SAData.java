@@ -19,7 +19,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  */
 public abstract class U2SAData {
   private static final Schema<U2SAData> SCHEMA = Schema.root();
-  private static final ValueField<U2SAData, String> SYSTEM_ID = SCHEMA.optionalText("systemId");
+  private static final ValueField<U2SAData, String> SYSTEM_ID = SCHEMA.optionalName("systemId");
   private static final TimestampField TIMESTAMP = Schema.timestamp(SCHEMA);
 
   /** The root of all types: systemId and timestamp. */
@@ -108,7 +108,7 @@ public abstract class U2SAData {
   /**
    * Ends all setting, here and in messages within; whoever publishes a message calls it.
    *
-   * @throws IllegalStateException naming the required field that is missing
+   * @throws IllegalStateException naming the required field that is missing, or what does not agree
    */
   public final void freeze() {
     if (!storage.isFrozen()) {
@@ -131,7 +131,16 @@ public abstract class U2SAData {
   }
 
   /**
-   * @throws IllegalStateException naming the required field that is missing
+   * Checks what no field's own bounds can: whether fields agree, whether packed content can be
+   * unpacked. Called before a message is frozen, written or handed to whoever reads it, so that no
+   * receiver meets one that fails here.
+   *
+   * @throws IllegalStateException naming the field, and what is wrong
+   */
+  protected void requireConsistent() {}
+
+  /**
+   * @throws IllegalStateException naming the required field that is missing, or what does not agree
    */
   void requireComplete() {
     if (storage.isFrozen()) {
@@ -141,6 +150,7 @@ public abstract class U2SAData {
     if (missing != null) {
       throw missing(missing);
     }
+    requireConsistent();
   }
 
   /** The value of a number; empty if it is absent and has no default. */
