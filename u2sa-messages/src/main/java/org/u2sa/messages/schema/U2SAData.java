@@ -25,6 +25,8 @@ public abstract class U2SAData {
   /** The root of all types: systemId and timestamp. */
   public static final MessageType<U2SAData> TYPE = SCHEMA.build();
 
+  private static final int SHOWN_CHARS = 1_000; // of a value, for people
+
   private final FieldStorage storage;
   private UnknownPart
       unknown; // what a subclass unknown here had, for messages that stand for one; else null
@@ -275,18 +277,23 @@ public abstract class U2SAData {
     return 31 * typeChain().hashCode() + enumerateFields().hashCode();
   }
 
-  /** "Waypoint{uid=1, x=10.0 deg}": what is set. */
+  /** "Waypoint{uid=1, x=10.0 deg}": what is set, each value shortened to 1,000 characters. */
   @Override
   public final String toString() {
     List<String> parts = new ArrayList<>();
     for (FieldValue field : enumerateFields()) {
       if (field.value().isPresent()) {
         String unit = field.unit().isEmpty() ? "" : " " + field.unit();
-        parts.add(field.name() + "=" + field.value().get() + unit);
+        parts.add(field.name() + "=" + shown(field.value().get()) + unit);
       }
     }
     List<String> chain = typeChain();
     return chain.get(chain.size() - 1) + "{" + String.join(", ", parts) + "}";
+  }
+
+  private static String shown(Object value) {
+    String text = String.valueOf(value);
+    return text.length() <= SHOWN_CHARS ? text : text.substring(0, SHOWN_CHARS) + "…";
   }
 
   /**
