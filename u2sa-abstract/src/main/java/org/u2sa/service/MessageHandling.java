@@ -49,6 +49,11 @@ final class MessageHandling {
     return reporter;
   }
 
+  /** Exceptions in a row after which the service fails. */
+  int maxErrorsInARow() {
+    return maxErrorsInARow;
+  }
+
   /** Lets messages that are not urgent wait until the service wakes by itself. */
   void bePatient() {
     patient = true;
@@ -177,6 +182,13 @@ final class MessageHandling {
    * row.
    */
   void guarded(ServiceHealth.CallbackCode code) throws InterruptedException {
+    guarded(code, maxErrorsInARow);
+  }
+
+  /**
+   * @param maxErrors exceptions in a row after which the service fails
+   */
+  void guarded(ServiceHealth.CallbackCode code, int maxErrors) throws InterruptedException {
     ServiceHealth health = service.health;
     if (health.run(code)) {
       return;
@@ -186,9 +198,12 @@ final class MessageHandling {
     String inRow = " (exception " + health.exceptionsInRow() + " in a row)";
     boolean where = Long.bitCount(health.exceptions()) == 1; // 1, 2, 4…: no flood of stack traces
     service.logFile().log(LogLevelEnum.ERROR, what + inRow, where ? health.lastException() : null);
-    if (health.exceptionsInRow() >= maxErrorsInARow) {
+    if (health.exceptionsInRow() >= maxErrors) {
       service.log(
-          LogLevelEnum.ERROR, "stopping after " + maxErrorsInARow + " consecutive exceptions");
+          LogLevelEnum.ERROR,
+          maxErrors == 1
+              ? "stopping after an exception"
+              : "stopping after " + maxErrors + " consecutive exceptions");
       service.life.fail();
     }
   }

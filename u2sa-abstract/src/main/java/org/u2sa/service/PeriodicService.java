@@ -18,6 +18,7 @@ public abstract class PeriodicService extends U2SAService {
   private static final double SLOWEST_HZ = 0.001;
 
   private final long periodMicros;
+  private int maxErrorsInSteps; // in a row
   private long dueMicros; // touched by the service's thread, before by the predecessor's
   private boolean hasSucceeded;
 
@@ -30,6 +31,7 @@ public abstract class PeriodicService extends U2SAService {
       ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {
     super(context, role, serviceName);
     periodMicros = Math.max(1, Clock.micros(1.0 / getVariable(rate(defaultRateHz))));
+    maxErrorsInSteps = handling.maxErrorsInARow();
   }
 
   private static VariableDeclaration<Double> rate(double defaultRateHz) {
@@ -52,6 +54,15 @@ public abstract class PeriodicService extends U2SAService {
    */
   protected final void handleMessagesAtSteps() {
     handling.bePatient();
+  }
+
+  /**
+   * Ends the service as failed at the first step that throws, whatever MAX ERRORS IN A ROW says:
+   * for a service whose steps must not be missing, so that it is restarted at once. Called in the
+   * constructor.
+   */
+  protected final void failAtFirstError() {
+    maxErrorsInSteps = 1;
   }
 
   @Override
@@ -116,7 +127,7 @@ public abstract class PeriodicService extends U2SAService {
         }
         if (isRunning()) {
           context().execution().ifPresent(Execution::steps);
-          handling.guarded(() -> step(nowS()));
+          handling.guarded(() -> step(nowS()), maxErrorsInSteps);
           scheduleNext();
           messages = handling.until(dueMicros);
         }

@@ -70,6 +70,42 @@ class ServiceLifeTest {
     }
   }
 
+  /** Fails in each step. */
+  private static final class Vital extends PeriodicService {
+    private int steps;
+
+    Vital(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Vital", 10.0);
+      failAtFirstError();
+      subscribe(Channels.STATE, this::refuse);
+    }
+
+    private void refuse(StateInformation state) {
+      throw new IllegalStateException("told to fail");
+    }
+
+    @Override
+    protected void step(double nowS) {
+      if (++steps == 3) {
+        throw new IllegalStateException("told to fail");
+      }
+    }
+  }
+
+  @Test
+  void step_thatThrowsOfAServiceThatMustNotMissAny_isAFailureAtOnce() {
+    Vital vital = kit.start(Vital::new);
+
+    kit.publish(Channels.STATE, state("a"));
+    kit.advance(0.15);
+    assertThat(vital.status()).isEqualTo(ServiceStatus.RUNNING);
+    kit.advance(0.1);
+
+    assertThat(vital.status()).isEqualTo(ServiceStatus.FAILED);
+    assertThat(vital.steps).isEqualTo(3);
+    assertThat(kit.log("Vital")).anyMatch(line -> line.endsWith("stopping after an exception"));
+  }
+
   private static StateInformation state(String sensor) {
     return new StateInformation().sensorName(sensor).x(1.0);
   }

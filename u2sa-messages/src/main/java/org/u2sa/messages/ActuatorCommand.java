@@ -12,7 +12,7 @@ public class ActuatorCommand extends U2SAData {
   private static final Schema<ActuatorCommand> SCHEMA =
       Schema.of(ActuatorCommand.class, ActuatorCommand::new, U2SAData.TYPE);
   private static final ValueField<ActuatorCommand, String> ACTUATOR_NAME =
-      SCHEMA.requiredText("actuatorName");
+      SCHEMA.requiredName("actuatorName");
   private static final NumberField<ActuatorCommand> EXPIRY =
       SCHEMA.optionalNumber("expiry", "s", 0.0);
 

@@ -12,7 +12,7 @@ public final class BatteryState extends U2SAData {
   private static final Schema<BatteryState> SCHEMA =
       Schema.of(BatteryState.class, BatteryState::new, U2SAData.TYPE).since(2);
   private static final ValueField<BatteryState, String> SENSOR_NAME =
-      SCHEMA.requiredText("sensorName");
+      SCHEMA.requiredName("sensorName");
   private static final NumberField<BatteryState> VOLTAGE =
       SCHEMA.optionalNumber("voltage", "V", 0.0);
   private static final NumberField<BatteryState> CURRENT = SCHEMA.optionalNumber("current", "A");

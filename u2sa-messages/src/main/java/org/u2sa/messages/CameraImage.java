@@ -15,11 +15,13 @@ public final class CameraImage extends U2SAData {
   /** The {@link #format()} of pictures in JPEG. */
   public static final String JPEG = "jpeg";
 
+  private static final long MAX_SIDE_PX = 65_535; // of JPEG (ITU-T T.81, B.2.2)
+
   private static final Schema<CameraImage> SCHEMA =
       Schema.of(CameraImage.class, CameraImage::new, U2SAData.TYPE).since(3);
   private static final ValueField<CameraImage, String> SENSOR_NAME =
-      SCHEMA.requiredText("sensorName");
-  private static final ValueField<CameraImage, String> FORMAT = SCHEMA.requiredText("format");
+      SCHEMA.requiredName("sensorName");
+  private static final ValueField<CameraImage, String> FORMAT = SCHEMA.requiredName("format");
   private static final ValueField<CameraImage, Long> WIDTH = SCHEMA.count("width", "px");
   private static final ValueField<CameraImage, Long> HEIGHT = SCHEMA.count("height", "px");
   private static final ValueField<CameraImage, ByteString> DATA = SCHEMA.requiredBytes("data");
@@ -74,6 +76,20 @@ public final class CameraImage extends U2SAData {
     }
     put(WIDTH, (long) widthPx);
     return put(HEIGHT, (long) heightPx);
+  }
+
+  @Override
+  protected void requireConsistent() {
+    if (width() < 0 || width() > MAX_SIDE_PX || height() < 0 || height() > MAX_SIDE_PX) {
+      throw new IllegalStateException(
+          "CameraImage: a size of "
+              + width()
+              + " x "
+              + height()
+              + " px; expected 0…"
+              + MAX_SIDE_PX
+              + " along each side");
+    }
   }
 
   /** The compressed picture: a whole file of its {@link #format()}. */

@@ -17,7 +17,7 @@ import org.u2sa.messages.schema.ValueField;
 public abstract class GoalInformation extends U2SAData {
   private static final Schema<GoalInformation> SCHEMA =
       Schema.ofAbstract(GoalInformation.class, UnknownGoal::new, U2SAData.TYPE);
-  private static final ValueField<GoalInformation, String> UID = SCHEMA.requiredText("uid");
+  private static final ValueField<GoalInformation, String> UID = SCHEMA.requiredId("uid");
   private static final ValueField<GoalInformation, Boolean> COMPLETED = SCHEMA.flag("completed");
   private static final ValueField<GoalInformation, List<String>> NEXT = SCHEMA.texts("next");
   private static final ValueField<GoalInformation, String> DESCRIPTION =
@@ -25,7 +25,7 @@ public abstract class GoalInformation extends U2SAData {
   private static final ValueField<GoalInformation, Boolean> ABANDONED = SCHEMA.flag("abandoned");
   private static final ValueField<GoalInformation, GoalResult> RESULT =
       SCHEMA.since(3).optionalChoiceWithoutBit("result", GoalResult.class);
-  private static final ValueField<GoalInformation, String> REASON = SCHEMA.optionalText("reason");
+  private static final ValueField<GoalInformation, String> REASON = SCHEMA.optionalNote("reason");
   private static final ValueField<GoalInformation, Long> ARRIVED_AT =
       SCHEMA.optionalCount("arrivedAt", "µs");
   private static final NumberField<GoalInformation> TIME_LIMIT =
@@ -55,7 +55,7 @@ public abstract class GoalInformation extends U2SAData {
       SCHEMA.optionalTexts("nextIfTimedOut");
 
   private static final ValueField<GoalInformation, String> REPEAT_FROM =
-      SCHEMA.optionalText("repeatFrom");
+      SCHEMA.optionalId("repeatFrom");
   private static final ValueField<GoalInformation, Long> REPEAT_TIMES =
       SCHEMA.optionalCount("repeatTimes", "");
 

@@ -21,7 +21,7 @@ public final class GoalList extends U2SAData {
   private static final ValueField<GoalList, Long> LAND_GOALS =
       SCHEMA.since(3).optionalCount("landGoals", "");
   private static final ValueField<GoalList, List<String>> FILE_FAULTS =
-      SCHEMA.optionalTexts("fileFaults");
+      SCHEMA.optionalNotes("fileFaults");
   private static final ValueField<GoalList, Boolean> PAUSED = SCHEMA.optionalFlag("paused");
 
   /** The schema. */

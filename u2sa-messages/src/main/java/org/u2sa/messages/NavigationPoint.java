@@ -17,7 +17,7 @@ public class NavigationPoint extends U2SAData {
   private static final Schema<NavigationPoint> SCHEMA =
       Schema.of(NavigationPoint.class, NavigationPoint::new, U2SAData.TYPE);
   private static final ValueField<NavigationPoint, String> SUBSYSTEM =
-      SCHEMA.text("subsystem", "VEHICLE");
+      SCHEMA.name("subsystem", "VEHICLE");
   private static final ValueField<NavigationPoint, ReferenceFrame> REFERENCE_FRAME =
       SCHEMA.frame("referenceFrame", ReferenceFrame.BODY);
   private static final ValueField<NavigationPoint, Point> POINT =

@@ -23,9 +23,9 @@ public class ObjectDescription extends U2SAData {
   private static final double MICROS_PER_SECOND = 1e6;
   private static final Schema<ObjectDescription> SCHEMA =
       Schema.of(ObjectDescription.class, ObjectDescription::new, U2SAData.TYPE);
-  private static final ValueField<ObjectDescription, String> UID = SCHEMA.requiredText("uid");
+  private static final ValueField<ObjectDescription, String> UID = SCHEMA.requiredId("uid");
   private static final ValueField<ObjectDescription, String> OBJECT_TYPE =
-      SCHEMA.text("objectType", "");
+      SCHEMA.name("objectType", "");
   private static final ValueField<ObjectDescription, ReferenceFrame> REFERENCE_FRAME =
       SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
   private static final NumberField<ObjectDescription> X = SCHEMA.requiredCoordinate("x");
@@ -37,7 +37,7 @@ public class ObjectDescription extends U2SAData {
   private static final NumberField<ObjectDescription> CONFIDENCE =
       SCHEMA.optionalNumber("confidence", "", 0.0, 1.0);
   private static final ValueField<ObjectDescription, String> SENSOR_NAME =
-      SCHEMA.optionalText("sensorName");
+      SCHEMA.optionalName("sensorName");
 
   static {
     SCHEMA.alias("type", OBJECT_TYPE); // figure 9's name; on the wire "type" is the message's own

@@ -15,7 +15,7 @@ public class ObjectGoal extends GoalInformation {
   private static final Schema<ObjectGoal> SCHEMA =
       Schema.of(ObjectGoal.class, ObjectGoal::new, GoalInformation.TYPE).since(3);
   private static final ValueField<ObjectGoal, String> OBJECT_TYPE =
-      SCHEMA.requiredText("objectType");
+      SCHEMA.requiredName("objectType");
   private static final NumberField<ObjectGoal> WITHIN =
       SCHEMA.requiredNumber("within", "m", 0.0, Double.POSITIVE_INFINITY);
   private static final NumberField<ObjectGoal> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);

@@ -46,7 +46,7 @@ public final class OccupancyGrid extends U2SAData {
   /** The schema. */
   public static final MessageType<OccupancyGrid> TYPE = SCHEMA.build();
 
-  private volatile byte[] unpacked; // what CELLS hold; null until somebody asks
+  private volatile byte[] unpacked; // what CELLS hold; null until checked or asked for
 
   @Override
   public MessageType<OccupancyGrid> type() {
@@ -110,9 +110,6 @@ public final class OccupancyGrid extends U2SAData {
   /**
    * All cells, row by row from the bottom: that of (column, row) is at {@code row * columns +
    * column}.
-   *
-   * @throws IllegalStateException if columns, rows and packed cells of a message from elsewhere do
-   *     not fit or are more than {@value GridCells#MAX_CELLS}
    */
   public byte[] cells() {
     return unpacked().clone();
@@ -167,6 +164,16 @@ public final class OccupancyGrid extends U2SAData {
     return cell == UNKNOWN ? 0.5 : 1.0 / (1.0 + Math.exp(-LOG_ODDS_STEP * cell));
   }
 
+  /** Columns, rows and packed cells fit together. */
+  @Override
+  protected void requireConsistent() {
+    long cells = (long) columns() * rows();
+    if (unpacked().length != cells) { // set one by one, by name
+      throw new IllegalStateException(
+          "OccupancyGrid.cells: " + unpacked().length + "; expected " + columns() + " × " + rows());
+    }
+  }
+
   private byte[] unpacked() {
     byte[] cells = unpacked;
     if (cells == null) {
@@ -178,6 +185,8 @@ public final class OccupancyGrid extends U2SAData {
 
   @Override
   public OccupancyGrid copy() {
-    return (OccupancyGrid) super.copy();
+    OccupancyGrid copy = (OccupancyGrid) super.copy();
+    copy.unpacked = unpacked;
+    return copy;
   }
 }

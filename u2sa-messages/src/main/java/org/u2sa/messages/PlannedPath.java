@@ -16,12 +16,12 @@ public final class PlannedPath extends U2SAData {
   private static final Schema<PlannedPath> SCHEMA =
       Schema.of(PlannedPath.class, PlannedPath::new, U2SAData.TYPE).since(3);
   private static final ValueField<PlannedPath, String> SUBSYSTEM =
-      SCHEMA.text("subsystem", "VEHICLE");
-  private static final ValueField<PlannedPath, String> GOAL = SCHEMA.text("goal", "");
-  private static final ValueField<PlannedPath, String> PLANNER = SCHEMA.requiredText("planner");
+      SCHEMA.name("subsystem", "VEHICLE");
+  private static final ValueField<PlannedPath, String> GOAL = SCHEMA.id("goal", "");
+  private static final ValueField<PlannedPath, String> PLANNER = SCHEMA.requiredName("planner");
   private static final ValueField<PlannedPath, PathStatus> STATUS =
       SCHEMA.requiredChoice("status", PathStatus.class);
-  private static final ValueField<PlannedPath, String> REASON = SCHEMA.optionalText("reason");
+  private static final ValueField<PlannedPath, String> REASON = SCHEMA.optionalNote("reason");
   private static final ValueField<PlannedPath, ReferenceFrame> REFERENCE_FRAME =
       SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
   private static final ValueField<PlannedPath, List<Point>> POINTS = SCHEMA.points("points", "m");

@@ -23,7 +23,7 @@ public final class RangeScan extends U2SAData {
   private static final Schema<RangeScan> SCHEMA =
       Schema.of(RangeScan.class, RangeScan::new, U2SAData.TYPE).since(3);
   private static final ValueField<RangeScan, String> SENSOR_NAME =
-      SCHEMA.requiredText("sensorName");
+      SCHEMA.requiredName("sensorName");
   private static final ValueField<RangeScan, ReferenceFrame> REFERENCE_FRAME =
       SCHEMA.frame("referenceFrame", ReferenceFrame.BODY);
   private static final NumberField<RangeScan> X = SCHEMA.number("x", "m", 0.0);

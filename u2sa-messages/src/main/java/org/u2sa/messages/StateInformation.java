@@ -24,7 +24,7 @@ public class StateInformation extends FluidState {
   private static final Schema<StateInformation> SCHEMA =
       Schema.of(StateInformation.class, StateInformation::new, U2SAData.TYPE);
   private static final ValueField<StateInformation, String> SENSOR_NAME =
-      SCHEMA.text("sensorName", "");
+      SCHEMA.name("sensorName", "");
   private static final ValueField<StateInformation, ReferenceFrame> REFERENCE_FRAME =
       SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
   private static final List<NumberField<StateInformation>> NUMBERS = numbers();

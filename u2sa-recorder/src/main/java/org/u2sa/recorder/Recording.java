@@ -63,6 +63,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private final AtomicLong taken = new AtomicLong();
   private final Thread thread = new Thread(this::write, "u2sa-recorder");
   private long failedToWrite; // by the writing thread, as are the following
+  private long unrecordable; // messages that cannot be written whatever the disk is like
   private long savedMicros;
   private long lastNanos; // of the run's clock
   private final CountDownLatch toClose = new CountDownLatch(1);
@@ -220,7 +221,9 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
       files.failed(e);
     } catch (RuntimeException e) { // this one cannot be written; others can
       failedToWrite++;
-      trouble.accept(next + " cannot be recorded: " + e);
+      if (Long.bitCount(++unrecordable) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+        trouble.accept("cannot be recorded, " + unrecordable + " so far: " + e + ": " + next);
+      }
     }
   }
 

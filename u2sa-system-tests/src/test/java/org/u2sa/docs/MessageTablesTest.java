@@ -91,6 +91,10 @@ class MessageTablesTest {
       if (value.elementType().isPresent()) {
         return "array of " + value.elementType().get().name() + " maps";
       }
+      if (value.maxLength().isPresent()) {
+        String bound = value.shortens() ? ", shortened to " : ", at most ";
+        return value.kind().cborType() + bound + value.maxLength().getAsInt();
+      }
     }
     if (field instanceof NumberField<?> number && number.max() < Double.POSITIVE_INFINITY) {
       return "float64, " + number.min() + "…" + number.max();

@@ -32,6 +32,7 @@ final class HealthWatch implements AutoCloseable {
   private final Thread thread = new Thread(this::run, "u2sa-health-watch");
   private long spokeMicros; // the monitor, for itself
   private long restartedMicros = Long.MIN_VALUE;
+  private long failures;
   private volatile boolean closed;
 
   /**
@@ -72,11 +73,29 @@ final class HealthWatch implements AutoCloseable {
       }
       long dueMicros = clock.micros();
       if (hasJoined) {
-        services.get().forEach(HealthWatch.this::look);
+        services.get().forEach(HealthWatch.this::lookAt);
         dueMicros += EVERY_MICROS;
       }
       hasJoined = true;
       return dueMicros;
+    }
+  }
+
+  /** Looks at a service; what goes wrong with one keeps the watch from no other. */
+  private void lookAt(U2SAService service) {
+    try {
+      look(service);
+    } catch (RuntimeException e) {
+      if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: it looks four times a second
+        launcher.trouble(
+            "watching "
+                + service.getServiceName()
+                + " failed: "
+                + e
+                + " ("
+                + failures
+                + " so far)");
+      }
     }
   }
 

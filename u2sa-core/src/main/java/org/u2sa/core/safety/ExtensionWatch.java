@@ -6,20 +6,18 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
-import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Watches by an extension's {@link SafetyCheck}, whose faults must not silence other watches. */
+/** Watches by an extension's {@link SafetyCheck}. */
 final class ExtensionWatch implements Watch {
   private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9 ]*");
 
   private final SafetyCheck check;
   private final Hazard hazard;
-  private Optional<String> fault = Optional.empty(); // of the check itself, at the last message
 
   private ExtensionWatch(SafetyCheck check) {
     this.check = check;
@@ -40,8 +38,8 @@ final class ExtensionWatch implements Watch {
    *
    * @throws BadInputException if a check's name is malformed or taken
    */
-  static List<Watch> discovered(Configurator configuration) {
-    List<Watch> watches = new ArrayList<>();
+  static List<ExtensionWatch> discovered(Configurator configuration) {
+    List<ExtensionWatch> watches = new ArrayList<>();
     List<Hazard> taken = new ArrayList<>(Hazard.STANDARD);
     for (SafetyCheckProvider provider : ServiceLoader.load(SafetyCheckProvider.class)) {
       for (SafetyCheck check : provider.checks(configuration)) {
@@ -76,36 +74,16 @@ final class ExtensionWatch implements Watch {
 
   @Override
   public void see(U2SAData message, long nowMicros) {
-    try {
-      check.see(message, nowMicros);
-      fault = Optional.empty();
-    } catch (RuntimeException e) {
-      fault = Optional.of(failed(e));
-    }
+    check.see(message, nowMicros);
   }
 
   @Override
   public Optional<String> trouble(long nowMicros) {
-    return asked(() -> check.trouble(nowMicros));
+    return check.trouble(nowMicros);
   }
 
   @Override
   public Optional<String> objection(long nowMicros) {
-    return asked(() -> check.objection(nowMicros));
-  }
-
-  private Optional<String> asked(Supplier<Optional<String>> question) {
-    if (fault.isPresent()) {
-      return fault;
-    }
-    try {
-      return question.get();
-    } catch (RuntimeException e) {
-      return Optional.of(failed(e));
-    }
-  }
-
-  private static String failed(RuntimeException e) {
-    return "the check failed: " + e;
+    return check.objection(nowMicros);
   }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.core.safety;
 
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -37,6 +38,7 @@ public final class SafetyManager extends PeriodicService {
   private final EmergencyLatch emergency;
   private final Conditions conditions = new Conditions();
   private final FenceFile fence;
+  private final FenceWatch fenceWatch;
   private final List<Watch> watches;
   private final FailsafeDecision decision;
   private final Arming arming;
@@ -55,7 +57,12 @@ public final class SafetyManager extends PeriodicService {
     super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S);
     emergency = new EmergencyLatch(clock(), context.systemId());
     fence = new FenceFile(context.configuration());
-    watches = Watches.of(this, settings, conditions, fence);
+    PositionWatch position = new PositionWatch(settings);
+    fenceWatch = new FenceWatch(this, settings, fence, position);
+    List<ExtensionWatch> extensions = ExtensionWatch.discovered(this);
+    watches = new ArrayList<>(Watches.standard(settings, conditions, position));
+    watches.add(new GuardedWatch(fenceWatch));
+    extensions.forEach(watch -> watches.add(new GuardedWatch(watch)));
     List<Hazard> hazards = watches.stream().map(Watch::hazard).collect(Collectors.toList());
     decision = new FailsafeDecision(this, settings, hazards);
     ArmingChecks checks = new ArmingChecks(this, settings, watches, conditions, emergency);
@@ -66,7 +73,10 @@ public final class SafetyManager extends PeriodicService {
     registerPublisher(Channels.EMERGENCY_STOP);
     heedsEmergencyStops(emergency.identities());
     handleMessagesAtSteps();
-    for (Channel<?> channel : heard()) {
+    failAtFirstError();
+    Set<Channel<?>> heard = new LinkedHashSet<>(Watch.STANDARD);
+    extensions.forEach(watch -> heard.addAll(watch.channels()));
+    for (Channel<?> channel : heard) {
       subscribe(channel, message -> see(channel, message));
     }
     subscribe(Channels.CONDITIONS, this::onCondition);
@@ -74,30 +84,12 @@ public final class SafetyManager extends PeriodicService {
     subscribe(Channels.EMERGENCY_STOP, this::stopOrGo);
   }
 
-  private Set<Channel<?>> heard() {
-    Set<Channel<?>> channels = new LinkedHashSet<>(Watch.STANDARD);
-    for (Watch watch : watches) {
-      if (watch instanceof ExtensionWatch extension) {
-        channels.addAll(extension.channels());
-      }
-    }
-    return channels;
-  }
-
   /**
    * The corners of the area in which it keeps the vehicle, drawn in by FENCE MARGIN; empty if there
    * is none on the earth. Safe from any thread.
    */
   public List<Geodetic> fenceCorners() {
-    return fenceWatch().fence().map(Fence::corners).orElse(List.of());
-  }
-
-  private FenceWatch fenceWatch() {
-    return watches.stream()
-        .filter(FenceWatch.class::isInstance)
-        .map(FenceWatch.class::cast)
-        .findFirst()
-        .orElseThrow();
+    return fenceWatch.fence().map(Fence::corners).orElse(List.of());
   }
 
   /** Refuses a fence that cannot be read, before it takes the place of one that can. */
@@ -111,7 +103,7 @@ public final class SafetyManager extends PeriodicService {
     if (variableNames.contains(SafetySettings.FENCE)
         || variableNames.contains(SafetySettings.FENCE_MARGIN)) {
       try {
-        fenceWatch().load();
+        fenceWatch.load();
         log("fence " + settings.get().fence() + " loaded");
       } catch (BadInputException e) {
         log(LogLevelEnum.ERROR, e.getMessage() + ": fence unchanged");
@@ -236,13 +228,13 @@ public final class SafetyManager extends PeriodicService {
   private void publishFailsafe(FailsafeAction action) {
     List<String> causes =
         action == FailsafeAction.CONTINUE && !arming.isArmed() ? List.of() : decision.causes();
+    publish(new FailsafeState().action(action).causes(causes));
     if (action != said || !decision.hazards().equals(saidHazards)) {
+      said = action;
+      saidHazards = decision.hazards();
       log(
           action == FailsafeAction.CONTINUE ? LogLevelEnum.INFO : LogLevelEnum.WARN,
           "failsafe " + action + " because of " + causes);
-      said = action;
-      saidHazards = decision.hazards();
     }
-    publish(new FailsafeState().action(action).causes(causes));
   }
 }

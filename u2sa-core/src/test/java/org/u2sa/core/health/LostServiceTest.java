@@ -169,4 +169,19 @@ class LostServiceTest extends WatchedWorker {
     assertThat(condition().condition()).isEqualTo(Condition.LOST);
     assertThat(condition().reason()).isEqualTo("its process has ended with exit code 137");
   }
+
+  @Test
+  void connectionLost_processHasEndedAndLinkBrokeInTheSameMoment_isRestartedAtOnce() {
+    kit.with("RECONNECT WITHIN", 60.0).with("RESTART DELAY", 0.0);
+    monitor();
+    live("a", 1.0);
+    ConnectionLost end = lost("a");
+    end.threadAlive(false).lastError("its process has ended with exit code 137");
+    kit.send(Channels.HEALTH, end);
+    kit.send(Channels.HEALTH, lost("a")); // before the monitor has handled the word above
+    kit.settle();
+
+    assertThat(orders()).hasSize(1);
+    assertThat(condition().reason()).isEqualTo("its process has ended with exit code 137");
+  }
 }

@@ -26,6 +26,7 @@ import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.EmergencyStop;
@@ -153,7 +154,7 @@ public final class Channels {
 
   /** How each service is (thesis 3.5.3). */
   public static final Channel<HealthReport> HEALTH =
-      Channel.latest("health", HealthReport.TYPE, HealthReport::serviceName);
+      Channel.latest("health", HealthReport.TYPE, Channels::reporter);
 
   /** How each service looks to the health monitor, and what is done about it (thesis 3.5.3). */
   public static final Channel<ServiceCondition> CONDITIONS =
@@ -228,6 +229,17 @@ public final class Channels {
       ALL.stream().collect(Collectors.toMap(Channel::name, channel -> channel));
 
   private Channels() {}
+
+  /**
+   * Who reports on a service: itself, the broker its connection or a supervisor its process. None
+   * of them replaces what another says.
+   */
+  private static String reporter(HealthReport report) {
+    if (!(report instanceof ConnectionLost)) {
+      return report.serviceName();
+    }
+    return report.serviceName() + (report.threadAlive().isPresent() ? " (process)" : " (link)");
+  }
 
   /** All standard channels. */
   public static List<Channel<?>> all() {

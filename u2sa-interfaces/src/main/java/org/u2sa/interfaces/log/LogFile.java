@@ -33,6 +33,8 @@ public final class LogFile implements AutoCloseable {
   private static final String SEPARATOR = " | ";
   private static final Pattern LINE_END = Pattern.compile("\\R");
   private static final String NEXT_LINE = "\n    ";
+  private static final int MAX_MESSAGE_CHARS = 4_000;
+  private static final int MAX_TRACE_CHARS = 16_000;
 
   /** Opens a file for writing at its end, unbuffered; makes it if it is not there. */
   interface Opener {
@@ -212,13 +214,20 @@ public final class LogFile implements AutoCloseable {
   }
 
   private static String message(String message, Throwable thrown) {
-    String text = String.valueOf(message);
+    String text = shortened(String.valueOf(message), MAX_MESSAGE_CHARS);
     if (thrown != null) {
       StringWriter trace = new StringWriter();
       thrown.printStackTrace(new PrintWriter(trace, true));
-      text += "\n" + trace.toString().trim();
+      text += "\n" + shortened(trace.toString().trim(), MAX_TRACE_CHARS);
     }
     return LINE_END.splitAsStream(text).map(OneLine::of).collect(Collectors.joining(NEXT_LINE));
+  }
+
+  /** Whoever composes a message of what others sent must not fill the disk with it. */
+  private static String shortened(String text, int maxChars) {
+    return text.length() <= maxChars
+        ? text
+        : text.substring(0, maxChars) + "… (" + (text.length() - maxChars) + " more characters)";
   }
 
   private void sayOnce(IOException e) {

@@ -48,6 +48,27 @@ class LogFileTest extends LogFileFixture {
   }
 
   @Test
+  void log_messageOfAMegabyte_isShortened() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.WARN, "x".repeat(1_000_000));
+    }
+
+    assertThat(text(file))
+        .isEqualTo(line("WARN", "x".repeat(4_000) + "… (996000 more characters)"));
+  }
+
+  @Test
+  void log_throwableWithAMessageOfAMegabyte_isShortened() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.WARN, "callback", new IllegalStateException("x".repeat(1_000_000)));
+    }
+
+    assertThat(text(file)).hasSizeLessThan(20_000).contains("more characters");
+  }
+
+  @Test
   void log_throwable_hasItsTraceBelow() throws IOException {
     Path file = folder.resolve("Control.log");
     try (LogFile log = log(file, LogLevelEnum.INFO)) {

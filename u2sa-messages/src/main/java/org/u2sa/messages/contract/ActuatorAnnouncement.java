@@ -22,14 +22,14 @@ public final class ActuatorAnnouncement extends U2SAData {
   private static final Schema<ActuatorAnnouncement> SCHEMA =
       Schema.of(ActuatorAnnouncement.class, ActuatorAnnouncement::new, U2SAData.TYPE);
   private static final ValueField<ActuatorAnnouncement, String> ACTUATOR_NAME =
-      SCHEMA.requiredText("actuatorName");
+      SCHEMA.requiredName("actuatorName");
   private static final NumberField<ActuatorAnnouncement> MINIMUM =
       SCHEMA.requiredNumber("minimum", "%", -100.0, 100.0);
   private static final NumberField<ActuatorAnnouncement> MAXIMUM =
       SCHEMA.requiredNumber("maximum", "%", -100.0, 100.0);
   private static final ValueField<ActuatorAnnouncement, String> EFFECT = SCHEMA.text("effect", "");
   private static final ValueField<ActuatorAnnouncement, String> SUBSYSTEM =
-      SCHEMA.text("subsystem", "VEHICLE");
+      SCHEMA.name("subsystem", "VEHICLE");
   private static final NumberField<ActuatorAnnouncement> RATE_LIMIT =
       SCHEMA.since(3).optionalNumber("rateLimit", "%/s", 0.0);
   private static final NumberField<ActuatorAnnouncement> DEADBAND =
@@ -57,7 +57,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   private static final NumberField<ActuatorAnnouncement> RENEWAL =
       SCHEMA.optionalNumber("renewal", "s", 0.0);
   private static final ValueField<ActuatorAnnouncement, String> SERVICE_NAME =
-      SCHEMA.optionalText("serviceName");
+      SCHEMA.optionalName("serviceName");
   private static final ValueField<ActuatorAnnouncement, List<String>> COMMAND_TYPES =
       SCHEMA.optionalTexts("commandTypes");
 

@@ -9,9 +9,9 @@ import org.u2sa.messages.schema.ValueField;
 public final class ArmCommand extends U2SAData {
   private static final Schema<ArmCommand> SCHEMA =
       Schema.of(ArmCommand.class, ArmCommand::new, U2SAData.TYPE).since(2);
-  private static final ValueField<ArmCommand, String> REQUEST_ID = SCHEMA.requiredText("requestId");
+  private static final ValueField<ArmCommand, String> REQUEST_ID = SCHEMA.requiredId("requestId");
   private static final ValueField<ArmCommand, Boolean> ARM = SCHEMA.flag("arm");
-  private static final ValueField<ArmCommand, String> OPERATOR = SCHEMA.text("operator", "");
+  private static final ValueField<ArmCommand, String> OPERATOR = SCHEMA.name("operator", "");
 
   /** The schema. */
   public static final MessageType<ArmCommand> TYPE = SCHEMA.build();

@@ -12,9 +12,8 @@ public final class ArmingState extends U2SAData {
   private static final Schema<ArmingState> SCHEMA =
       Schema.of(ArmingState.class, ArmingState::new, U2SAData.TYPE).since(2);
   private static final ValueField<ArmingState, Boolean> ARMED = SCHEMA.flag("armed");
-  private static final ValueField<ArmingState, List<String>> REASONS = SCHEMA.texts("reasons");
-  private static final ValueField<ArmingState, String> REQUEST_ID =
-      SCHEMA.optionalText("requestId");
+  private static final ValueField<ArmingState, List<String>> REASONS = SCHEMA.notes("reasons");
+  private static final ValueField<ArmingState, String> REQUEST_ID = SCHEMA.optionalId("requestId");
 
   /** The schema. */
   public static final MessageType<ArmingState> TYPE = SCHEMA.build();

@@ -12,7 +12,7 @@ public final class ConfigurationAssignment extends U2SAData {
       Schema.of(ConfigurationAssignment.class, ConfigurationAssignment::new, U2SAData.TYPE)
           .since(2);
   private static final ValueField<ConfigurationAssignment, String> VARIABLE_NAME =
-      SCHEMA.requiredText("variableName");
+      SCHEMA.requiredName("variableName");
   private static final ValueField<ConfigurationAssignment, String> VALUE =
       SCHEMA.requiredText("value");
   private static final ValueField<ConfigurationAssignment, String> PREVIOUS =

@@ -11,7 +11,7 @@ public final class ConfigurationChange extends ServiceMessage<ConfigurationChang
       Schema.of(ConfigurationChange.class, ConfigurationChange::new, U2SAData.TYPE)
           .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationChange, String> VARIABLE_NAME =
-      SCHEMA.requiredText("variableName");
+      SCHEMA.requiredName("variableName");
   private static final ValueField<ConfigurationChange, String> VALUE = SCHEMA.requiredText("value");
 
   /** The schema. */

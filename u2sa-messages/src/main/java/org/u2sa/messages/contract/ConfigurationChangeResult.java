@@ -11,13 +11,12 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
       Schema.of(ConfigurationChangeResult.class, ConfigurationChangeResult::new, U2SAData.TYPE)
           .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationChangeResult, String> VARIABLE_NAME =
-      SCHEMA.requiredText("variableName");
+      SCHEMA.requiredName("variableName");
   private static final ValueField<ConfigurationChangeResult, Boolean> ACCEPTED =
       SCHEMA.flag("accepted");
   private static final ValueField<ConfigurationChangeResult, String> VALUE =
       SCHEMA.text("value", "");
-  private static final ValueField<ConfigurationChangeResult, String> REASON =
-      SCHEMA.text("reason", "");
+  private static final ValueField<ConfigurationChangeResult, String> REASON = SCHEMA.note("reason");
 
   /** The schema. */
   public static final MessageType<ConfigurationChangeResult> TYPE = SCHEMA.build();

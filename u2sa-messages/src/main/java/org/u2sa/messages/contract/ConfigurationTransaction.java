@@ -12,12 +12,12 @@ public final class ConfigurationTransaction extends ServiceExchange<Configuratio
   private static final Schema<ConfigurationTransaction> SCHEMA =
       Schema.of(ConfigurationTransaction.class, ConfigurationTransaction::new, U2SAData.TYPE)
           .since(2)
-          .requiring(REQUEST_ID)
+          .requiringId(REQUEST_ID)
           .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationTransaction, List<ConfigurationAssignment>>
       ASSIGNMENTS = SCHEMA.messages("assignments", ConfigurationAssignment.TYPE);
   private static final ValueField<ConfigurationTransaction, String> AUTHOR =
-      SCHEMA.text("author", "");
+      SCHEMA.name("author", "");
   private static final ValueField<ConfigurationTransaction, Long> REVISION =
       SCHEMA.optionalCount("revision", "");
 

@@ -15,18 +15,18 @@ public final class ConfigurationTransactionResult
               ConfigurationTransactionResult::new,
               U2SAData.TYPE)
           .since(2)
-          .requiring(REQUEST_ID)
+          .requiringId(REQUEST_ID)
           .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationTransactionResult, Boolean> ACCEPTED =
       SCHEMA.flag("accepted");
   private static final ValueField<ConfigurationTransactionResult, String> REASON =
-      SCHEMA.text("reason", "");
+      SCHEMA.note("reason");
   private static final ValueField<ConfigurationTransactionResult, List<ConfigurationAssignment>>
       ASSIGNMENTS = SCHEMA.messages("assignments", ConfigurationAssignment.TYPE);
   private static final ValueField<ConfigurationTransactionResult, Long> REVISION =
       SCHEMA.count("revision", "");
   private static final ValueField<ConfigurationTransactionResult, String> AUTHOR =
-      SCHEMA.text("author", "");
+      SCHEMA.name("author", "");
 
   /** The schema. */
   public static final MessageType<ConfigurationTransactionResult> TYPE = SCHEMA.build();

@@ -10,9 +10,9 @@ public final class ConfigurationUndo extends ServiceExchange<ConfigurationUndo> 
   private static final Schema<ConfigurationUndo> SCHEMA =
       Schema.of(ConfigurationUndo.class, ConfigurationUndo::new, U2SAData.TYPE)
           .since(2)
-          .requiring(REQUEST_ID)
+          .requiringId(REQUEST_ID)
           .requiring(SERVICE_NAME);
-  private static final ValueField<ConfigurationUndo, String> AUTHOR = SCHEMA.text("author", "");
+  private static final ValueField<ConfigurationUndo, String> AUTHOR = SCHEMA.name("author", "");
 
   /** The schema. */
   public static final MessageType<ConfigurationUndo> TYPE = SCHEMA.build();

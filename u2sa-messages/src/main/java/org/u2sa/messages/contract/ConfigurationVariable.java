@@ -12,11 +12,11 @@ import org.u2sa.messages.schema.ValueField;
 public final class ConfigurationVariable extends U2SAData {
   private static final Schema<ConfigurationVariable> SCHEMA =
       Schema.of(ConfigurationVariable.class, ConfigurationVariable::new, U2SAData.TYPE);
-  private static final ValueField<ConfigurationVariable, String> NAME = SCHEMA.requiredText("name");
+  private static final ValueField<ConfigurationVariable, String> NAME = SCHEMA.requiredName("name");
   private static final ValueField<ConfigurationVariable, String> VARIABLE_TYPE =
-      SCHEMA.text("variableType", "string");
+      SCHEMA.name("variableType", "string");
   private static final ValueField<ConfigurationVariable, String> VALUE = SCHEMA.text("value", "");
-  private static final ValueField<ConfigurationVariable, String> UNIT = SCHEMA.text("unit", "");
+  private static final ValueField<ConfigurationVariable, String> UNIT = SCHEMA.name("unit", "");
   private static final NumberField<ConfigurationVariable> MIN = SCHEMA.optionalNumber("min", "");
   private static final NumberField<ConfigurationVariable> MAX = SCHEMA.optionalNumber("max", "");
   private static final ValueField<ConfigurationVariable, String> DESCRIPTION =

@@ -13,17 +13,17 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
       Schema.of(DiscoveryResponse.class, DiscoveryResponse::new, U2SAData.TYPE)
           .requiring(SERVICE_NAME);
   private static final ValueField<DiscoveryResponse, String> SERVICE_TYPE =
-      SCHEMA.text("serviceType", "");
+      SCHEMA.name("serviceType", "");
   private static final ValueField<DiscoveryResponse, ServiceStatus> STATUS =
       SCHEMA.requiredChoice("status", ServiceStatus.class);
-  private static final ValueField<DiscoveryResponse, String> HOST = SCHEMA.text("host", "");
+  private static final ValueField<DiscoveryResponse, String> HOST = SCHEMA.name("host", "");
   private static final NumberField<DiscoveryResponse> UPTIME =
       SCHEMA.number("uptime", "s", 0.0, 0.0);
-  private static final ValueField<DiscoveryResponse, String> VERSION = SCHEMA.text("version", "");
+  private static final ValueField<DiscoveryResponse, String> VERSION = SCHEMA.name("version", "");
   private static final ValueField<DiscoveryResponse, String> INSTANCE =
-      SCHEMA.since(2).optionalText("instance");
+      SCHEMA.since(2).optionalName("instance");
   private static final ValueField<DiscoveryResponse, String> CLASS_NAME =
-      SCHEMA.optionalText("className");
+      SCHEMA.optionalName("className");
 
   /** The schema. */
   public static final MessageType<DiscoveryResponse> TYPE = SCHEMA.build();

@@ -17,12 +17,12 @@ public final class EmergencyStop extends U2SAData {
   private static final Schema<EmergencyStop> SCHEMA =
       Schema.of(EmergencyStop.class, EmergencyStop::new, U2SAData.TYPE).since(2);
   private static final ValueField<EmergencyStop, Boolean> ACTIVE = SCHEMA.flag("active");
-  private static final ValueField<EmergencyStop, String> OPERATOR = SCHEMA.text("operator", "");
-  private static final ValueField<EmergencyStop, String> REASON = SCHEMA.text("reason", "");
+  private static final ValueField<EmergencyStop, String> OPERATOR = SCHEMA.note("operator");
+  private static final ValueField<EmergencyStop, String> REASON = SCHEMA.note("reason");
   private static final ValueField<EmergencyStop, Long> CLEARS =
       SCHEMA.optionalCount("clears", "us");
   private static final ValueField<EmergencyStop, String> STOP_ID =
-      SCHEMA.since(3).optionalText("stopId");
+      SCHEMA.since(3).optionalId("stopId");
   private static final ValueField<EmergencyStop, List<String>> LIFTS =
       SCHEMA.optionalTexts("lifts");
 

@@ -12,7 +12,7 @@ public final class FailsafeState extends U2SAData {
       Schema.of(FailsafeState.class, FailsafeState::new, U2SAData.TYPE).since(2);
   private static final ValueField<FailsafeState, FailsafeAction> ACTION =
       SCHEMA.requiredChoice("action", FailsafeAction.class);
-  private static final ValueField<FailsafeState, List<String>> CAUSES = SCHEMA.texts("causes");
+  private static final ValueField<FailsafeState, List<String>> CAUSES = SCHEMA.notes("causes");
 
   /** The schema. */
   public static final MessageType<FailsafeState> TYPE = SCHEMA.build();

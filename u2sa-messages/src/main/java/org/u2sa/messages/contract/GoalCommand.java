@@ -9,7 +9,7 @@ import org.u2sa.messages.schema.ValueField;
 public final class GoalCommand extends U2SAData {
   private static final Schema<GoalCommand> SCHEMA =
       Schema.of(GoalCommand.class, GoalCommand::new, U2SAData.TYPE);
-  private static final ValueField<GoalCommand, String> UID = SCHEMA.requiredText("uid");
+  private static final ValueField<GoalCommand, String> UID = SCHEMA.requiredId("uid");
 
   /** The schema. */
   public static final MessageType<GoalCommand> TYPE = SCHEMA.build();

@@ -17,7 +17,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   private static final ValueField<HealthReport, ServiceStatus> STATUS =
       SCHEMA.requiredChoice("status", ServiceStatus.class);
   private static final ValueField<HealthReport, String> LAST_ERROR =
-      SCHEMA.optionalText("lastError");
+      SCHEMA.optionalNote("lastError");
   private static final ValueField<HealthReport, Long> INBOX_DEPTH = SCHEMA.count("inboxDepth", "");
   private static final ValueField<HealthReport, Long> DROPPED = SCHEMA.count("dropped", "");
   private static final ValueField<HealthReport, Long> REFUSED = SCHEMA.count("refused", "");
@@ -28,7 +28,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   private static final NumberField<HealthReport> CALLBACK_P99 =
       SCHEMA.optionalNumber("callbackP99", "s", 0.0);
   private static final ValueField<HealthReport, String> INSTANCE =
-      SCHEMA.since(2).optionalText("instance");
+      SCHEMA.since(2).optionalName("instance");
   private static final NumberField<HealthReport> INTERVAL =
       SCHEMA.optionalNumber("interval", "s", 0.0);
   private static final ValueField<HealthReport, Boolean> THREAD_ALIVE =
@@ -52,7 +52,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   private static final ValueField<HealthReport, List<String>> EMERGENCY_STOPS =
       SCHEMA.since(3).optionalTexts("emergencyStops");
   private static final ValueField<HealthReport, List<String>> REMARKS =
-      SCHEMA.optionalTexts("remarks");
+      SCHEMA.optionalNotes("remarks");
 
   /** The schema. */
   public static final MessageType<HealthReport> TYPE = SCHEMA.build();

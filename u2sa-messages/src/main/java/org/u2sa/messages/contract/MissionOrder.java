@@ -13,15 +13,14 @@ import org.u2sa.messages.schema.ValueField;
 public final class MissionOrder extends U2SAData {
   private static final Schema<MissionOrder> SCHEMA =
       Schema.of(MissionOrder.class, MissionOrder::new, U2SAData.TYPE).since(3);
-  private static final ValueField<MissionOrder, String> REQUEST_ID =
-      SCHEMA.requiredText("requestId");
+  private static final ValueField<MissionOrder, String> REQUEST_ID = SCHEMA.requiredId("requestId");
   private static final ValueField<MissionOrder, MissionAction> ACTION =
       SCHEMA.requiredChoice("action", MissionAction.class);
-  private static final ValueField<MissionOrder, String> UID = SCHEMA.optionalText("uid");
+  private static final ValueField<MissionOrder, String> UID = SCHEMA.optionalId("uid");
   private static final ValueField<MissionOrder, String> GOALS = SCHEMA.optionalText("goals");
   private static final ValueField<MissionOrder, String> FILE = SCHEMA.optionalText("file");
   private static final ValueField<MissionOrder, Boolean> NOW = SCHEMA.flag("now");
-  private static final ValueField<MissionOrder, String> OPERATOR = SCHEMA.text("operator", "");
+  private static final ValueField<MissionOrder, String> OPERATOR = SCHEMA.name("operator", "");
 
   /** The schema. */
   public static final MessageType<MissionOrder> TYPE = SCHEMA.build();

@@ -10,11 +10,11 @@ public final class MissionOrderResult extends U2SAData {
   private static final Schema<MissionOrderResult> SCHEMA =
       Schema.of(MissionOrderResult.class, MissionOrderResult::new, U2SAData.TYPE).since(3);
   private static final ValueField<MissionOrderResult, String> REQUEST_ID =
-      SCHEMA.requiredText("requestId");
+      SCHEMA.requiredId("requestId");
   private static final ValueField<MissionOrderResult, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      SCHEMA.requiredName("serviceName");
   private static final ValueField<MissionOrderResult, Boolean> ACCEPTED = SCHEMA.flag("accepted");
-  private static final ValueField<MissionOrderResult, String> OUTCOME = SCHEMA.text("outcome", "");
+  private static final ValueField<MissionOrderResult, String> OUTCOME = SCHEMA.note("outcome");
 
   /** The schema. */
   public static final MessageType<MissionOrderResult> TYPE = SCHEMA.build();

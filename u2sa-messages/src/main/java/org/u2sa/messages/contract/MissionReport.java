@@ -16,9 +16,9 @@ public final class MissionReport extends U2SAData {
   private static final Schema<MissionReport> SCHEMA =
       Schema.of(MissionReport.class, MissionReport::new, U2SAData.TYPE).since(3);
   private static final ValueField<MissionReport, String> REQUEST_ID =
-      SCHEMA.requiredText("requestId");
+      SCHEMA.requiredId("requestId");
   private static final ValueField<MissionReport, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      SCHEMA.requiredName("serviceName");
   private static final ValueField<MissionReport, String> MISSION = SCHEMA.text("mission", "");
   private static final ValueField<MissionReport, List<GoalInformation>> GOALS =
       SCHEMA.messages("goals", GoalInformation.TYPE);
@@ -27,13 +27,13 @@ public final class MissionReport extends U2SAData {
   private static final ValueField<MissionReport, List<String>> CURRENT = SCHEMA.texts("current");
   private static final ValueField<MissionReport, List<String>> UPCOMING = SCHEMA.texts("upcoming");
   private static final ValueField<MissionReport, List<String>> SEQUENCE = SCHEMA.texts("sequence");
-  private static final ValueField<MissionReport, String> FAILSAFE = SCHEMA.optionalText("failsafe");
+  private static final ValueField<MissionReport, String> FAILSAFE = SCHEMA.optionalNote("failsafe");
   private static final NumberField<MissionReport> ELAPSED = SCHEMA.number("elapsed", "s", 0.0, 0.0);
   private static final NumberField<MissionReport> TIME_LIMIT =
       SCHEMA.optionalNumber("timeLimit", "s", 0.0);
   private static final ValueField<MissionReport, Long> BEGAN = SCHEMA.optionalCount("began", "µs");
   private static final ValueField<MissionReport, String> RESUMABLE =
-      SCHEMA.optionalText("resumable");
+      SCHEMA.optionalNote("resumable");
   private static final ValueField<MissionReport, Boolean> PAUSED = SCHEMA.optionalFlag("paused");
 
   /** The schema. */

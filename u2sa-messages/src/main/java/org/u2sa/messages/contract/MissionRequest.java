@@ -10,7 +10,7 @@ public final class MissionRequest extends U2SAData {
   private static final Schema<MissionRequest> SCHEMA =
       Schema.of(MissionRequest.class, MissionRequest::new, U2SAData.TYPE).since(3);
   private static final ValueField<MissionRequest, String> REQUEST_ID =
-      SCHEMA.requiredText("requestId");
+      SCHEMA.requiredId("requestId");
 
   /** The schema. */
   public static final MessageType<MissionRequest> TYPE = SCHEMA.build();

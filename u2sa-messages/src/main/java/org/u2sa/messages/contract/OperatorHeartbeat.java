@@ -12,7 +12,7 @@ public final class OperatorHeartbeat extends U2SAData {
   private static final Schema<OperatorHeartbeat> SCHEMA =
       Schema.of(OperatorHeartbeat.class, OperatorHeartbeat::new, U2SAData.TYPE).since(2);
   private static final ValueField<OperatorHeartbeat, String> OPERATOR =
-      SCHEMA.requiredText("operator");
+      SCHEMA.requiredName("operator");
   private static final NumberField<OperatorHeartbeat> INTERVAL =
       SCHEMA.optionalNumber("interval", "s", 0.0);
 

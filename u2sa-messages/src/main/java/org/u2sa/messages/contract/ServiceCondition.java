@@ -20,11 +20,11 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
       SCHEMA.requiredChoice("condition", Condition.class);
   private static final ValueField<ServiceCondition, Long> SINCE =
       SCHEMA.optionalCount("since", "us");
-  private static final ValueField<ServiceCondition, String> REASON = SCHEMA.text("reason", "");
-  private static final ValueField<ServiceCondition, String> ACTION = SCHEMA.text("action", "");
+  private static final ValueField<ServiceCondition, String> REASON = SCHEMA.note("reason");
+  private static final ValueField<ServiceCondition, String> ACTION = SCHEMA.note("action");
   private static final ValueField<ServiceCondition, Long> RESTARTS = SCHEMA.count("restarts", "");
   private static final ValueField<ServiceCondition, String> INSTANCE =
-      SCHEMA.optionalText("instance");
+      SCHEMA.optionalName("instance");
 
   /** The schema. */
   public static final MessageType<ServiceCondition> TYPE = SCHEMA.build();

@@ -14,13 +14,13 @@ public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
   private static final Schema<ServiceOrder> SCHEMA =
       Schema.of(ServiceOrder.class, ServiceOrder::new, U2SAData.TYPE)
           .since(2)
-          .requiring(REQUEST_ID)
+          .requiringId(REQUEST_ID)
           .requiring(SERVICE_NAME);
   private static final ValueField<ServiceOrder, ServiceAction> ACTION =
       SCHEMA.requiredChoice("action", ServiceAction.class);
   private static final ValueField<ServiceOrder, String> CLASS_NAME =
-      SCHEMA.optionalText("className");
-  private static final ValueField<ServiceOrder, String> OPERATOR = SCHEMA.text("operator", "");
+      SCHEMA.optionalName("className");
+  private static final ValueField<ServiceOrder, String> OPERATOR = SCHEMA.name("operator", "");
 
   /** The schema. */
   public static final MessageType<ServiceOrder> TYPE = SCHEMA.build();

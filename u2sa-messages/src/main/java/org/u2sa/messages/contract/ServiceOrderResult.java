@@ -10,10 +10,10 @@ public final class ServiceOrderResult extends ServiceExchange<ServiceOrderResult
   private static final Schema<ServiceOrderResult> SCHEMA =
       Schema.of(ServiceOrderResult.class, ServiceOrderResult::new, U2SAData.TYPE)
           .since(2)
-          .requiring(REQUEST_ID)
+          .requiringId(REQUEST_ID)
           .requiring(SERVICE_NAME);
   private static final ValueField<ServiceOrderResult, Boolean> ACCEPTED = SCHEMA.flag("accepted");
-  private static final ValueField<ServiceOrderResult, String> REASON = SCHEMA.text("reason", "");
+  private static final ValueField<ServiceOrderResult, String> REASON = SCHEMA.note("reason");
 
   /** The schema. */
   public static final MessageType<ServiceOrderResult> TYPE = SCHEMA.build();

@@ -12,7 +12,7 @@ public final class StopCommand extends U2SAData {
       Schema.of(StopCommand.class, StopCommand::new, U2SAData.TYPE);
   private static final ValueField<StopCommand, Boolean> STOP_ALL = SCHEMA.flag("stopAll");
   private static final ValueField<StopCommand, String> SERVICE_NAME =
-      SCHEMA.optionalText("serviceName");
+      SCHEMA.optionalName("serviceName");
 
   /** The schema. */
   public static final MessageType<StopCommand> TYPE = SCHEMA.build();

@@ -89,6 +89,7 @@ final class CborReader {
     if (missing != null) {
       throw malformed(missing.path() + " is required and missing");
     }
+    message.requireConsistent();
     depth--;
     return message;
   }

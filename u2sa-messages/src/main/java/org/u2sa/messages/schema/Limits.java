@@ -7,6 +7,10 @@ package org.u2sa.messages.schema;
 final class Limits {
   static final int PAYLOAD_BYTES = 1 << 20;
   static final int TEXT_BYTES = 1 << 16;
+  static final int NAME_CHARS = 255;
+  static final int ID_CHARS = 1_000; // is often made of a name and a number
+  static final int NOTE_CHARS = 1_000;
+  static final int NOTES = 100; // of the longest, they leave room for the other fields
   static final int BYTE_STRING_BYTES = 15 << 16; // what leaves room for the other fields
   static final int LIST_ELEMENTS = 100_000;
   static final int DEPTH = 8;

@@ -92,15 +92,21 @@ public final class Schema<T extends U2SAData> {
     return this;
   }
 
-  /** Declares a text that is required, and that a superclass gets and sets by its name. */
+  /** Declares a name that is required, and that a superclass gets and sets by its name. */
   public Schema<T> requiring(String field) {
-    requiredText(field);
+    requiredName(field);
     return this;
   }
 
   /** Lets XML call a field by another name too, as the thesis's examples do. */
   public void alias(String alias, MessageField<T> field) {
     aliases.put(alias, field.name());
+  }
+
+  /** As {@link #requiring}, but an identifier. */
+  public Schema<T> requiringId(String field) {
+    requiredId(field);
+    return this;
   }
 
   /** A number that may be absent. */
@@ -170,6 +176,62 @@ public final class Schema<T extends U2SAData> {
   /** A text that has a value from the start. */
   public ValueField<T, String> text(String field, String ifUnset) {
     return value(field, "", ScalarKinds.TEXT, FieldPresence.DEFAULTED, ifUnset, false);
+  }
+
+  /** A name without which no message is published. Names beyond 255 characters are refused. */
+  public ValueField<T, String> requiredName(String field) {
+    return value(field, "", TextKinds.NAME, FieldPresence.REQUIRED, null, false);
+  }
+
+  /** A name that may be absent. It has no bit in the presence vector. */
+  public ValueField<T, String> optionalName(String field) {
+    return value(field, "", TextKinds.NAME, FieldPresence.OPTIONAL, null, false);
+  }
+
+  /** A name that has a value from the start. */
+  public ValueField<T, String> name(String field, String ifUnset) {
+    return value(field, "", TextKinds.NAME, FieldPresence.DEFAULTED, ifUnset, false);
+  }
+
+  /**
+   * An identifier without which no message is published: of up to 1,000 characters, as it may be
+   * made of a name.
+   */
+  public ValueField<T, String> requiredId(String field) {
+    return value(field, "", TextKinds.ID, FieldPresence.REQUIRED, null, false);
+  }
+
+  /** An identifier that may be absent. It has no bit in the presence vector. */
+  public ValueField<T, String> optionalId(String field) {
+    return value(field, "", TextKinds.ID, FieldPresence.OPTIONAL, null, false);
+  }
+
+  /** An identifier that has a value from the start. */
+  public ValueField<T, String> id(String field, String ifUnset) {
+    return value(field, "", TextKinds.ID, FieldPresence.DEFAULTED, ifUnset, false);
+  }
+
+  /**
+   * Text for people that may be absent, shortened to 1,000 characters: for whatever is composed of
+   * the content of other messages. It has no bit in the presence vector.
+   */
+  public ValueField<T, String> optionalNote(String field) {
+    return value(field, "", TextKinds.NOTE, FieldPresence.OPTIONAL, null, false);
+  }
+
+  /** Text for people that is empty from the start, shortened to 1,000 characters. */
+  public ValueField<T, String> note(String field) {
+    return value(field, "", TextKinds.NOTE, FieldPresence.DEFAULTED, "", false);
+  }
+
+  /** Texts for people, shortened to 100 of 1,000 characters; empty from the start. */
+  public ValueField<T, List<String>> notes(String field) {
+    return value(field, "", TextKinds.NOTES, FieldPresence.DEFAULTED, List.of(), false);
+  }
+
+  /** Texts for people that may be absent, shortened to 100 of 1,000 characters. */
+  public ValueField<T, List<String>> optionalNotes(String field) {
+    return value(field, "", TextKinds.NOTES, FieldPresence.OPTIONAL, null, false);
   }
 
   /** Bytes without which no message is published. */

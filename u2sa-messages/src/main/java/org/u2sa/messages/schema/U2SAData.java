@@ -19,11 +19,13 @@ import org.u2sa.messages.frame.ReferenceFrame;
  */
 public abstract class U2SAData {
   private static final Schema<U2SAData> SCHEMA = Schema.root();
-  private static final ValueField<U2SAData, String> SYSTEM_ID = SCHEMA.optionalText("systemId");
+  private static final ValueField<U2SAData, String> SYSTEM_ID = SCHEMA.optionalName("systemId");
   private static final TimestampField TIMESTAMP = Schema.timestamp(SCHEMA);
 
   /** The root of all types: systemId and timestamp. */
   public static final MessageType<U2SAData> TYPE = SCHEMA.build();
+
+  private static final int SHOWN_CHARS = 1_000; // of a value, for people
 
   private final FieldStorage storage;
   private UnknownPart
@@ -108,7 +110,7 @@ public abstract class U2SAData {
   /**
    * Ends all setting, here and in messages within; whoever publishes a message calls it.
    *
-   * @throws IllegalStateException naming the required field that is missing
+   * @throws IllegalStateException naming the required field that is missing, or what does not agree
    */
   public final void freeze() {
     if (!storage.isFrozen()) {
@@ -131,7 +133,16 @@ public abstract class U2SAData {
   }
 
   /**
-   * @throws IllegalStateException naming the required field that is missing
+   * Checks what no field's own bounds can: whether fields agree, whether packed content can be
+   * unpacked. Called before a message is frozen, written or handed to whoever reads it, so that no
+   * receiver meets one that fails here.
+   *
+   * @throws IllegalStateException naming the field, and what is wrong
+   */
+  protected void requireConsistent() {}
+
+  /**
+   * @throws IllegalStateException naming the required field that is missing, or what does not agree
    */
   void requireComplete() {
     if (storage.isFrozen()) {
@@ -141,6 +152,7 @@ public abstract class U2SAData {
     if (missing != null) {
       throw missing(missing);
     }
+    requireConsistent();
   }
 
   /** The value of a number; empty if it is absent and has no default. */
@@ -265,18 +277,23 @@ public abstract class U2SAData {
     return 31 * typeChain().hashCode() + enumerateFields().hashCode();
   }
 
-  /** "Waypoint{uid=1, x=10.0 deg}": what is set. */
+  /** "Waypoint{uid=1, x=10.0 deg}": what is set, each value shortened to 1,000 characters. */
   @Override
   public final String toString() {
     List<String> parts = new ArrayList<>();
     for (FieldValue field : enumerateFields()) {
       if (field.value().isPresent()) {
         String unit = field.unit().isEmpty() ? "" : " " + field.unit();
-        parts.add(field.name() + "=" + field.value().get() + unit);
+        parts.add(field.name() + "=" + shown(field.value().get()) + unit);
       }
     }
     List<String> chain = typeChain();
     return chain.get(chain.size() - 1) + "{" + String.join(", ", parts) + "}";
+  }
+
+  private static String shown(Object value) {
+    String text = String.valueOf(value);
+    return text.length() <= SHOWN_CHARS ? text : text.substring(0, SHOWN_CHARS) + "…";
   }
 
   /**

@@ -2,6 +2,7 @@ package org.u2sa.messages.schema;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
@@ -13,11 +14,13 @@ import org.u2sa.messages.frame.ReferenceFrame;
 public class ValueField<T extends U2SAData, V> extends MessageField<T> {
   final V ifUnset; // null: none
   private final ValueKind<V> values;
+  private final int longest; // text that is within the kind's bounds whatever it says
 
   ValueField(FieldOutline outline, ValueKind<V> values, V ifUnset) {
     super(outline, values.kind());
     this.values = values;
     this.ifUnset = ifUnset;
+    longest = values.longest();
   }
 
   /** For a list of messages, their type or its nearest common ancestor. */
@@ -28,6 +31,16 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
   /** For an enum, its constants in wire order; else empty. */
   public final List<V> constants() {
     return values.constants();
+  }
+
+  /** Maximum characters of a text, or of each in a list; empty if only its bytes are bounded. */
+  public final OptionalInt maxLength() {
+    return longest == Integer.MAX_VALUE ? OptionalInt.empty() : OptionalInt.of(longest);
+  }
+
+  /** Whether longer texts are shortened to {@link #maxLength} instead of refused. */
+  public final boolean shortens() {
+    return values.shortens();
   }
 
   final V checked(Object value) {
@@ -116,7 +129,8 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
 
   @SuppressWarnings("unchecked") // a field of that kind holds texts
   private V text(CborReader in) { // as most are: no need to ask the kind how to read it
-    return (V) in.text();
+    String text = in.text();
+    return text.length() <= longest ? (V) text : values.checked(text);
   }
 
   /** A constant of an enum that a later version of the data model has and this reader does not. */

@@ -28,6 +28,16 @@ interface ValueKind<V> {
     return null;
   }
 
+  /** Length up to which a text is within bounds without {@link #checked} having to look. */
+  default int longest() {
+    return Integer.MAX_VALUE;
+  }
+
+  /** Whether texts beyond {@link #longest} are shortened instead of refused. */
+  default boolean shortens() {
+    return false;
+  }
+
   /** All values there are, if they are few; else empty. */
   default List<V> constants() {
     return List.of();

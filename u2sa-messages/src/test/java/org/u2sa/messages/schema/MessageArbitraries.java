@@ -7,6 +7,8 @@ import java.util.Optional;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
+import org.u2sa.messages.CameraImage;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.registry.StandardTypes;
@@ -51,8 +53,18 @@ final class MessageArbitraries {
                 MessageField<T> field = type.fields().get(i);
                 made.get(i).ifPresent(value -> field.set(message, value));
               }
+              makeConsistent(message);
               return message;
             });
+  }
+
+  /** Gives fields that depend on each other values that do. */
+  private static void makeConsistent(U2SAData message) {
+    if (message instanceof OccupancyGrid grid) {
+      grid.cells(2, new byte[] {1, -2, 3, OccupancyGrid.UNKNOWN});
+    } else if (message instanceof CameraImage image) {
+      image.size(4, 3);
+    }
   }
 
   private static Arbitrary<Object> value(MessageField<?> field, int depth) {

@@ -77,27 +77,88 @@ class OccupancyGridTest {
     assertThatThrownBy(() -> grid().corner(Double.NaN, 0.0)).hasMessageContaining("left");
   }
 
+  /** Columns, rows and packed cells as any program may send them. */
+  private void assertRefused(long columns, long rows, List<String> cells, String expected) {
+    byte[] bytes = new ForeignGrid(columns, rows, cells).serialize();
+
+    assertThatThrownBy(() -> codec.decode(OccupancyGrid.TYPE.chain(), bytes))
+        .isInstanceOf(MalformedMessageException.class)
+        .hasMessageContaining(expected);
+  }
+
   @Test
-  void cells_ofAHostileMessage_areRefusedBeforeMemoryIsTaken() throws MalformedMessageException {
-    OccupancyGrid huge = grid().cells(2, new byte[4]);
-    MessageField<OccupancyGrid> rows = OccupancyGrid.TYPE.field("rows").orElseThrow();
-    rows.set(huge, Long.MAX_VALUE);
-    OccupancyGrid read = sent(huge);
-    assertThatThrownBy(read::cells).hasMessageContaining("rows: 9223372036854775807");
+  void decode_cellsThatDoNotFit_isRefusedBeforeMemoryIsTaken() {
+    List<String> four = cells(grid().cells(2, new byte[4]));
 
-    OccupancyGrid more = grid().cells(2, new byte[4]);
-    rows.set(more, 3L);
-    OccupancyGrid short6 = sent(more);
-    assertThatThrownBy(short6::cells).hasMessageContaining("end after 4 of 6");
-    rows.set(more, 1L);
-    OccupancyGrid long2 = sent(more);
-    assertThatThrownBy(long2::cells).hasMessageContaining("more than 2 × 1");
+    assertRefused(2, Long.MAX_VALUE, four, "rows: 9223372036854775807");
+    assertRefused(-1, 2, four, "columns: -1");
+    assertRefused(2, 3, four, "end after 4 of 6");
+    assertRefused(2, 1, four, "more than 2 × 1");
+    assertRefused(0, 0, four, "more than 0 × 0");
+    assertRefused(2, 2, List.of("~~"), "OccupancyGrid.cells: are no Base64 of zlib data");
+    assertRefused(2, 2, List.of("AAAA"), "OccupancyGrid.cells: are no Base64 of zlib data");
+    assertRefused(2, 2, List.of(), "end after 0 of 4");
+  }
 
-    OccupancyGrid noBase64 = grid().cells(2, new byte[4]);
-    OccupancyGrid.TYPE.field("cells").orElseThrow().set(noBase64, List.of("~~"));
-    OccupancyGrid broken = sent(noBase64);
-    assertThatThrownBy(broken::cells)
-        .isInstanceOf(IllegalStateException.class)
-        .hasMessageContaining("OccupancyGrid.cells");
+  @Test
+  void decode_noCellsAtAll_isTaken() throws MalformedMessageException {
+    byte[] bytes = new ForeignGrid(0, 0, List.of()).serialize();
+
+    OccupancyGrid read = (OccupancyGrid) codec.decode(OccupancyGrid.TYPE.chain(), bytes);
+
+    assertThat(read.cells()).isEmpty();
+  }
+
+  @Test
+  void freeze_fieldsSetByNameThatDoNotFit_isRefused() {
+    OccupancyGrid grid = grid().cells(2, new byte[4]);
+    OccupancyGrid.TYPE.field("rows").orElseThrow().set(grid, 3L);
+
+    assertThatThrownBy(grid::freeze).hasMessage("OccupancyGrid.cells: 4; expected 2 × 3");
+  }
+
+  @Test
+  void copy_ofAGrid_isEqualAndConsistent() {
+    OccupancyGrid copy = grid().cells(2, new byte[] {1, 2, 3, 4}).copy();
+
+    copy.freeze();
+
+    assertThat(copy.cell(1, 1)).isEqualTo((byte) 4);
+    assertThat(copy).isEqualTo(grid().cells(2, new byte[] {1, 2, 3, 4}));
+  }
+
+  @SuppressWarnings("unchecked")
+  private static List<String> cells(OccupancyGrid grid) {
+    return (List<String>) OccupancyGrid.TYPE.field("cells").orElseThrow().get(grid).orElseThrow();
+  }
+
+  /** A grid of a program that checks nothing. */
+  private static final class ForeignGrid extends U2SAData {
+    private static final Schema<ForeignGrid> SCHEMA =
+        Schema.of("OccupancyGrid", ForeignGrid.class, ForeignGrid::new, U2SAData.TYPE);
+    private static final NumberField<ForeignGrid> X = SCHEMA.requiredCoordinate("x");
+    private static final NumberField<ForeignGrid> Y = SCHEMA.requiredCoordinate("y");
+    private static final NumberField<ForeignGrid> RESOLUTION =
+        SCHEMA.requiredNumber("resolution", "m", 0.0, 1e9);
+    private static final ValueField<ForeignGrid, Long> COLUMNS = SCHEMA.count("columns", "");
+    private static final ValueField<ForeignGrid, Long> ROWS = SCHEMA.count("rows", "");
+    private static final ValueField<ForeignGrid, List<String>> CELLS = SCHEMA.texts("cells");
+    private static final MessageType<ForeignGrid> OWN_TYPE = SCHEMA.build();
+
+    private ForeignGrid() {}
+
+    ForeignGrid(long columns, long rows, List<String> cells) {
+      put(X, 0.0);
+      put(Y, 0.0);
+      put(RESOLUTION, 0.5);
+      put(COLUMNS, columns);
+      put(ROWS, rows);
+      put(CELLS, cells);
+    }
+
+    @Override
+    public MessageType<ForeignGrid> type() {
+      return OWN_TYPE;
+    }
   }
 }

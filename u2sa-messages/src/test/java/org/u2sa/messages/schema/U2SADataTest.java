@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
@@ -31,6 +32,14 @@ class U2SADataTest {
 
     assertThat(state.presenceVector()).isEqualTo(1L << field.ordinal());
     assertThat(state.number(field)).hasValue(0.0);
+  }
+
+  @Test
+  void toString_longValue_isShortened() {
+    OccupancyGrid grid = new OccupancyGrid();
+    OccupancyGrid.TYPE.field("cells").orElseThrow().set(grid, List.of("A".repeat(60_000)));
+
+    assertThat(grid.toString()).hasSizeLessThan(1_200).contains("cells=[AAA").contains("…");
   }
 
   @Test

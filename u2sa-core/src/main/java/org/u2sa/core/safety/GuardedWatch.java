@@ -1,0 +1,64 @@
+package org.u2sa.core.safety;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * A watch whose faults silence no other watch: one that throws reports its own hazard, until it
+ * hears a message or judges without a fault again.
+ */
+final class GuardedWatch implements Watch {
+  private final Watch watch;
+  private Optional<String> fault = Optional.empty(); // at the last message
+
+  GuardedWatch(Watch watch) {
+    this.watch = watch;
+  }
+
+  @Override
+  public Hazard hazard() {
+    return watch.hazard();
+  }
+
+  @Override
+  public boolean hears(Channel<?> channel) {
+    return watch.hears(channel);
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    try {
+      watch.see(message, nowMicros);
+      fault = Optional.empty();
+    } catch (RuntimeException e) {
+      fault = Optional.of(failed(e));
+    }
+  }
+
+  @Override
+  public Optional<String> trouble(long nowMicros) {
+    return asked(() -> watch.trouble(nowMicros));
+  }
+
+  @Override
+  public Optional<String> objection(long nowMicros) {
+    return asked(() -> watch.objection(nowMicros));
+  }
+
+  private Optional<String> asked(Supplier<Optional<String>> question) {
+    if (fault.isPresent()) {
+      return fault;
+    }
+    try {
+      return question.get();
+    } catch (RuntimeException e) {
+      return Optional.of(failed(e));
+    }
+  }
+
+  private static String failed(RuntimeException e) {
+    return "the check failed: " + e;
+  }
+}

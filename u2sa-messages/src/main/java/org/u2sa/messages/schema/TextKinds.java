@@ -1,0 +1,169 @@
+package org.u2sa.messages.schema;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+
+/**
+ * Kinds of texts with bounds of their own. A name or identifier beyond its bound is refused,
+ * because a part of it could be another one's. A note is text for people, often composed of what
+ * other messages say: it is shortened instead, so that setting it never fails for its content.
+ */
+final class TextKinds {
+  static final ValueKind<String> NAME = new Bounded(Limits.NAME_CHARS);
+  static final ValueKind<String> ID = new Bounded(Limits.ID_CHARS);
+  static final ValueKind<String> NOTE = new Note();
+  static final ValueKind<List<String>> NOTES = new Notes();
+
+  private static final String CUT = "…";
+
+  private TextKinds() {}
+
+  /** At most {@link Limits#NOTE_CHARS} characters, all of them Unicode. */
+  private static String shortened(String text) {
+    if (text.length() <= Limits.NOTE_CHARS && isUnicode(text)) {
+      return text;
+    }
+    StringBuilder kept = new StringBuilder(Math.min(text.length(), Limits.NOTE_CHARS));
+    int end = text.length() <= Limits.NOTE_CHARS ? text.length() : Limits.NOTE_CHARS - 1;
+    for (int i = 0; i < end; i++) {
+      boolean isPair = i + 1 < end && Character.isSurrogatePair(text.charAt(i), text.charAt(i + 1));
+      if (isPair) {
+        kept.append(text, i, i + 2);
+        i++;
+      } else {
+        kept.append(Character.isSurrogate(text.charAt(i)) ? '\ufffd' : text.charAt(i));
+      }
+    }
+    return kept.append(end < text.length() ? CUT : "").toString();
+  }
+
+  private static boolean isUnicode(String text) {
+    for (int i = 0; i < text.length(); i++) {
+      if (Character.isSurrogate(text.charAt(i))) {
+        return false; // most texts have none; whether it is half a pair is found out later
+      }
+    }
+    return true;
+  }
+
+  private record Bounded(int longest) implements ValueKind<String> {
+    @Override
+    public Kind kind() {
+      return Kind.STRING;
+    }
+
+    @Override
+    public String checked(Object value) {
+      String text = ScalarKinds.TEXT.checked(value);
+      if (text.length() > longest) {
+        throw ScalarKinds.expected("at most " + longest + " characters, not " + text.length());
+      }
+      return text;
+    }
+
+    @Override
+    public String parsed(List<String> texts) {
+      return ValueKind.only(texts);
+    }
+
+    @Override
+    public void write(CborOutput out, String text) {
+      out.text(text);
+    }
+
+    @Override
+    public String read(CborReader in) throws MalformedMessageException {
+      return in.text();
+    }
+  }
+
+  private record Note() implements ValueKind<String> {
+    @Override
+    public Kind kind() {
+      return Kind.STRING;
+    }
+
+    @Override
+    public int longest() {
+      return Limits.NOTE_CHARS;
+    }
+
+    @Override
+    public boolean shortens() {
+      return true;
+    }
+
+    @Override
+    public String checked(Object value) {
+      if (value instanceof String text) {
+        return shortened(text);
+      }
+      throw ScalarKinds.expected("text");
+    }
+
+    @Override
+    public String parsed(List<String> texts) {
+      return ValueKind.only(texts);
+    }
+
+    @Override
+    public void write(CborOutput out, String text) {
+      out.text(text);
+    }
+
+    @Override
+    public String read(CborReader in) throws MalformedMessageException {
+      return in.text();
+    }
+  }
+
+  private record Notes() implements ValueKind<List<String>> {
+    @Override
+    public Kind kind() {
+      return Kind.STRING_LIST;
+    }
+
+    @Override
+    public int longest() {
+      return NOTE.longest();
+    }
+
+    @Override
+    public boolean shortens() {
+      return NOTE.shortens();
+    }
+
+    @Override
+    public List<String> checked(Object value) {
+      if (!(value instanceof Collection<?> notes)) {
+        throw ScalarKinds.expected("a list of texts");
+      }
+      boolean isCut = notes.size() > Limits.NOTES;
+      List<String> kept = new ArrayList<>();
+      for (Object note : notes) {
+        if (isCut && kept.size() == Limits.NOTES - 1) {
+          kept.add("and " + (notes.size() - kept.size()) + " more");
+          break;
+        }
+        kept.add(NOTE.checked(note));
+      }
+      return List.copyOf(kept);
+    }
+
+    @Override
+    public List<String> parsed(List<String> texts) {
+      return ListKinds.TEXTS.parsed(texts);
+    }
+
+    @Override
+    public void write(CborOutput out, List<String> notes) {
+      ListKinds.TEXTS.write(out, notes);
+    }
+
+    @Override
+    public List<String> read(CborReader in) throws MalformedMessageException {
+      return ListKinds.TEXTS.read(in);
+    }
+  }
+}
