@@ -78,15 +78,17 @@ final class RecordStream {
     return entry;
   }
 
-  /** What there is of a record that breaks off, from its content's beginning. */
-  byte[] rest() throws IOException {
-    long from = Math.min(size, position + Opcode.PREFIX);
-    return read(from, (int) Math.min(LONGEST, size - from)).array();
-  }
-
-  /** Goes on behind the next record without reading it. */
-  void skip(long contentLength) {
-    position += Opcode.PREFIX + contentLength;
+  /**
+   * The next bytes.
+   *
+   * @throws McapException if they are more than are read at once
+   */
+  byte[] bytes(long length) throws IOException {
+    if (length > LONGEST) {
+      throw new McapException(
+          "a record of " + length + " bytes: expected at most " + LONGEST + " to be read at once");
+    }
+    return read(position, (int) length).array();
   }
 
   private ByteBuffer read(long from, int length) throws IOException {
