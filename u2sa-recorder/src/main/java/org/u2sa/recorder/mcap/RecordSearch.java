@@ -164,7 +164,7 @@ final class RecordSearch {
     }
     long ofFields = RecordLayout.length(opcode, file, at + Opcode.PREFIX);
     return isCut && !fits(at, length)
-        ? length > 0 && length <= RecordStream.LONGEST
+        ? length > 0 && length <= ReadLimits.MAX_LENGTH
         : fits(at, length) && ofFields >= 0 && ofFields <= length;
   }
 
@@ -176,7 +176,7 @@ final class RecordSearch {
         continue;
       }
       long length = file.uint64(at + 1);
-      if (length <= 0 || length > RecordStream.LONGEST) {
+      if (length <= 0 || length > ReadLimits.MAX_LENGTH) {
         continue;
       }
       long ofFields = RecordLayout.length(opcode, file, at + Opcode.PREFIX);
