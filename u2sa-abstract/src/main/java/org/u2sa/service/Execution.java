@@ -16,6 +16,13 @@ import org.u2sa.messages.schema.U2SAData;
  * {@link #clock} and {@link #publishes} may be called by others too.
  */
 public interface Execution {
+  /**
+   * A service is about to be made; nothing of it has been opened yet.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if a service of that role must not be made here
+   */
+  default void requireRole(ServiceRole role) {}
+
   /** The run's clock as the service is to see it. */
   Clock clock();
 

@@ -69,6 +69,7 @@ public abstract class U2SAService extends Thread
    * @throws CommunicationException if the Communication Manager cannot be reached
    */
   protected U2SAService(ServiceContext context, ServiceRole role, String serviceName) {
+    context.execution().ifPresent(execution -> execution.requireRole(role));
     this.context = context;
     this.role = role;
     health = new ServiceHealth(new CallbackStopwatch(context.clock()));

@@ -19,6 +19,7 @@ final class DiskSync implements AutoCloseable {
   private final Consumer<String> trouble;
   private final Thread thread = new Thread(this::run, "u2sa-recorder-sync");
   private volatile boolean closing;
+  private String said = ""; // by the thread
 
   /**
    * @param trouble told if the disk refuses
@@ -53,7 +54,11 @@ final class DiskSync implements AutoCloseable {
     } catch (ClosedChannelException e) {
       return; // the file was ended meanwhile: the system writes it out by itself
     } catch (IOException e) {
-      trouble.accept("the disk does not keep what is recorded: " + e.getMessage());
+      String what = "the disk does not keep what is recorded: " + e.getMessage();
+      if (!what.equals(said)) { // four times a second otherwise
+        said = what;
+        trouble.accept(what);
+      }
     }
   }
 

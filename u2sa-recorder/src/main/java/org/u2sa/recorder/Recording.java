@@ -186,14 +186,18 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
           lastNanos = next.micros() * NANOS_PER_MICRO;
           write(next, lastNanos);
         }
-        if (inRealTime && stopwatch.micros() - savedMicros >= SAVE_EVERY_MICROS) {
-          files.save(sync);
+        if (stopwatch.micros() - savedMicros >= SAVE_EVERY_MICROS) {
+          files.requirePresent(lastNanos);
+          if (inRealTime) {
+            files.save(sync);
+          }
           savedMicros = stopwatch.micros();
         }
       }
     } catch (InterruptedException e) {
       trouble.accept("interrupted: " + waiting.size() + " messages are not recorded");
     }
+    files.requirePresent(lastNanos);
     files.end(lastNanos, counts());
   }
 

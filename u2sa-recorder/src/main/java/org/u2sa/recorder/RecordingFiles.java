@@ -2,16 +2,19 @@ package org.u2sa.recorder;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.recorder.mcap.McapAttachment;
 import org.u2sa.recorder.mcap.McapMetadata;
@@ -23,12 +26,16 @@ import org.u2sa.recorder.mcap.McapWriter;
  * where only some are to be kept. Belongs to one thread.
  *
  * <p>A disk that is full, or gone, ends nothing: what cannot be written is counted, and tried again
- * with the next chunk.
+ * with the next chunk. Where the present file was deleted or moved away, the next one is begun, in
+ * a folder that is created again.
  */
 final class RecordingFiles {
   private static final String SUFFIX = ".mcap";
   private static final long TRY_AGAIN_NANOS = 1_000_000_000L;
+  private static final long WORKS_AFTER_NANOS = 5_000_000_000L; // without a failure
+  private static final int MAX_SAID = 8; // different failures until writing works again
 
+  private final Disk disk;
   private final Path first;
   private final RecorderSettings settings;
   private final McapOptions options;
@@ -41,7 +48,16 @@ final class RecordingFiles {
   private long begunNanos;
   private long tryAgainNanos = Long.MIN_VALUE;
   private long lost;
-  private long failures;
+  private final Set<String> failures = new HashSet<>(); // said so far; empty: writing works
+  private long positionAtFailure; // in the present file [B]
+  private long presentNanos;
+  private long failedNanos;
+
+  /** Creates a file, which must not exist. */
+  @FunctionalInterface
+  interface Disk {
+    FileChannel create(Path file) throws IOException;
+  }
 
   /**
    * @param first where to; with a number if it exists or further ones are to follow
@@ -52,6 +68,23 @@ final class RecordingFiles {
       String library,
       RecordingFacts facts,
       Consumer<String> trouble) {
+    this(
+        first,
+        settings,
+        library,
+        facts,
+        trouble,
+        file -> FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE));
+  }
+
+  RecordingFiles(
+      Path first,
+      RecorderSettings settings,
+      String library,
+      RecordingFacts facts,
+      Consumer<String> trouble,
+      Disk disk) {
+    this.disk = disk;
     this.first = first;
     this.settings = settings;
     options = McapOptions.usual(settings.compression(), library);
@@ -65,6 +98,7 @@ final class RecordingFiles {
    * @param onBegin told when another file was begun
    */
   McapWriter at(long nanos, Runnable onBegin) {
+    presentNanos = nanos;
     if (writer != null && isFull(nanos)) {
       end(nanos, Map.of());
     }
@@ -73,6 +107,14 @@ final class RecordingFiles {
       if (writer != null) {
         onBegin.run();
       }
+    }
+    if (!failures.isEmpty()
+        && writer != null
+        && writer.position() > positionAtFailure
+        && nanos - failedNanos >= WORKS_AFTER_NANOS) {
+      failures.clear();
+      trouble.accept(
+          "recording into " + file() + ": goes on; what came in between is not recorded");
     }
     return writer;
   }
@@ -84,30 +126,61 @@ final class RecordingFiles {
 
   private void begin(long nanos) {
     try {
-      dropOldest();
       Files.createDirectories(first.toAbsolutePath().getParent());
       Path file = nextName();
-      channel = FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+      channel = disk.create(file);
+      try {
+        writer = new McapWriter(channel, options);
+      } catch (IOException e) {
+        discard(file, e);
+        throw e;
+      }
       written.add(file);
       begunNanos = nanos;
-      McapWriter begun = new McapWriter(channel, options);
-      writer = begun;
+    } catch (IOException e) {
+      number = Math.max(0, number - 1);
+      tryAgainNanos = nanos + TRY_AGAIN_NANOS;
+      failed(e);
+      makeRoom();
+      return;
+    }
+    try {
+      dropOldest();
       for (McapMetadata metadata : facts.metadata()) {
-        begun.add(metadata);
+        writer.add(metadata);
       }
       List<RecordingFacts.Missing> missing = new ArrayList<>();
       attach(facts.attachments(nanos, missing), missing);
     } catch (IOException e) {
       failed(e);
-      if (writer == null) {
-        tryAgainNanos = nanos + TRY_AGAIN_NANOS;
+    }
+  }
+
+  private void discard(Path file, IOException cause) {
+    try {
+      channel.close();
+      Files.deleteIfExists(file);
+    } catch (IOException e) {
+      cause.addSuppressed(e);
+    }
+  }
+
+  /** Deletes the one file whose turn it is, never the only one: it may be what fills the disk. */
+  private void makeRoom() {
+    if (written.size() > 1
+        && settings.keptAtMost().isPresent()
+        && written.size() >= settings.keptAtMost().getAsInt()) {
+      try {
+        Files.deleteIfExists(written.peek());
+        written.remove();
+      } catch (IOException e) {
+        failed(e);
       }
     }
   }
 
   private void dropOldest() throws IOException {
-    while (settings.keptAtMost().isPresent()
-        && written.size() >= settings.keptAtMost().getAsInt()) {
+    while (settings.keptAtMost().isPresent() && written.size() > settings.keptAtMost().getAsInt()) {
       Files.deleteIfExists(written.poll());
     }
   }
@@ -188,18 +261,39 @@ final class RecordingFiles {
     writer = null;
   }
 
-  /** Takes note of something that could not be written. */
-  void failed(IOException e) {
-    failures++;
-    if (Long.bitCount(failures) == 1) { // 1, 2, 4, 8…: a full disk does not fill the log too
-      trouble.accept(
-          String.format(
-              Locale.ROOT,
-              "recording into %s: %s (%d such failures so far)",
-              written.isEmpty() ? first : written.peekLast(),
-              e.getMessage(),
-              failures));
+  /**
+   * Begins the next file if the present one was deleted or moved away: what is written on into it
+   * would be lost with it.
+   */
+  void requirePresent(long nanos) {
+    if (writer == null || Files.exists(file())) {
+      return;
     }
+    trouble.accept(
+        "recording into "
+            + file()
+            + ": the file was deleted or moved away, with "
+            + writer.statistics().messages()
+            + " messages; recording goes on in another file");
+    written.removeLast();
+    end(nanos, Map.of());
+  }
+
+  /** Takes note of something that could not be written, and says so until writing works again. */
+  void failed(IOException e) {
+    positionAtFailure = writer == null ? 0 : writer.position();
+    failedNanos = presentNanos;
+    String what =
+        e instanceof FileSystemException
+            ? e.getClass().getSimpleName() + " " + e.getMessage() // which is the file's name alone
+            : String.valueOf(e.getMessage());
+    if (failures.size() < MAX_SAID && failures.add(what)) { // a full disk does not fill the log too
+      trouble.accept("recording into " + file() + ": " + what + "; tried again until it works");
+    }
+  }
+
+  private Path file() {
+    return written.isEmpty() ? first : written.peekLast();
   }
 
   /** Messages that were taken and could not be written. */

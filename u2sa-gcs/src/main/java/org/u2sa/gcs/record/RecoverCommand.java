@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa recover out/drive/recording.mcap",
       "",
       "Copies every message, attachment and metadata record that can be read, also of a chunk of which only a part is there. "
-          + "The broken file is not changed."
+          + "A chunk whose checksum is wrong is left out. The broken file is not changed."
     })
 public final class RecoverCommand implements Callable<Integer> {
   private static final String SUFFIX = ".mcap";
@@ -62,6 +62,7 @@ public final class RecoverCommand implements Callable<Integer> {
           new JsonText()
               .put("file", whole.toString())
               .put("messages", result.messages())
+              .put("damagedChunks", result.damagedChunks())
               .put("trouble", result.trouble())
               .line());
       return ExitCode.DONE;
@@ -71,6 +72,9 @@ public final class RecoverCommand implements Callable<Integer> {
             .trouble()
             .map(trouble -> file + ": " + trouble)
             .orElse(file + " is whole; nothing was wrong with it"));
+    if (result.damagedChunks() > 0) {
+      printer.println(result.damagedChunks() + " damaged chunks left out");
+    }
     printer.println(result.messages() + " messages recovered into " + whole);
     return ExitCode.DONE;
   }

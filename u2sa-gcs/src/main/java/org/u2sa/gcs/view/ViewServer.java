@@ -25,6 +25,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.gcs.command.RunFailedException;
@@ -42,6 +43,9 @@ final class ViewServer implements AutoCloseable {
   private static final int LONGEST_FRAME = 1 << 20;
   private static final WriteBufferWaterMark BUFFER = new WriteBufferWaterMark(1 << 20, 4 << 20);
   private static final int MOST_VIEWERS = 32;
+  private static final int MAX_CHANNELS = 2048; // of a running system
+  private static final int MAX_SOCKETS = 2 * MOST_VIEWERS; // before and after the handshake
+  private static final int HANDSHAKE_WITHIN_S = 10;
   private static final int END_MS = 500;
 
   private final String name;
@@ -51,6 +55,8 @@ final class ViewServer implements AutoCloseable {
   private final ViewChannels channels = new ViewChannels();
   private final Set<ViewerSession> viewers = ConcurrentHashMap.newKeySet();
   private final NioEventLoopGroup threads = new NioEventLoopGroup(1);
+  private final AtomicInteger sockets = new AtomicInteger();
+  private volatile boolean saidFull;
   private final Channel listening;
 
   /**
@@ -105,6 +111,21 @@ final class ViewServer implements AutoCloseable {
   /** Whether somebody subscribes to anything. */
   boolean isWatched() {
     return viewers.stream().anyMatch(ViewerSession::hearsAnything);
+  }
+
+  /**
+   * Whether the topic has a channel or may get one. What comes from a running system may name
+   * sources without end.
+   */
+  boolean hasRoomFor(String topic) {
+    if (channels.of(topic).isPresent() || channels.size() < MAX_CHANNELS) {
+      return true;
+    }
+    if (!saidFull) {
+      saidFull = true;
+      remarks.accept("more than " + MAX_CHANNELS + " topics: further ones are not shown");
+    }
+    return false;
   }
 
   /** The channel of that topic; announced to all if it is new. */
@@ -171,6 +192,12 @@ final class ViewServer implements AutoCloseable {
   private final class Initializer extends ChannelInitializer<SocketChannel> {
     @Override
     protected void initChannel(SocketChannel socket) {
+      if (sockets.incrementAndGet() > MAX_SOCKETS) {
+        sockets.decrementAndGet();
+        socket.close();
+        return;
+      }
+      socket.closeFuture().addListener(closed -> sockets.decrementAndGet());
       socket
           .pipeline()
           .addLast(new HttpServerCodec())
@@ -221,6 +248,26 @@ final class ViewServer implements AutoCloseable {
     private void close(ChannelHandlerContext context, String why) {
       context.writeAndFlush(new CloseWebSocketFrame(WebSocketCloseStatus.PROTOCOL_ERROR, why));
       context.close();
+    }
+
+    @Override
+    public void handlerAdded(ChannelHandlerContext context) {
+      context
+          .executor()
+          .schedule(() -> requireViewer(context), HANDSHAKE_WITHIN_S, TimeUnit.SECONDS);
+    }
+
+    private void requireViewer(ChannelHandlerContext context) {
+      if (viewer == null) {
+        context.close();
+      }
+    }
+
+    /** A viewer that does not read its answers is not asked for further requests or pings. */
+    @Override
+    public void channelWritabilityChanged(ChannelHandlerContext context) throws Exception {
+      context.channel().config().setAutoRead(context.channel().isWritable());
+      super.channelWritabilityChanged(context);
     }
 
     @Override

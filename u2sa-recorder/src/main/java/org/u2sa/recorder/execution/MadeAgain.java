@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.Set;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
@@ -29,6 +30,9 @@ import org.u2sa.service.ServiceContext;
 final class MadeAgain {
   /** So many folders up may a configuration look for its files. */
   private static final String DEPTH = "1/2/3/4/5/6";
+
+  private static final Set<String> NO_NAMES = Set.of("", ".", "..");
+  private static final String LOG_PATH = "LOG PATH";
 
   private final ExecutionStart start;
   private final Path folder;
@@ -85,7 +89,7 @@ final class MadeAgain {
   private static String lastName(String path) throws McapException {
     try {
       Path name = Paths.get(path.replace('\\', '/')).getFileName();
-      if (name != null && !name.toString().equals("..")) {
+      if (name != null && !NO_NAMES.contains(name.toString())) {
         return name.toString();
       }
     } catch (InvalidPathException e) {
@@ -113,6 +117,7 @@ final class MadeAgain {
       }
     }
     String tolerated = start.text(ExecutionStart.TOLERATED);
+    configuration.override(LOG_PATH, ""); // logs belong in the folder
     configuration.tolerate(tolerated.isEmpty() ? List.of() : List.of(tolerated.split("\t")));
     for (Map.Entry<String, byte[]> file : start.files().entrySet()) {
       if (file.getKey().startsWith(ExecutionStart.OF_VARIABLE)) {

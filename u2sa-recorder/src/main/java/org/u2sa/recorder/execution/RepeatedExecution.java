@@ -2,11 +2,13 @@ package org.u2sa.recorder.execution;
 
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionEntry.Kind;
 import org.u2sa.service.Execution;
+import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
@@ -51,6 +53,17 @@ final class RepeatedExecution implements Execution {
   private void stop() {
     if (Thread.currentThread() == service) {
       service.kill(); // its loop ends after what it is doing
+    }
+  }
+
+  /** Sensors, actuators, launchers and observers act on the world beyond the execution. */
+  @Override
+  public void requireRole(ServiceRole role) {
+    if (!KeptExecution.isRepeatable(role)) {
+      throw new BadInputException(
+          "a service of role "
+              + role
+              + " is not executed again: it may open devices, connections or files, and the recording would say which");
     }
   }
 

@@ -18,6 +18,8 @@ final class ChunkBuilder {
   private final List<Entries> entries = new ArrayList<>(); // by channel; null: none yet
   private final List<McapSchema> schemas = new ArrayList<>();
   private final List<McapChannel> channels = new ArrayList<>();
+  private final List<McapSchema> schemasBefore = new ArrayList<>(); // of the chunk before
+  private final List<McapChannel> channelsBefore = new ArrayList<>();
   private final MessageCount count = new MessageCount();
 
   /** Log time and offset of each message of a channel, in turn. */
@@ -49,6 +51,10 @@ final class ChunkBuilder {
   }
 
   void add(McapMessage message) {
+    if (count.messages() == 0) {
+      schemasBefore.forEach(schema -> schema.write(records));
+      channelsBefore.forEach(channel -> channel.write(records));
+    }
     if (options.has(McapFeature.MESSAGE_INDEX)) {
       entriesOf(message.channelId()).add(message.logTimeNanos(), records.length());
     }
@@ -139,11 +145,31 @@ final class ChunkBuilder {
     out.end();
   }
 
-  void clear() {
-    records.clear();
-    entries.stream().filter(Objects::nonNull).forEach(list -> list.size = 0);
+  /** Begins the next chunk; this one is in the file. */
+  void next() {
+    if (count.messages() > 0) { // they stand in it
+      schemasBefore.clear();
+      channelsBefore.clear();
+    }
+    if (options.has(McapFeature.DEFINITIONS_TWICE)) {
+      schemasBefore.addAll(schemas);
+      channelsBefore.addAll(channels);
+    }
+    clear();
     schemas.clear();
     channels.clear();
+  }
+
+  /** Begins again with the definitions only: this chunk could not be written. */
+  void dropMessages() {
+    clear();
+    schemas.forEach(schema -> schema.write(records));
+    channels.forEach(channel -> channel.write(records));
+  }
+
+  private void clear() {
+    records.clear();
+    entries.stream().filter(Objects::nonNull).forEach(list -> list.size = 0);
     count.clear();
   }
 }

@@ -34,7 +34,7 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
     long crc = in.uint32();
     ChunkCompression compression = ChunkCompression.of(in.string());
     long length = in.uint64();
-    if (size < 0 || size > RecordStream.LONGEST) {
+    if (size < 0 || size > ReadLimits.MAX_LENGTH) {
       throw new McapException("a chunk of " + size + " bytes: more than is read at once");
     }
     return new ChunkContent(
@@ -49,6 +49,18 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
       throw new McapException("a chunk is damaged: " + trouble.getMessage(), trouble);
     }
     return records;
+  }
+
+  /**
+   * The bytes of its records.
+   *
+   * @param indexed how many the summary says there are
+   */
+  byte[] decompressed(long indexed) throws McapException {
+    if (size != indexed) {
+      throw new McapException("it says " + size + " bytes, and the summary " + indexed);
+    }
+    return decompressed();
   }
 
   /** The bytes of its records. */

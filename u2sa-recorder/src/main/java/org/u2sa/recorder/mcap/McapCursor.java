@@ -25,15 +25,19 @@ public final class McapCursor {
   private final long fromNanos;
   private final BitSet wanted;
   private final Loader loader;
+  private final long maxHeldBytes;
+  private long heldBytes; // of loaded chunks, decompressed
 
   /** What is left of the messages of one chunk, by log time, of equal ones in the file's order. */
   private static final class Run {
     private final long chunk;
+    private final long bytes;
     private final List<McapMessage> messages;
     private int next;
 
-    Run(long chunk, List<McapMessage> messages) {
-      this.chunk = chunk;
+    Run(ChunkIndex chunk, List<McapMessage> messages) {
+      this.chunk = chunk.offset();
+      bytes = chunk.size();
       this.messages = messages;
     }
 
@@ -44,8 +48,10 @@ public final class McapCursor {
 
   /**
    * @param wanted numbers of the channels
+   * @param maxHeldBytes of chunks that are held at a time, because their times overlap
    */
-  McapCursor(List<ChunkIndex> all, long fromNanos, BitSet wanted, Loader loader) {
+  McapCursor(
+      List<ChunkIndex> all, long fromNanos, BitSet wanted, Loader loader, long maxHeldBytes) {
     chunks =
         all.stream()
             .filter(chunk -> chunk.endNanos() >= fromNanos && mayHold(chunk, wanted))
@@ -56,6 +62,7 @@ public final class McapCursor {
     this.fromNanos = fromNanos;
     this.wanted = wanted;
     this.loader = loader;
+    this.maxHeldBytes = maxHeldBytes;
   }
 
   private static boolean mayHold(ChunkIndex chunk, BitSet wanted) {
@@ -66,7 +73,8 @@ public final class McapCursor {
   /**
    * The next message; empty after the last.
    *
-   * @throws McapException if the chunk that holds it is damaged
+   * @throws McapException if the chunk that holds it is damaged, or more chunks overlap in time
+   *     than memory holds
    */
   public Optional<McapMessage> next() throws IOException {
     while (!chunks.isEmpty()
@@ -81,11 +89,19 @@ public final class McapCursor {
     run.next++;
     if (run.next < run.messages.size()) {
       loaded.add(run);
+    } else {
+      heldBytes -= run.bytes;
     }
     return Optional.of(message);
   }
 
   private void load(ChunkIndex chunk) throws IOException {
+    if (chunk.size() < 0 || chunk.size() > maxHeldBytes - heldBytes) {
+      throw new McapException(
+          String.format(
+              "a chunk of %d bytes, and chunks of %d bytes at the same time: expected at most %d bytes to be held at a time; a larger heap (-Xmx) holds more",
+              chunk.size(), heldBytes, maxHeldBytes));
+    }
     List<McapMessage> messages;
     try {
       messages = messages(new RecordFields(loader.load(chunk)));
@@ -100,7 +116,8 @@ public final class McapCursor {
       }
     }
     if (!messages.isEmpty()) {
-      loaded.add(new Run(chunk.offset(), messages));
+      loaded.add(new Run(chunk, messages));
+      heldBytes += chunk.size();
     }
   }
 

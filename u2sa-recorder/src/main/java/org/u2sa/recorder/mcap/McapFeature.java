@@ -4,6 +4,8 @@ package org.u2sa.recorder.mcap;
 public enum McapFeature {
   /** Messages are gathered, and compressed, in chunks. */
   CHUNKS,
+  /** Each definition stands in two chunks, so that no damaged chunk takes the only one with it. */
+  DEFINITIONS_TWICE,
   /** After each chunk stands where each message is in it. */
   MESSAGE_INDEX,
   /** The summary counts messages, channels and the like. */

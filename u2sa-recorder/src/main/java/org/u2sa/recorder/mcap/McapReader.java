@@ -59,6 +59,10 @@ public final class McapReader implements AutoCloseable {
     RecordWalk.requireMagic(file, 0);
     long endMagic = file.size() - Opcode.magic().length;
     RecordWalk.requireMagic(file, endMagic);
+    if (endMagic < Opcode.magic().length + FOOTER_LENGTH) {
+      throw new McapException(
+          "the file has " + file.size() + " bytes: too few for the footer of MCAP");
+    }
     RecordStream.Entry footer = new RecordStream(file, endMagic - FOOTER_LENGTH).next();
     if (footer.opcode() != Opcode.FOOTER) {
       throw new McapException("the file does not end with a footer");
@@ -77,6 +81,11 @@ public final class McapReader implements AutoCloseable {
     if (statistics.chunks() != chunks.size() || statistics.messages() > 0 && chunks.isEmpty()) {
       throw new McapException("the file's summary does not say where its messages are");
     }
+    IndexedPlaces places = new IndexedPlaces();
+    chunks.forEach(chunk -> places.add(chunk.offset(), chunk.length()));
+    attachments.forEach(attachment -> places.add(attachment.offset(), attachment.length()));
+    metadata.forEach(one -> places.add(one.offset(), one.length()));
+    places.require(start);
   }
 
   private void take(RecordStream.Entry entry) throws McapException {
@@ -124,7 +133,8 @@ public final class McapReader implements AutoCloseable {
   public Optional<McapAttachment> attachment(String name) throws IOException {
     for (AttachmentIndex index : attachments) {
       if (index.name().equals(name)) {
-        return Optional.of(McapAttachment.read(at(index.offset(), Opcode.ATTACHMENT)));
+        return Optional.of(
+            McapAttachment.read(at(index.offset(), index.length(), Opcode.ATTACHMENT)));
       }
     }
     return Optional.empty();
@@ -134,16 +144,18 @@ public final class McapReader implements AutoCloseable {
   public List<McapMetadata> metadata() throws IOException {
     List<McapMetadata> all = new ArrayList<>();
     for (MetadataIndex index : metadata) {
-      all.add(McapMetadata.read(at(index.offset(), Opcode.METADATA)));
+      all.add(McapMetadata.read(at(index.offset(), index.length(), Opcode.METADATA)));
     }
     return all;
   }
 
-  private RecordFields at(long offset, int opcode) throws IOException {
+  private RecordFields at(long offset, long length, int opcode) throws IOException {
     RecordStream.Entry entry = new RecordStream(file, offset).next();
-    if (entry.opcode() != opcode) {
+    if (entry.opcode() != opcode || entry.length() != length) {
       throw new McapException(
-          "at byte " + offset + " is a record of kind " + entry.opcode() + ", not " + opcode);
+          String.format(
+              "at byte %d is a record of kind %d, %d bytes; expected kind %d, %d bytes",
+              offset, entry.opcode(), entry.length(), opcode, length));
     }
     return entry.fields();
   }
@@ -162,7 +174,10 @@ public final class McapReader implements AutoCloseable {
         chunks,
         fromNanos,
         ids,
-        index -> ChunkContent.read(at(index.offset(), Opcode.CHUNK)).decompressed());
+        index ->
+            ChunkContent.read(at(index.offset(), index.length(), Opcode.CHUNK))
+                .decompressed(index.size()),
+        ReadLimits.heldBytes());
   }
 
   @Override

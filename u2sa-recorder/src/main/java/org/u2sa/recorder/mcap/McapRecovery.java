@@ -1,6 +1,5 @@
 package org.u2sa.recorder.mcap;
 
-import java.io.EOFException;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
@@ -11,23 +10,31 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Makes a whole file of one that breaks off or is damaged. Belongs to one thread. */
+/**
+ * Makes a whole file of one that breaks off or is damaged. A chunk whose checksum is wrong is left
+ * out, since any of its messages may be wrong; all others are kept. Belongs to one thread.
+ */
 public final class McapRecovery {
+  private final FileChannel from;
   private final McapWriter writer;
-  private final Set<Integer> schemas = new HashSet<>();
-  private final Set<Integer> channels = new HashSet<>();
+  private final Definitions definitions = new Definitions();
+  private final Set<Integer> schemas = new HashSet<>(); // written
+  private final Set<Integer> channels = new HashSet<>(); // written
   private long messages;
+  private int damagedChunks;
   private String trouble;
 
   /**
    * What was recovered.
    *
    * @param messages how many
+   * @param damagedChunks how many were left out
    * @param trouble what was wrong with the file, first thing first; empty: nothing
    */
-  public record Result(long messages, Optional<String> trouble) {}
+  public record Result(long messages, int damagedChunks, Optional<String> trouble) {}
 
-  private McapRecovery(McapWriter writer) {
+  private McapRecovery(FileChannel from, McapWriter writer) {
+    this.from = from;
     this.writer = writer;
   }
 
@@ -35,7 +42,7 @@ public final class McapRecovery {
    * Copies all that can be read.
    *
    * @param broken is not changed
-   * @param whole is made anew; must not exist
+   * @param whole is created; must not exist
    * @param library for the header of the new file
    * @throws IOException if one cannot be read or the other not written
    */
@@ -44,126 +51,116 @@ public final class McapRecovery {
         FileChannel to =
             FileChannel.open(whole, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
         McapWriter writer = new McapWriter(to, McapOptions.usual(ChunkCompression.LZ4, library))) {
-      McapRecovery recovery = new McapRecovery(writer);
-      recovery.copy(from);
-      return new Result(recovery.messages, Optional.ofNullable(recovery.trouble));
+      McapRecovery recovery = new McapRecovery(from, writer);
+      recovery.copy();
+      return new Result(
+          recovery.messages, recovery.damagedChunks, Optional.ofNullable(recovery.trouble));
     }
   }
 
-  private void copy(FileChannel from) throws IOException {
-    try {
-      RecordWalk.requireMagic(from, 0);
-      copy(from, new RecordStream(from, Opcode.magic().length));
-    } catch (McapException e) { // what is not MCAP has nothing to recover
-      note(e);
+  private void copy() throws IOException {
+    FileOutline outline = FileOutline.of(from, definitions, this::note);
+    RecordSearch search = new RecordSearch(from, known -> {}); // the outline has told it
+    for (RecordSearch.Found f = search.next(); f != null; f = search.next()) {
+      try {
+        copy(f);
+      } catch (McapException e) {
+        note(e.getMessage());
+      }
+    }
+    for (McapChannel channel : definitions.reliableChannels()) {
+      define(channel);
+    }
+    if (outline.messages().isPresent() && outline.messages().getAsLong() != messages) {
+      note(messages + " of its " + outline.messages().getAsLong() + " messages can be read");
+    } else if (trouble == null) {
+      outline.checkData(this::note);
     }
     if (trouble != null) {
       Map<String, String> facts = new LinkedHashMap<>();
       facts.put("trouble", trouble);
       facts.put("bytes", Long.toString(from.size()));
       facts.put("messages", Long.toString(messages));
+      facts.put("damaged-chunks", Integer.toString(damagedChunks));
       writer.add(new McapMetadata("recovery", facts));
     }
   }
 
-  private void copy(FileChannel from, RecordStream stream) throws IOException {
-    int opcode = 0;
-    while (opcode != Opcode.DATA_END && opcode != Opcode.FOOTER) {
-      try {
-        RecordStream.Entry entry = stream.next();
-        opcode = entry.opcode();
-        if (opcode == Opcode.CHUNK) {
-          salvage(ChunkContent.read(entry.fields()));
-        } else {
-          copy(entry);
-        }
-      } catch (EOFException e) {
-        note(e);
-        salvageLast(stream);
-        return;
-      } catch (McapException e) {
-        note(e);
-        if (opcode == 0 || stream.peek() == null) {
-          return;
-        }
-        opcode = 0; // if the next one is none either, there is no way on
-      }
-    }
-    if (opcode == Opcode.DATA_END) {
-      requireEnd(from, stream);
-    }
-  }
-
-  /** Data that are whole may be followed by a summary that is not. */
-  private void requireEnd(FileChannel from, RecordStream stream) throws IOException {
-    try {
-      int opcode = 0;
-      while (opcode != Opcode.FOOTER) {
-        opcode = stream.next().opcode();
-      }
-      RecordWalk.requireMagic(from, stream.position());
-    } catch (EOFException | McapException e) {
-      note(e);
-    }
-  }
-
-  private void salvageLast(RecordStream stream) throws IOException {
-    long[] prefix = stream.peek();
-    if (prefix != null && prefix[0] == Opcode.CHUNK) {
-      try {
-        salvage(ChunkContent.readBrokenOff(new RecordFields(stream.rest())));
-      } catch (McapException e) { // not even its beginning is there
-        note(e);
-      }
-    }
-  }
-
-  private void salvage(ChunkContent chunk) throws IOException {
-    ChunkContent.Salvage salvage = chunk.salvage();
-    for (RecordStream.Entry entry : salvage.records()) {
-      copy(entry);
-    }
-    if (salvage.trouble() != null) {
-      note(salvage.trouble());
-    }
-  }
-
-  private void copy(RecordStream.Entry entry) throws IOException {
-    RecordFields in = entry.fields();
-    switch (entry.opcode()) {
-      case Opcode.SCHEMA -> {
-        McapSchema schema = McapSchema.read(in);
-        if (schema.id() != 0 && schemas.add(schema.id())) {
-          writer.add(schema);
-        }
-      }
-      case Opcode.CHANNEL -> {
-        McapChannel channel = McapChannel.read(in);
-        if (channels.add(channel.id())) {
-          writer.add(channel);
-        }
-      }
-      case Opcode.MESSAGE -> copy(McapMessage.read(in));
-      case Opcode.ATTACHMENT -> writer.add(McapAttachment.read(in));
-      case Opcode.METADATA -> writer.add(McapMetadata.read(in));
+  private void copy(RecordSearch.Found found) throws IOException {
+    switch (found.opcode()) {
+      case Opcode.CHUNK -> copyChunk(found);
+      case Opcode.MESSAGE -> copy(McapMessage.read(content(found)));
+      case Opcode.ATTACHMENT -> writer.add(McapAttachment.read(content(found)));
+      case Opcode.METADATA -> writer.add(McapMetadata.read(content(found)));
       default -> {
-        // header, indexes and summary are made anew
+        // header, indexes and summary are written for the new file
+      }
+    }
+  }
+
+  private RecordFields content(RecordSearch.Found found) throws IOException {
+    return new RecordFields(new RecordStream(from, found.contentAt()).bytes(found.length()));
+  }
+
+  private void copyChunk(RecordSearch.Found found) throws IOException {
+    ChunkContent.Salvage salvage;
+    try {
+      RecordFields in = content(found);
+      salvage = (found.isCut() ? ChunkContent.readBrokenOff(in) : ChunkContent.read(in)).salvage();
+    } catch (McapException e) {
+      damagedChunks++;
+      throw e;
+    }
+    boolean isDamaged = salvage.trouble() != null && !found.isCut();
+    if (isDamaged) {
+      damagedChunks++;
+      note("the chunk at byte " + found.offset() + ": " + salvage.trouble().getMessage());
+    }
+    for (RecordStream.Entry entry : salvage.records()) {
+      try {
+        if (entry.opcode() != Opcode.MESSAGE) {
+          definitions.take(
+              isDamaged ? Definitions.Source.DAMAGED_CHUNK : Definitions.Source.DATA,
+              entry.opcode(),
+              entry.fields());
+        } else if (!isDamaged) {
+          copy(McapMessage.read(entry.fields()));
+        }
+      } catch (McapException e) {
+        note(e.getMessage());
       }
     }
   }
 
   private void copy(McapMessage message) throws IOException {
-    if (channels.contains(message.channelId())) {
-      writer.add(message);
-      messages++;
-    } else {
-      note(new McapException("a message is of channel " + message.channelId() + ", unknown"));
+    McapChannel channel = definitions.channel(message.channelId());
+    if (channel == null) {
+      note("a message is of channel " + message.channelId() + ", unknown");
+      return;
     }
+    define(channel);
+    writer.add(message);
+    messages++;
   }
 
-  private void note(IOException what) {
+  private void define(McapChannel channel) throws IOException {
+    if (!channels.add(channel.id())) {
+      return;
+    }
+    McapSchema schema = definitions.schema(channel.schemaId());
+    if (schema != null && schemas.add(schema.id())) {
+      writer.add(schema);
+    }
+    writer.add(
+        schema != null
+            ? channel
+            : new McapChannel(
+                channel.id(), 0, channel.topic(), channel.messageEncoding(), channel.metadata()));
+  }
+
+  private void note(String what) {
     if (trouble == null) {
-      trouble = what.getMessage();
+      trouble = what;
     }
   }
 }

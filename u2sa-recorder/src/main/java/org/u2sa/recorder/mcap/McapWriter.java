@@ -3,8 +3,6 @@ package org.u2sa.recorder.mcap;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.zip.CRC32;
 
 /**
@@ -144,22 +142,14 @@ public final class McapWriter implements AutoCloseable {
     } catch (IOException e) {
       out.clear();
       lost += chunk.count().messages();
-      repeatDefinitions();
+      chunk.dropMessages();
       throw e;
     }
     chunk.schemas().forEach(summary::add);
     chunk.channels().forEach(summary::add);
     summary.add(chunk.count());
     summary.add(index);
-    chunk.clear();
-  }
-
-  private void repeatDefinitions() {
-    List<McapSchema> schemas = new ArrayList<>(chunk.schemas());
-    List<McapChannel> channels = new ArrayList<>(chunk.channels());
-    chunk.clear();
-    schemas.forEach(chunk::add);
-    channels.forEach(chunk::add);
+    chunk.next();
   }
 
   /** How long the file is, the present chunk left out [B]. */

@@ -9,9 +9,6 @@ import java.nio.channels.SeekableByteChannel;
 
 /** The records of a file from some place on, one after the other. */
 final class RecordStream {
-  /** No record is longer: what says so is damaged. */
-  static final long LONGEST = 1L << 30;
-
   private final SeekableByteChannel file;
   private final long size;
   private long position;
@@ -65,7 +62,7 @@ final class RecordStream {
       throw new EOFException("the file breaks off at byte " + size);
     }
     long length = prefix[1];
-    if (prefix[0] == 0 || length < 0 || length > LONGEST) {
+    if (prefix[0] == 0 || length < 0 || length > ReadLimits.MAX_LENGTH) {
       throw new McapException(
           "at byte " + position + " is no record: opcode " + prefix[0] + ", length " + length);
     }
@@ -78,15 +75,21 @@ final class RecordStream {
     return entry;
   }
 
-  /** What there is of a record that breaks off, from its content's beginning. */
-  byte[] rest() throws IOException {
-    long from = Math.min(size, position + Opcode.PREFIX);
-    return read(from, (int) Math.min(LONGEST, size - from)).array();
-  }
-
-  /** Goes on behind the next record without reading it. */
-  void skip(long contentLength) {
-    position += Opcode.PREFIX + contentLength;
+  /**
+   * The next bytes.
+   *
+   * @throws McapException if they are more than are read at once
+   */
+  byte[] bytes(long length) throws IOException {
+    if (length > ReadLimits.MAX_LENGTH) {
+      throw new McapException(
+          "a record of "
+              + length
+              + " bytes: expected at most "
+              + ReadLimits.MAX_LENGTH
+              + " to be read at once");
+    }
+    return read(position, (int) length).array();
   }
 
   private ByteBuffer read(long from, int length) throws IOException {

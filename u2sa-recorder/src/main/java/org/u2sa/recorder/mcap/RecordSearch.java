@@ -1,0 +1,196 @@
+package org.u2sa.recorder.mcap;
+
+import java.io.IOException;
+import java.nio.channels.SeekableByteChannel;
+import java.util.function.Consumer;
+
+/**
+ * Finds the records of a file that may be damaged anywhere. Where a record's length cannot be
+ * right, it takes the length that leads to another record, or else searches for the next one.
+ * Belongs to one thread.
+ */
+final class RecordSearch {
+  private static final int FIRST_PRIVATE = 0x80; // opcodes from there on are anybody's own
+
+  private final FileWindow file;
+  private final long end; // of the records: the magic bytes after them are left out
+  private final boolean isCut;
+  private final Consumer<String> trouble;
+  private boolean hasChunks;
+  private long position = Opcode.magic().length;
+
+  /**
+   * A record that was found.
+   *
+   * @param offset of its prefix in the file [B]
+   * @param opcode its kind
+   * @param length of its content, as far as the file has it [B]
+   * @param isCut whether the file ends before the record does
+   */
+  record Found(long offset, int opcode, long length, boolean isCut) {
+    long contentAt() {
+      return offset + Opcode.PREFIX;
+    }
+
+    long end() {
+      return contentAt() + length;
+    }
+  }
+
+  /**
+   * @param trouble told what is wrong with the file
+   */
+  RecordSearch(SeekableByteChannel channel, Consumer<String> trouble) throws IOException {
+    this.trouble = trouble;
+    file = new FileWindow(channel);
+    requireMagicAt(0, channel);
+    long lastMagic = Math.max(0, file.size() - Opcode.magic().length);
+    isCut = lastMagic == 0 || !isMagicAt(lastMagic, channel);
+    end = isCut ? file.size() : lastMagic;
+  }
+
+  private void requireMagicAt(long at, SeekableByteChannel channel) throws IOException {
+    try {
+      RecordWalk.requireMagic(channel, at);
+    } catch (McapException e) {
+      trouble.accept(e.getMessage());
+    }
+  }
+
+  private static boolean isMagicAt(long at, SeekableByteChannel channel) throws IOException {
+    try {
+      RecordWalk.requireMagic(channel, at);
+      return true;
+    } catch (McapException e) {
+      return false;
+    }
+  }
+
+  /** Numbers of the same file. */
+  FileWindow file() {
+    return file;
+  }
+
+  /** The next record; null at the file's end. */
+  Found next() throws IOException {
+    if (position >= end) {
+      if (isCut) {
+        trouble.accept("the file breaks off at byte " + file.size());
+      }
+      return null;
+    }
+    Found found = at(position);
+    if (found == null) {
+      trouble.accept(notARecord());
+      found = searchFrom(position + 1);
+    }
+    position = found == null ? end : found.end();
+    hasChunks |= found != null && found.opcode == Opcode.CHUNK;
+    if (found != null && found.isCut) {
+      trouble.accept("the file breaks off at byte " + file.size() + ", within a record");
+    }
+    return found;
+  }
+
+  private String notARecord() throws IOException {
+    return isCut && end - position < Opcode.PREFIX
+        ? "the file breaks off at byte " + file.size()
+        : "at byte " + position + " is no record, or a damaged one";
+  }
+
+  private Found at(long at) throws IOException {
+    if (at + Opcode.PREFIX > end) {
+      return null;
+    }
+    int opcode = file.uint8(at);
+    long length = file.uint64(at + 1);
+    long ofFields =
+        RecordLayout.isKnown(opcode) ? RecordLayout.length(opcode, file, at + Opcode.PREFIX) : 0;
+    if (length == ofFields && opcode != Opcode.MESSAGE && fits(at, length)) {
+      return new Found(at, opcode, length, false);
+    }
+    if (opcode != Opcode.CHUNK && isLaidOutAs(Opcode.CHUNK, at, length)) {
+      trouble.accept("the chunk at byte " + at + " has a damaged opcode");
+      return new Found(at, Opcode.CHUNK, length, false);
+    }
+    if (hasChunks && opcode == Opcode.MESSAGE && isLaidOutAs(Opcode.MESSAGE_INDEX, at, length)) {
+      return new Found(at, Opcode.MESSAGE_INDEX, length, false);
+    }
+    if (opcode == 0 || opcode == Opcode.DATA_END || opcode == Opcode.FOOTER) {
+      return null;
+    }
+    if (leadsToRecord(at, length)) { // later versions of the format may have further fields
+      return new Found(at, opcode, length, false);
+    }
+    if (opcode != Opcode.MESSAGE && ofFields > 0 && leadsToRecord(at, ofFields)) {
+      trouble.accept("the record at byte " + at + " has a damaged length");
+      return new Found(at, opcode, ofFields, false);
+    }
+    return isCutChunk(opcode, at, length, ofFields)
+        ? new Found(at, opcode, end - at - Opcode.PREFIX, true)
+        : null;
+  }
+
+  private boolean isLaidOutAs(int opcode, long at, long length) throws IOException {
+    return fits(at, length)
+        && length > 0
+        && RecordLayout.length(opcode, file, at + Opcode.PREFIX) == length;
+  }
+
+  private boolean isCutChunk(int opcode, long at, long length, long ofFields) {
+    return isCut && opcode == Opcode.CHUNK && length == ofFields && !fits(at, length);
+  }
+
+  private boolean fits(long at, long length) {
+    return length >= 0 && length <= end - at - Opcode.PREFIX;
+  }
+
+  /** Whether the file or another record begins after a record of that length. */
+  private boolean leadsToRecord(long at, long length) throws IOException {
+    return fits(at, length) && isRecord(at + Opcode.PREFIX + length);
+  }
+
+  private boolean isRecord(long at) throws IOException {
+    if (at == end || isCut && at + Opcode.PREFIX > end) {
+      return true;
+    }
+    if (at + Opcode.PREFIX > end) {
+      return false;
+    }
+    int opcode = file.uint8(at);
+    long length = file.uint64(at + 1);
+    if (!RecordLayout.isKnown(opcode)) {
+      return opcode >= FIRST_PRIVATE && length > 0 && fits(at, length);
+    }
+    long ofFields = RecordLayout.length(opcode, file, at + Opcode.PREFIX);
+    return isCut && !fits(at, length)
+        ? length > 0 && length <= ReadLimits.MAX_LENGTH
+        : fits(at, length) && ofFields >= 0 && ofFields <= length;
+  }
+
+  /** The first record from there on whose length is certain. */
+  private Found searchFrom(long from) throws IOException {
+    for (long at = from; at + Opcode.PREFIX <= end; at++) {
+      int opcode = file.uint8(at);
+      if (!RecordLayout.isKnown(opcode) || opcode == Opcode.HEADER) {
+        continue;
+      }
+      long length = file.uint64(at + 1);
+      if (length <= 0 || length > ReadLimits.MAX_LENGTH) {
+        continue;
+      }
+      long ofFields = RecordLayout.length(opcode, file, at + Opcode.PREFIX);
+      boolean isCertain = // messages do not tell their length; in a file of chunks none is expected
+          opcode == Opcode.MESSAGE
+              ? !hasChunks && ofFields > 0 && ofFields <= length
+              : ofFields == length;
+      if (isCertain && leadsToRecord(at, length)) {
+        return new Found(at, opcode, length, false);
+      }
+      if (isCertain && isCutChunk(opcode, at, length, ofFields)) {
+        return new Found(at, opcode, end - at - Opcode.PREFIX, true);
+      }
+    }
+    return null;
+  }
+}
