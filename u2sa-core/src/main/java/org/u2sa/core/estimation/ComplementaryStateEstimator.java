@@ -28,7 +28,6 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   private static final double FULL_TURN = 2.0 * Math.PI;
   private static final double EARTH_RADIUS_M = 6_371_000.0; // a pull needs no better
   private static final double DEG_PER_M = Math.toDegrees(1.0 / EARTH_RADIUS_M);
-  private static final int WARN_OF_LATE = 100;
 
   private record Tuning(
       @Variable(
@@ -107,7 +106,6 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   private final Channel heading = new Channel();
   private final Map<String, StateInformation> newest = new TreeMap<>();
   private long micros = Long.MIN_VALUE;
-  private long late; // measurements older than STALE AFTER
 
   /** Called by the launcher. */
   public ComplementaryStateEstimator(ServiceContext context) {
@@ -119,9 +117,7 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   protected Optional<StateInformation> estimate(StateInformation sensed) {
     long measuredAt = sensed.timestamp().orElseThrow();
     if (micros != Long.MIN_VALUE && micros - measuredAt > Clock.micros(tuning.staleAfter())) {
-      if (late++ % WARN_OF_LATE == 0) {
-        trouble(sensed.sensorName() + " is later than STALE AFTER: its measurements do not count");
-      }
+      ignore(sensed, "is later than STALE AFTER");
       return Optional.empty();
     }
     moveOn(Math.max(micros, measuredAt));
