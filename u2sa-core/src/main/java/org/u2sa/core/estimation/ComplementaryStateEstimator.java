@@ -19,13 +19,15 @@ import org.u2sa.service.ServiceContext;
  * position, a heading) pulls the estimate with a time constant, what measures its rate fast (a
  * velocity, a turn rate) carries it on between (complementary filter, Higgins 1975). In:
  * sensed-state. Out: state, at the time of the newest measurement, in GLOBAL; nothing but position
- * and heading with their rates.
+ * and heading with their rates. A measurement older than the newest, such as the fix of a receiver
+ * that needs 0.1 s for it, is carried ahead to the state's time by the measured rates.
  *
  * <p>Standard deviations are those of the sources, as the pull weighs them. It judges no source.
  */
 public final class ComplementaryStateEstimator extends StateEstimator {
   private static final double FULL_TURN = 2.0 * Math.PI;
   private static final double EARTH_RADIUS_M = 6_371_000.0; // a pull needs no better
+  private static final double DEG_PER_M = Math.toDegrees(1.0 / EARTH_RADIUS_M);
 
   private record Tuning(
       @Variable(
@@ -45,7 +47,8 @@ public final class ComplementaryStateEstimator extends StateEstimator {
               min = 0.01,
               max = 60,
               ifAbsent = 2,
-              text = "Age at which a measured rate, position or heading no longer counts.")
+              text =
+                  "Age at which a measured rate, position or heading no longer counts, late ones included.")
           double staleAfter) {}
 
   /** A value that is pulled by what measures it, and moved on by its rate. */
@@ -55,31 +58,44 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     private double rate;
     private boolean hasValue;
     private boolean hasRate;
+    private final Map<String, Long> pulls = new TreeMap<>(); // by source: measured then [µs]
     private long pulledMicros;
     private long rateMicros;
 
     void moveOn(double seconds, double perUnit) {
-      value += hasRate ? rate * seconds * perUnit : 0.0;
+      value += moved(seconds, perUnit);
     }
 
     void rate(double newRate, long micros) {
+      if (hasRate && micros < rateMicros) {
+        return; // a later rate is known
+      }
       rate = newRate;
       hasRate = true;
       rateMicros = micros;
     }
 
-    void pull(double apart, double measured, double newSigma, double timeS, long micros) {
-      double seconds = Clock.seconds(micros - pulledMicros);
+    /** How much the rate has changed the value in that time. */
+    double moved(double seconds, double perUnit) {
+      return hasRate ? rate * seconds * perUnit : 0.0;
+    }
+
+    /** Each source pulls for the time since its own measurement before: any may be late. */
+    void pull(String source, double apart, double newSigma, double timeS, long micros) {
+      Long before = pulls.put(source, micros);
+      double seconds =
+          Math.max(0.0, Clock.seconds(micros - (before == null ? pulledMicros : before)));
       double share = hasValue && timeS > 0.0 ? 1.0 - Math.exp(-seconds / timeS) : 1.0;
-      value = hasValue ? value + share * apart : measured;
+      value += share * apart;
       sigma = newSigma;
+      pulledMicros = hasValue ? Math.max(pulledMicros, micros) : micros;
       hasValue = true;
-      pulledMicros = micros;
     }
 
     void forget(long now, long staleMicros) {
       hasValue &= now - pulledMicros <= staleMicros;
       hasRate &= now - rateMicros <= staleMicros;
+      pulls.values().removeIf(micros -> now - micros > staleMicros);
     }
   }
 
@@ -99,22 +115,22 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
   @Override
   protected Optional<StateInformation> estimate(StateInformation sensed) {
-    long now = sensed.timestamp().orElseThrow();
-    if (micros != Long.MIN_VALUE && now < micros) {
-      return Optional.empty(); // late: its successor has been heard already
+    long measuredAt = sensed.timestamp().orElseThrow();
+    if (micros != Long.MIN_VALUE && micros - measuredAt > Clock.micros(tuning.staleAfter())) {
+      ignore(sensed, "is later than STALE AFTER");
+      return Optional.empty();
     }
-    moveOn(now);
+    moveOn(Math.max(micros, measuredAt));
     newest.put(sensed.sensorName(), sensed);
-    take(sensed, now);
-    return Optional.of(state(now));
+    take(sensed, measuredAt);
+    return Optional.of(state(micros));
   }
 
   private void moveOn(long now) {
     double seconds = micros == Long.MIN_VALUE ? 0.0 : Clock.seconds(now - micros);
     micros = now;
-    double degPerM = Math.toDegrees(1.0 / EARTH_RADIUS_M);
-    longitude.moveOn(seconds, degPerM / Math.cos(Math.toRadians(latitude.value)));
-    latitude.moveOn(seconds, degPerM);
+    longitude.moveOn(seconds, DEG_PER_M / Math.cos(Math.toRadians(latitude.value)));
+    latitude.moveOn(seconds, DEG_PER_M);
     altitude.moveOn(seconds, 1.0);
     heading.moveOn(seconds, 1.0);
     long stale = Clock.micros(tuning.staleAfter());
@@ -123,58 +139,67 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     }
   }
 
-  private void take(StateInformation sensed, long now) {
+  private void take(StateInformation sensed, long measuredAt) {
     ReferenceFrame frame = sensed.referenceFrame();
     if (frame.isBody()) {
-      takeBody(sensed, now);
+      takeBody(sensed, measuredAt);
     } else if (frame.isEarth()) {
-      takeGlobal(sensed.in(ReferenceFrame.GLOBAL), now);
+      takeGlobal(sensed.in(ReferenceFrame.GLOBAL), measuredAt);
     }
   }
 
-  private void takeBody(StateInformation sensed, long now) {
+  private void takeBody(StateInformation sensed, long measuredAt) {
     StateInformation frd = sensed.in(ReferenceFrame.BODY_FRD);
-    frd.psiDot().ifPresent(rate -> heading.rate(rate, now));
+    frd.psiDot().ifPresent(rate -> heading.rate(rate, measuredAt));
     if (frd instanceof InertialMeasurement inertial) {
       double down = sensed.referenceFrame().equals(ReferenceFrame.BODY_FRD) ? 1.0 : -1.0;
-      inertial.yawRate().ifPresent(rate -> heading.rate(down * rate, now));
+      inertial.yawRate().ifPresent(rate -> heading.rate(down * rate, measuredAt));
     }
     if (frd.xDot().isPresent() && heading.hasValue) {
       double forward = frd.xDot().getAsDouble();
       double right = frd.yDot().orElse(0.0);
       double sin = StrictMath.sin(heading.value);
       double cos = StrictMath.cos(heading.value);
-      longitude.rate(forward * sin + right * cos, now);
-      latitude.rate(forward * cos - right * sin, now);
+      longitude.rate(forward * sin + right * cos, measuredAt);
+      latitude.rate(forward * cos - right * sin, measuredAt);
     }
   }
 
-  private void takeGlobal(StateInformation sensed, long now) {
-    sensed.xDot().ifPresent(rate -> longitude.rate(rate, now));
-    sensed.yDot().ifPresent(rate -> latitude.rate(rate, now));
-    sensed.zDot().ifPresent(rate -> altitude.rate(rate, now));
-    sensed.psiDot().ifPresent(rate -> heading.rate(rate, now));
+  private void takeGlobal(StateInformation sensed, long measuredAt) {
+    sensed.xDot().ifPresent(rate -> longitude.rate(rate, measuredAt));
+    sensed.yDot().ifPresent(rate -> latitude.rate(rate, measuredAt));
+    sensed.zDot().ifPresent(rate -> altitude.rate(rate, measuredAt));
+    sensed.psiDot().ifPresent(rate -> heading.rate(rate, measuredAt));
     if (sensed.x().isPresent() && sensed.y().isPresent()) {
-      pull(longitude, sensed, StateField.X, StateField.X_SIGMA, now);
-      pull(latitude, sensed, StateField.Y, StateField.Y_SIGMA, now);
+      pull(latitude, DEG_PER_M, sensed, StateField.Y, StateField.Y_SIGMA);
+      double perM = DEG_PER_M / Math.cos(Math.toRadians(latitude.value));
+      pull(longitude, perM, sensed, StateField.X, StateField.X_SIGMA);
     }
-    pull(altitude, sensed, StateField.Z, StateField.Z_SIGMA, now);
-    if (sensed.psi().isPresent()) {
-      double psi = sensed.psi().getAsDouble();
-      double apart = Math.IEEEremainder(psi - heading.value, FULL_TURN);
-      heading.pull(apart, psi, sensed.psiSigma().orElse(0.0), tuning.headingTime(), now);
-    }
+    pull(altitude, 1.0, sensed, StateField.Z, StateField.Z_SIGMA);
+    pull(heading, 1.0, sensed, StateField.PSI, StateField.PSI_SIGMA);
   }
 
+  /** Lets a measured value pull, carried ahead to the state's time by its rate. */
   private void pull(
-      Channel channel, StateInformation sensed, StateField field, StateField sigma, long now) {
+      Channel channel,
+      double perUnit,
+      StateInformation sensed,
+      StateField field,
+      StateField sigma) {
     OptionalDouble measured = sensed.number(field);
-    if (measured.isPresent()) {
-      double value = measured.getAsDouble();
-      double apart = value - channel.value;
-      double turn = field == StateField.X ? Math.IEEEremainder(apart, 360.0) : apart;
-      channel.pull(turn, value, sensed.number(sigma).orElse(0.0), tuning.positionTime(), now);
+    if (measured.isEmpty()) {
+      return;
     }
+    long measuredAt = sensed.timestamp().orElseThrow();
+    double ageS = Clock.seconds(micros - measuredAt);
+    double apart = measured.getAsDouble() + channel.moved(ageS, perUnit) - channel.value;
+    double way =
+        field == StateField.X
+            ? Math.IEEEremainder(apart, 360.0)
+            : field == StateField.PSI ? Math.IEEEremainder(apart, FULL_TURN) : apart;
+    double timeS = field == StateField.PSI ? tuning.headingTime() : tuning.positionTime();
+    double sigmaOf = sensed.number(sigma).orElse(0.0);
+    channel.pull(sensed.sensorName(), way, sigmaOf, timeS, measuredAt);
   }
 
   private StateInformation state(long now) {

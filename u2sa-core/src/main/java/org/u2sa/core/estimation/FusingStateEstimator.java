@@ -55,7 +55,6 @@ public final class FusingStateEstimator extends StateEstimator {
   private long reportedMicros = Long.MIN_VALUE;
   private long reports;
   private long resets;
-  private long ignored;
   private boolean isStartTold;
 
   /** Called by the launcher. */
@@ -108,12 +107,6 @@ public final class FusingStateEstimator extends StateEstimator {
       double sigma = variables.startSigma();
       measurement.begin(START, filter.micros());
       filter.add(measurement.place(variables.startY(), variables.startX(), sigma, sigma));
-    }
-  }
-
-  private void ignore(StateInformation sensed, String why) {
-    if (ignored++ % WARN_OF_LATE == 0) {
-      trouble("ignored a measurement of " + sensed.sensorName() + ", which " + why);
     }
   }
 

@@ -14,9 +14,13 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>A subclass writes {@link #estimate}. The estimate's sensorName becomes this service's name, so
  * that receivers tell estimates of two estimators apart; its timestamp is that of the measurement,
- * unless the subclass sets another.
+ * unless the subclass sets another. Measurements that nothing near the earth can cause are ignored.
  */
 public abstract class StateEstimator extends EventDrivenService {
+  private static final int WARN_OF_IGNORED = 100;
+
+  private long ignored;
+
   /**
    * @param serviceName the name, unless the variable SERVICE NAME says another
    */
@@ -40,7 +44,19 @@ public abstract class StateEstimator extends EventDrivenService {
       log(LogLevelEnum.WARN, "ignored a measurement without a timestamp: " + sensed);
       return;
     }
+    Optional<String> objection = Plausibility.objection(sensed);
+    if (objection.isPresent()) {
+      ignore(sensed, "says " + objection.get());
+      return;
+    }
     estimate(sensed).ifPresent(estimate -> publishEstimate(estimate, sensed));
+  }
+
+  /** Tells people, not each time, of a measurement that does not count. */
+  final void ignore(StateInformation sensed, String why) {
+    if (ignored++ % WARN_OF_IGNORED == 0) {
+      trouble("ignored a measurement of " + sensed.sensorName() + ", which " + why);
+    }
   }
 
   private void publishEstimate(StateInformation estimate, StateInformation sensed) {
