@@ -30,6 +30,14 @@ public interface Modeller {
   default void known(List<ObjectDescription> objects, Sighting since) {}
 
   /**
+   * Whether {@link #objects(Sighting)} contains what {@link #known} got. If no modeller at work
+   * does so, the World Modeler publishes it itself.
+   */
+  default boolean publishesKnown() {
+    return false;
+  }
+
+  /**
    * Goes on in another frame: the vehicle has learnt where it is, or knows it no longer.
    *
    * @param now the vehicle's last known state, to carry over by; empty: there was none

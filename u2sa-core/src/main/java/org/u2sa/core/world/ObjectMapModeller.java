@@ -72,7 +72,8 @@ final class ObjectMapModeller implements Modeller {
     }
     lookFor(sensor, hit, sighting, tuning);
     for (int i = 0; i < match.length; i++) {
-      if (match[i] == SightingMatch.NONE && tracks.size() < 2 * tuning.mostObjects()) {
+      if (match[i] == SightingMatch.NONE
+          && tracks.size() - known.size() < 2 * tuning.mostObjects()) {
         begin(detections.get(i), sighting.micros(), tuning);
       }
     }
@@ -164,10 +165,11 @@ final class ObjectMapModeller implements Modeller {
         }
       }
     }
-    if (tracks.size() > tuning.mostObjects()) {
-      List<MappedObject> surest = new ArrayList<>(tracks);
+    List<MappedObject> surest = new ArrayList<>(tracks);
+    surest.removeIf(MappedObject::isFromFile); // what the file names is never too much
+    if (surest.size() > tuning.mostObjects()) {
       surest.sort(Comparator.comparingDouble(track -> -track.existence())); // stable
-      tracks.retainAll(new HashSet<>(surest.subList(0, tuning.mostObjects())));
+      tracks.removeAll(new HashSet<>(surest.subList(tuning.mostObjects(), surest.size())));
     }
   }
 
@@ -225,6 +227,11 @@ final class ObjectMapModeller implements Modeller {
     }
     frame = newFrame;
     enterKnown(new Sighting(now.micros(), newFrame, Optional.empty()));
+  }
+
+  @Override
+  public boolean publishesKnown() {
+    return true;
   }
 
   @Override

@@ -146,7 +146,8 @@ record ObjectMapSettings(
             min = 1,
             max = 100_000,
             ifAbsent = 1000,
-            text = "OBJECTS: most objects kept; the least certain are dropped.")
+            text =
+                "OBJECTS: most objects kept besides those of WORLD; the least certain are dropped.")
         int mostObjects) {
   ObjectMapSettings {
     if (confirmHits > confirmWindow) {

@@ -83,6 +83,11 @@ final class ReactiveModeller implements Modeller {
   }
 
   @Override
+  public boolean publishesKnown() {
+    return true;
+  }
+
+  @Override
   public List<ObjectDescription> objects(Sighting now) {
     long oldest = now.micros() - Clock.micros(tuning.get().memory());
     bySensor.values().removeIf(memory -> memory.micros() < oldest);

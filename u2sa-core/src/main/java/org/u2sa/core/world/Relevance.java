@@ -14,9 +14,9 @@ import org.u2sa.messages.schema.FieldValue;
 
 /**
  * Which objects matter to the current task (thesis 3.2.3.3, 4.3.2). A goal says what it looks for
- * in a field objectType or objectTypes, of whatever class it is. While a current goal says so,
- * objects of other types are left out, but never what has to be avoided, moves or is of no known
- * type: a vehicle on its way to a buoy is not to run into the gate.
+ * in a field objectType or objectTypes, of whatever class it is. While every current goal does,
+ * passable objects of other types are left out. Everything else is published whatever the goal: a
+ * vehicle on its way to a buoy must not run into the gate.
  */
 final class Relevance {
   private static final String ONE = "objectType";
@@ -70,11 +70,8 @@ final class Relevance {
     }
     List<ObjectDescription> relevant = new ArrayList<>();
     for (ObjectDescription object : objects) {
-      boolean toAvoid =
-          object.level().filter(level -> level != ObjectLevel.HINDRANCE).isPresent()
-              || object.motion().velocity().isPresent()
-              || object.objectType().isEmpty();
-      if (toAvoid || wanted.contains(object.objectType())) {
+      boolean isPassable = object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent();
+      if (!isPassable || wanted.contains(object.objectType())) {
         relevant.add(object);
       }
     }

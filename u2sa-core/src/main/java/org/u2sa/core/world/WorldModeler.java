@@ -288,6 +288,10 @@ public final class WorldModeler extends PeriodicService {
     Sighting now = now();
     List<ObjectDescription> objects = new ArrayList<>();
     modellers.working().values().forEach(modeller -> objects.addAll(modeller.objects(now)));
+    if (modellers.working().values().stream().noneMatch(Modeller::publishesKnown)) {
+      double sinceS = Clock.seconds(micros - knownMicros);
+      placed().forEach(object -> objects.add(object.after(sinceS)));
+    }
     ObjectList list =
         new ObjectList()
             .objects(

@@ -30,7 +30,7 @@ record WorldSettings(
     @Variable(
             ifAbsentText = "GOAL",
             text =
-                "GOAL publishes, while the current goals name types of objects, these and what must be avoided; ALL publishes everything.")
+                "GOAL leaves out, while every current goal names types of objects, passable ones (HINDRANCE) of other types; ALL publishes everything.")
         Relevant relevant,
     @Variable(
             unit = "s",

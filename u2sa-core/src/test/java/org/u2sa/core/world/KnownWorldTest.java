@@ -94,6 +94,29 @@ class KnownWorldTest {
     assertThat(world.objects().get(1).x()).isCloseTo(4.0, within(0.11));
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"OBJECTS", "REACTIVE", "GRID", "LINES", "GRID, LINES"})
+  void world_whicheverModellersWork_isPublished(String modellers) throws IOException {
+    world.kit.with("MODELLERS", modellers).with("WORLD", mastAndCart().toString());
+    world.kit.start(WorldModeler::new);
+    world.stand(10);
+    assertThat(world.objects()).extracting(ObjectDescription::uid).containsExactly("mast", "cart");
+    assertThat(world.objects().get(1).x()).isCloseTo(1.0, within(0.11)); // 1 m/s since the start
+  }
+
+  @Test
+  void world_moreObjectsThanAreKept_allArePublished() throws IOException {
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
+    world.kit.with("MOST OBJECTS", 1).start(WorldModeler::new);
+    for (int i = 0; i < 10; i++) {
+      world.tick(local(0.0, 0.0, 0.0), seen("barrel", 3.0, -2.0), seen("crate", 3.0, 4.0));
+    }
+    assertThat(world.objects())
+        .extracting(ObjectDescription::uid)
+        .hasSize(3)
+        .contains("mast", "cart");
+  }
+
   @Test
   void world_neverSeenWhereItIsSaidToBe_isAsCertainAsBefore() throws IOException {
     world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());

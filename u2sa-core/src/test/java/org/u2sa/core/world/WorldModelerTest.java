@@ -141,24 +141,25 @@ class WorldModelerTest {
   }
 
   @Test
-  void relevance_goalNamesATypeOfObject_othersAreLeftOutButNotWhatMustBeAvoided() {
+  void relevance_goalNamesATypeOfObject_onlyPassableObjectsOfOtherTypesAreLeftOut() {
     world.kit.with("MODELLERS", "REACTIVE").start(WorldModeler::new);
     world.kit.publish(
         Channels.GOALS, new GoalList().goals(List.of(new Seek().objectType("buoy").goal("1"))));
     world.kit.publish(Channels.SENSED_OBJECTS, seen("barrel", 3.0, 0.0));
     world.kit.send(Channels.SENSED_OBJECTS, seen("rock", 3.0, 1.0).level(ObjectLevel.AVOID_ALWAYS));
     world.kit.send(Channels.SENSED_OBJECTS, seen("buoy", 3.0, 2.0).objectType("buoy"));
+    world.kit.send(Channels.SENSED_OBJECTS, seen("weed", 3.0, 3.0).level(ObjectLevel.HINDRANCE));
     world.kit.settle();
     world.kit.advance(0.1);
     assertThat(world.objects())
         .extracting(ObjectDescription::uid)
-        .containsExactlyInAnyOrder("rock", "buoy");
+        .containsExactlyInAnyOrder("barrel", "rock", "buoy");
 
     Waypoint anything = new Waypoint().x(1.0).y(1.0).horizontalThreshold(1.0);
     anything.uid("2");
     world.kit.publish(Channels.GOALS, new GoalList().goals(List.of(anything)));
     world.kit.advance(0.1);
-    assertThat(world.objects()).hasSize(3);
+    assertThat(world.objects()).hasSize(4);
   }
 
   @Test
