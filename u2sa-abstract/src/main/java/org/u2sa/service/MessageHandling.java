@@ -59,9 +59,8 @@ final class MessageHandling {
     return patient;
   }
 
-  /** {@link U2SAService#handleMessages}: turns that are over at the deadline. */
+  /** Turns that are over at the deadline, or when the service ends. */
   Clock.Turns until(long untilMicros) {
-    service.health.busy(false);
     return new Round(untilMicros);
   }
 
@@ -104,7 +103,6 @@ final class MessageHandling {
           return Math.min(untilMicros, reporter.dueMicros());
         }
       }
-      service.health.busy(true);
       return OVER;
     }
   }
