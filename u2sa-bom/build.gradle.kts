@@ -22,11 +22,30 @@ dependencies {
     }
 }
 
+// Test kits. Constraints cannot name a jar by its classifier, but Maven's users of one need its version, too.
+val testKits = listOf("u2sa-abstract")
+
 publishing {
     publications {
         create<MavenPublication>("maven") {
             from(components["javaPlatform"])
             pom {
+                withXml {
+                    val document = asElement().ownerDocument
+                    val managed = asElement().getElementsByTagName("dependencies").item(0)
+                    for (module in testKits) {
+                        val entry = managed.appendChild(document.createElement("dependency"))
+                        for ((name, text) in listOf(
+                            "groupId" to project.group.toString(),
+                            "artifactId" to module,
+                            "version" to project.version.toString(),
+                            "type" to "test-jar",
+                            "classifier" to "test-fixtures",
+                        )) {
+                            entry.appendChild(document.createElement(name)).textContent = text
+                        }
+                    }
+                }
                 name.set(project.name)
                 description.set(project.description)
                 licenses {

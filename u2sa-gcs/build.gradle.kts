@@ -22,4 +22,8 @@ tasks.processResources {
     filesMatching("**/version.properties") {
         expand(versions)
     }
+    from(rootDir) { // projects for Gradle get this project's own wrapper
+        include("gradlew", "gradlew.bat", "gradle/wrapper/*")
+        into("org/u2sa/gcs/template/templates/gradle")
+    }
 }

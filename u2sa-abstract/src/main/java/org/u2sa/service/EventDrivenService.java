@@ -22,7 +22,7 @@ public abstract class EventDrivenService extends U2SAService {
   }
 
   @Override
-  final boolean endsByItsLoop() {
+  final boolean hasReadyMadeLoop() {
     return true;
   }
 

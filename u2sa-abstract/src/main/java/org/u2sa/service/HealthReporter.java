@@ -61,8 +61,9 @@ final class HealthReporter {
    * speaks for itself, has not been started, or has said its last.
    */
   Optional<HealthReport> onBehalf(long nowMicros) {
-    Thread.State state = service.getState(); // asked first: who has ended by now has said its last
-    if (state == Thread.State.NEW || service.status() == ServiceStatus.CREATED || lastSaid) {
+    Thread handling = service.loop == null ? service : service.loop.messages();
+    Thread.State state = handling.getState(); // asked first: who has ended by now said its last
+    if (service.status() == ServiceStatus.CREATED || lastSaid) {
       return Optional.empty();
     }
     boolean alive = state != Thread.State.TERMINATED;

@@ -64,9 +64,8 @@ final class MessageHandling {
     return patient;
   }
 
-  /** {@link U2SAService#handleMessages}: turns that are over at the deadline. */
+  /** Turns that are over at the deadline, or when the service ends. */
   Clock.Turns until(long untilMicros) {
-    service.health.busy(false);
     return new Round(untilMicros);
   }
 
@@ -109,7 +108,6 @@ final class MessageHandling {
           return Math.min(untilMicros, reporter.dueMicros());
         }
       }
-      service.health.busy(true);
       return OVER;
     }
   }

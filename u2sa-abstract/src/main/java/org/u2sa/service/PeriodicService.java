@@ -98,7 +98,7 @@ public abstract class PeriodicService extends U2SAService {
   }
 
   @Override
-  final boolean endsByItsLoop() {
+  final boolean hasReadyMadeLoop() {
     return true;
   }
 

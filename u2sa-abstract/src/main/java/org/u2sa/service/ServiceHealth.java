@@ -69,11 +69,6 @@ final class ServiceHealth {
     }
   }
 
-  /** Takes note that the service's thread is back in its author's code, or waits again. */
-  void busy(boolean isBusy) {
-    busySinceMicros.lazySet(isBusy ? stopwatch.realMicros() : IDLE);
-  }
-
   /** How long the author's code that runs now has been running [s]; empty if none does. */
   OptionalDouble runningS() {
     long since = busySinceMicros.get();

@@ -45,8 +45,6 @@ final class ServiceLife {
     service.context().configuration().refuseUndeclared();
     if (!startUnlessAskedToStop()) {
       end();
-    } else if (!service.endsByItsLoop()) {
-      helper("-watch", this::endAfterRun);
     }
   }
 
@@ -63,6 +61,9 @@ final class ServiceLife {
     startedMicros = clock.micros();
     service.running = true;
     status = ServiceStatus.RUNNING;
+    if (service.loop != null) {
+      service.loop.begin();
+    }
     service.startThread();
     return true;
   }
@@ -81,17 +82,6 @@ final class ServiceLife {
     helper.setDaemon(true);
     helper.start();
     return helper;
-  }
-
-  /** Waits for the thread: if it returns without {@link #end}, the service counts as dead. */
-  private void endAfterRun() {
-    try {
-      service.join();
-    } catch (InterruptedException e) { // nobody has this thread to interrupt it
-      Thread.currentThread().interrupt();
-      return;
-    }
-    die(new IllegalStateException("run() returned without end()"));
   }
 
   /**
@@ -127,7 +117,7 @@ final class ServiceLife {
     }
   }
 
-  /** Ends the present wait of the service's thread. */
+  /** Ends the present wait of the thread that handles messages. */
   void wake() {
     Clock.Waiter waiting = waiter;
     if (waiting != null) {
@@ -209,13 +199,16 @@ final class ServiceLife {
     }
   }
 
-  /** Ends the wait of the service's thread for good, wherever it waits. */
+  /** Ends the waits of the service's threads for good, wherever they wait. */
   synchronized void stopWaiting() {
     askedToStop = true;
     service.running = false;
     Clock.Waiter waiting = waiter;
     if (waiting != null) {
       waiting.close();
+    }
+    if (service.loop != null) {
+      service.loop.stopSleeping();
     }
   }
 
@@ -231,6 +224,9 @@ final class ServiceLife {
       return;
     }
     service.running = false;
+    if (service.loop != null) {
+      service.loop.close();
+    }
     if (service.succession.handsOverInsteadOfEnding()) {
       status = ServiceStatus.STOPPED;
       stopWaiting(); // everything else is the successor's now
@@ -280,6 +276,9 @@ final class ServiceLife {
   void abandon() {
     stopWaiting();
     service.interrupt();
+    if (service.loop != null) {
+      service.loop.messages().interrupt();
+    }
     try {
       service.join(ENDS_BY_ITSELF_WITHIN_MS);
       helper("-abandoned", this::end).join(RELEASES_WITHIN_MS); // release may hang as well

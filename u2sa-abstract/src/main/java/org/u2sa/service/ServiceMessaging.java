@@ -54,6 +54,9 @@ final class ServiceMessaging {
     if (wiring.isSilent()) {
       return false; // the successor speaks for this service now
     }
+    if (service.loop != null) {
+      service.loop.awaitTurn();
+    }
     long nowMicros = service.clock().micros();
     if (!data.isFrozen()) {
       if (data.systemId().isEmpty()) {

@@ -214,7 +214,7 @@ public final class ServiceSwap {
       successor.context().execution().ifPresent(execution -> inherit(execution, values.get()));
       successor.life.startAsSuccessor();
     } else {
-      successor.kill();
+      successor.shutDown();
     }
     if (old.life.isAskedToStop()) { // while it handed over
       successor.life.askToStop();

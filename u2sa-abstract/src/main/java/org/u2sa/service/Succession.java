@@ -175,6 +175,9 @@ final class Succession {
 
   /** Closes what the subclass opened, but leaves actuators as they are: a successor moves them. */
   void releaseAsPredecessor() {
+    if (service.loop != null) {
+      service.loop.close();
+    }
     service.life.atLast("closing", service::releaseToSuccessor);
   }
 

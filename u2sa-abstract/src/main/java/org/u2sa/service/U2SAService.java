@@ -26,10 +26,11 @@ import org.u2sa.messages.schema.U2SAData;
  * A service: one thread that knows no other service and talks in messages (thesis 3.2.2.1, 4.6.1,
  * 8.2.3.1).
  *
- * <p>Most authors extend {@link EventDrivenService} or {@link PeriodicService} and write no loop. A
- * direct subclass writes {@link #run} as thesis 8.2.4 says: a loop while {@link #isRunning}, which
- * calls {@link #handleMessages} to be handed its messages, and a {@link #kill} that calls {@link
- * #end}.
+ * <p>A direct subclass is written as thesis 8.2.4 says: {@link #run} loops while {@link #running}
+ * is true and waits by {@link #sleep}, {@link #callback} handles messages, and {@link #kill} closes
+ * what the service opened and clears {@link #running}. Messages are handled on a thread of their
+ * own beside the loop. Most authors extend {@link EventDrivenService} or {@link PeriodicService}
+ * instead, which have one thread and no loop to write.
  *
  * <pre>
  *   CREATED ──start()──▶ RUNNING ──kill(), stop command──▶ STOPPING ──▶ STOPPED
@@ -55,6 +56,7 @@ public abstract class U2SAService extends Thread
   final ServiceLife life;
   final Succession succession;
   final MessageHandling handling;
+  final AuthoredLoop loop; // null: run() is a ready-made loop
 
   private final ServiceContext context;
   private final ServiceRole role;
@@ -83,6 +85,7 @@ public abstract class U2SAService extends Thread
     life = new ServiceLife(this, context.clock(), (long) configuration.variables().spin());
     succession = new Succession(this, context);
     handling = new MessageHandling(this, configuration.variables());
+    loop = hasReadyMadeLoop() ? null : new AuthoredLoop(this);
     try {
       wiring.begin();
     } catch (CommunicationException e) {
@@ -92,19 +95,58 @@ public abstract class U2SAService extends Thread
     }
   }
 
-  /** The service's life; called by {@link #start} on the new thread. */
+  /**
+   * What the service does continuously, on its own thread: a loop while {@link #running}. A loop
+   * that returns earlier has failed. If there is nothing to do continuously, it returns at once,
+   * and the service handles messages.
+   */
   @Override
   public abstract void run();
 
   /**
-   * Ends the service: its loop stops, its resources are closed, its actuators left neutral. Safe to
-   * call twice and from any thread; returns when the service has ended.
+   * Ends the service: closes what it opened and clears {@link #running}. Also called by the service
+   * itself when it ends for another reason, such as a stop command. Safe to call twice and from any
+   * thread. That of {@link EventDrivenService} and {@link PeriodicService} returns when the service
+   * has ended; a direct subclass ends within 0.25 s, or in {@link #shutDown}.
    */
   public abstract void kill();
 
+  /** {@linkplain #kill Kills} the service and returns when it has ended, or hangs for seconds. */
+  public final void shutDown() {
+    kill();
+    if (loop != null) {
+      loop.finish();
+    }
+  }
+
+  /** Waits until the service has ended; returns at once if it was never started. */
+  public final void awaitEnd() throws InterruptedException {
+    join();
+    if (loop != null) {
+      loop.messages().join();
+    }
+  }
+
   /**
-   * Handles one message that no {@linkplain #subscribe handler} takes, on the service's thread, one
-   * at a time. What is not expected goes to {@link #unexpected}.
+   * Waits on the run's clock, in a loop that a direct subclass wrote as {@link #run}: in simulated
+   * time if the run is simulated, which {@link Thread#sleep} does not. Returns early when the
+   * service is to end. On any other thread it is {@link Thread#sleep}.
+   *
+   * @param millis how long [ms], not negative
+   * @throws InterruptedException if the thread was interrupted
+   */
+  public static void sleep(long millis) throws InterruptedException {
+    if (Thread.currentThread() instanceof U2SAService service && service.loop != null) {
+      service.loop.sleep(millis);
+    } else {
+      Thread.sleep(millis);
+    }
+  }
+
+  /**
+   * Handles one message that no {@linkplain #subscribe handler} takes, one at a time. What is not
+   * expected goes to {@link #unexpected}. Called on the service's thread; in a direct subclass on
+   * another one beside {@link #run}, so fields that both touch are volatile.
    */
   public void callback(U2SAData data) {
     unexpected(data);
@@ -113,18 +155,6 @@ public abstract class U2SAService extends Thread
   /** Logs a message that the service has no use for (thesis 8.2.4). */
   protected final void unexpected(U2SAData data) {
     log(LogLevelEnum.DEBUG, "unexpected message: " + data);
-  }
-
-  /**
-   * Hands waiting messages to handlers and {@link #callback}, and reports health, until the
-   * deadline or the end of the service. Messages that already wait are handled even if the deadline
-   * has passed.
-   *
-   * @param untilMicros time of the run's clock [µs], or {@link Clock#NEVER}
-   * @throws InterruptedException if the service's thread was interrupted
-   */
-  protected final void handleMessages(long untilMicros) throws InterruptedException {
-    life.takeAll(handling.until(untilMicros));
   }
 
   // Configuration and log (thesis 3.2.1.1, 3.2.1.5)
@@ -337,8 +367,8 @@ public abstract class U2SAService extends Thread
     life.keepToOwnThread();
   }
 
-  /** Whether {@link #run} calls {@link #end} whatever happens, so that nobody need watch it. */
-  boolean endsByItsLoop() {
+  /** Whether {@link #run} is a ready-made loop that handles messages, too. */
+  boolean hasReadyMadeLoop() {
     return false;
   }
 
@@ -359,14 +389,6 @@ public abstract class U2SAService extends Thread
    */
   protected void releaseToSuccessor() {
     release();
-  }
-
-  /**
-   * Releases everything, once: the last act of {@link #run} and of a direct subclass's {@link
-   * #kill}.
-   */
-  protected final void end() {
-    life.end();
   }
 
   /**

@@ -43,7 +43,7 @@ class HealthReportingTest {
     }
   }
 
-  /** Writes its own life and forgets to end it. */
+  /** Its loop returns although it is to go on. */
   private static final class Careless extends U2SAService {
     Careless(ServiceContext context) {
       super(context, ServiceRole.OBSERVER, "Careless");
@@ -52,7 +52,7 @@ class HealthReportingTest {
     @Override
     public void run() {
       try {
-        handleMessages(clock().micros() + 500_000);
+        sleep(500);
       } catch (InterruptedException e) {
         currentThread().interrupt();
       }
@@ -65,7 +65,7 @@ class HealthReportingTest {
 
     @Override
     public void kill() {
-      end();
+      running = false;
     }
   }
 
@@ -95,7 +95,7 @@ class HealthReportingTest {
   }
 
   @Test
-  void run_returnsWithoutEnd_timeGoesOnAndTheServiceIsReportedDead() throws Exception {
+  void run_returnsWhileRunning_timeGoesOnAndTheServiceIsReportedDead() throws Exception {
     Careless careless = kit.start(Careless::new);
 
     kit.advance(2.0);
@@ -105,7 +105,7 @@ class HealthReportingTest {
     assertThat(careless.status()).isEqualTo(ServiceStatus.FAILED);
     assertThat(last().status()).isEqualTo(ServiceStatus.FAILED);
     assertThat(last().threadAlive()).hasValue(false);
-    assertThat(last().lastError()).hasValueSatisfying(error -> assertThat(error).contains("end()"));
+    assertThat(last().lastError()).hasValueSatisfying(error -> assertThat(error).contains("run()"));
   }
 
   @Test

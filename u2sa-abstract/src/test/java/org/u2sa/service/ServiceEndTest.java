@@ -229,7 +229,7 @@ class ServiceEndTest {
     assertThatThrownBy(() -> new Stillborn(kit.context())).hasMessage("no device");
   }
 
-  /** Its run returns without end(), as it must not. */
+  /** Its run returns at once, and it has no messages to handle. */
   private static final class Careless extends U2SAService {
     Careless(ServiceContext context) {
       super(context, ServiceRole.OBSERVER, "Careless");
@@ -247,18 +247,18 @@ class ServiceEndTest {
 
     @Override
     public void kill() {
-      end();
+      running = false;
     }
   }
 
   @Test
-  void run_returnsWithoutEnd_serviceFailsAndTimeGoesOn() {
+  void run_returnsWithoutAnythingLeftToDo_serviceFailsAndTimeGoesOn() {
     Careless careless = kit.start(Careless::new);
 
     kit.advance(10.0); // hangs for ever if the thread that is gone still has a place in the clock
 
     assertThat(kit.nowS()).isEqualTo(10.0);
     assertThat(careless.status()).isEqualTo(ServiceStatus.FAILED);
-    assertThat(kit.log("Careless")).anyMatch(line -> line.contains("run() returned without end()"));
+    assertThat(kit.log("Careless")).anyMatch(line -> line.contains("run() returned while running"));
   }
 }

@@ -135,7 +135,7 @@ public final class ServiceKit implements AutoCloseable {
    */
   public <S extends U2SAService> S restart(
       U2SAService running, Function<ServiceContext, S> constructor) {
-    running.kill();
+    running.shutDown();
     return start(constructor.apply(contextBuilder().restart(true).build()));
   }
 
@@ -242,7 +242,7 @@ public final class ServiceKit implements AutoCloseable {
   /** Ends all services, last started first, and removes the log files. */
   @Override
   public void close() {
-    services.forEach(U2SAService::kill);
+    services.forEach(U2SAService::shutDown);
     try (Stream<Path> files = Files.walk(directory)) {
       for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
         Files.delete(file);

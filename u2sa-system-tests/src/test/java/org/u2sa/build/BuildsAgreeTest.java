@@ -41,7 +41,8 @@ class BuildsAgreeTest {
     assertThat(MavenBuild.read(ROOT).modules())
         .containsKeys("u2sa-messages", "u2sa-core", "u2sa-flightgear", "u2sa-bom");
     assertThat(MavenBuild.read(ROOT).modules().get("u2sa-core")).isNotEmpty();
-    assertThat(GradleBuild.read(ROOT).bom()).contains("u2sa-messages", "u2sa-flightgear");
+    assertThat(GradleBuild.read(ROOT).bom())
+        .contains("u2sa-messages", "u2sa-flightgear", "u2sa-abstract:test-jar:test-fixtures");
   }
 
   @ParameterizedTest(name = "{0}: {1} -> {2}")
@@ -62,6 +63,9 @@ class BuildsAgreeTest {
           u2sa-core/pom.xml                | <scope>test</scope>                       | <scope>compile</scope>                    | dependency of u2sa-core only in Maven: org.u2sa:u2sa-abstract:test-fixtures
           u2sa-scenarios/build.gradle.kts  | module = "xmlgraphics-commons"            | module = "jackson-core"                   | org.apache.xmlgraphics:jackson-core
           u2sa-bom/build.gradle.kts        | api(project(":u2sa-core"))                | // gone                                   | BOM only in Maven: u2sa-core
+          u2sa-bom/build.gradle.kts        | listOf("u2sa-abstract")                   | listOf<String>()                          | BOM only in Maven: u2sa-abstract:test-jar:test-fixtures
+          u2sa-bom/build.gradle.kts        | "type" to "test-jar",                     | // gone                                   | BOM only in Maven: u2sa-abstract:test-jar:test-fixtures
+          u2sa-bom/pom.xml                 | <classifier>test-fixtures</classifier>    | <!-- -->                                  | BOM only in Gradle: u2sa-abstract:test-jar:test-fixtures
           gradle/libs.versions.toml        | test = ["junit", "assertj", "jqwik"]      | test = ["junit", "assertj"]               | dependency of every module only in Maven: net.jqwik:jqwik
           gradle.properties                | version=0                                 | version=1                                 | setting only in Gradle: version = 1
           pom.xml                          | <maven.compiler.release>17                | <maven.compiler.release>21                | setting only in Maven: Java release = 21

@@ -21,6 +21,8 @@ final class GradleBuild {
   private static final Pattern INCLUDE = Pattern.compile("\\s*include\\(\"([^\"]+)\"\\)");
   private static final Pattern TEXT = Pattern.compile("\"([^\"]*)\"");
 
+  private static final Pattern TEST_KITS = Pattern.compile("val testKits = listOf\\(([^)]*)\\)");
+
   private static final Pattern TEST_PROPERTY =
       Pattern.compile("\\bit\\.systemProperty\\(\"([^\"]+)\", \"([^\"]*)\"\\)");
 
@@ -46,6 +48,7 @@ final class GradleBuild {
         SortedSet<Dependency> own = new DependencyBlock(script, group, version, catalog).read();
         if (module.equals(BOM)) {
           own.forEach(dependency -> bom.add(dependency.name().substring(group.length() + 1)));
+          bom.addAll(testKits(script));
           own = new TreeSet<>();
         }
         modules.put(module, own);
@@ -56,6 +59,26 @@ final class GradleBuild {
       }
     }
     return new BuildDescription(settings, managed(catalog), bom, everywhere(catalog), modules);
+  }
+
+  /** The test kits that the BOM's script adds to its POM, as Maven would list them. */
+  private static SortedSet<String> testKits(Path script) throws IOException {
+    String text = Files.readString(script);
+    SortedSet<String> listed = new TreeSet<>();
+    Matcher list = TEST_KITS.matcher(text);
+    if (list.find()) {
+      Matcher module = TEXT.matcher(list.group(1));
+      String suffix = ":" + written(text, "type") + ":" + written(text, "classifier");
+      while (module.find()) {
+        listed.add(module.group(1) + suffix);
+      }
+    }
+    return listed;
+  }
+
+  private static String written(String script, String element) {
+    Matcher matcher = Pattern.compile("\"" + element + "\" to \"([^\"]+)\"").matcher(script);
+    return matcher.find() ? matcher.group(1) : "nothing";
   }
 
   private static SortedMap<String, String> settings(Path folder, String group, String version)

@@ -13,6 +13,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.w3c.dom.Element;
@@ -56,7 +58,7 @@ final class MavenBuild {
       if (name.equals(BOM)) {
         requireVersion(name, text(pom, "version"));
         dependencies(only(pom, "dependencyManagement"))
-            .forEach(dependency -> bom.add(text(dependency, "artifactId")));
+            .forEach(dependency -> bom.add(listed(dependency)));
         modules.put(name, new TreeSet<>());
       } else {
         requireVersion(name, text(only(pom, "parent"), "version"));
@@ -177,6 +179,14 @@ final class MavenBuild {
       }
     }
     return exclusions;
+  }
+
+  /** A module as the BOM lists it; a jar with a classifier is found by its type only. */
+  private static String listed(Element dependency) {
+    return Stream.concat(
+            Stream.of(text(dependency, "artifactId")),
+            Stream.of("type", "classifier").flatMap(name -> optional(dependency, name).stream()))
+        .collect(Collectors.joining(":"));
   }
 
   private static String name(Element dependency) {

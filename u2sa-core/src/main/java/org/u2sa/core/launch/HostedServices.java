@@ -159,7 +159,7 @@ final class HostedServices implements ServiceHost {
               configuration,
               maker.makeAnew(old.className(), configuration));
       if (!replace(old, successor)) {
-        successor.service().kill();
+        successor.service().shutDown();
         return Optional.of("the system is ending");
       }
       successor.service().start();
@@ -185,7 +185,7 @@ final class HostedServices implements ServiceHost {
 
   /** Runs on its own thread, because the service's release may hang. */
   private static boolean endsByKill(U2SAService service) {
-    Thread ending = new Thread(service::kill, service.getServiceName() + "-end");
+    Thread ending = new Thread(service::shutDown, service.getServiceName() + "-end");
     ending.setDaemon(true);
     ending.start();
     boolean interrupted = false;

@@ -88,7 +88,7 @@ public record PlannedService(
                   ? ((ActuatorOwner) service).actuators()
                   : Collections.emptyList(),
               Optional.empty());
-      service.kill();
+      service.shutDown();
       return planned;
     } catch (RuntimeException | LinkageError e) { // a device, a jar that is not here
       return new PlannedService(

@@ -191,7 +191,7 @@ public final class RunningSystem implements AutoCloseable {
     do {
       awaited = services();
       for (U2SAService service : awaited) {
-        service.join();
+        service.awaitEnd();
       }
     } while (!awaited.equals(services()));
   }
@@ -218,7 +218,7 @@ public final class RunningSystem implements AutoCloseable {
     if (hosted != null) {
       hosted.close();
     }
-    companions.forEach(U2SAService::kill);
+    companions.forEach(U2SAService::shutDown);
     if (manager != null) {
       manager.close();
       manager = null;

@@ -83,7 +83,7 @@ class RealCausesTest {
     }
   }
 
-  /** Its run returns when it is told so, without end(). */
+  /** Its loop returns when it is told so, although it is running. */
   public static final class Careless extends U2SAService {
     private volatile boolean told;
 
@@ -96,7 +96,7 @@ class RealCausesTest {
     public void run() {
       try {
         while (isRunning() && !told) {
-          handleMessages(clock().micros() + 50_000);
+          sleep(50);
         }
       } catch (InterruptedException e) {
         currentThread().interrupt();
@@ -110,7 +110,7 @@ class RealCausesTest {
 
     @Override
     public void kill() {
-      end();
+      running = false;
     }
   }
 

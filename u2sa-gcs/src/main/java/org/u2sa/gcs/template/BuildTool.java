@@ -18,7 +18,7 @@ enum BuildTool {
       "build.gradle.kts",
       "(?m)^group\\s*=\\s*\"([^\"]+)\"",
       "./gradlew publishToMavenLocal",
-      "gradle build",
+      "./gradlew build",
       "build/libs/*");
 
   private final String file;

@@ -97,7 +97,14 @@ final class Destination {
       Path target = inside(draft, file.getKey());
       Files.createDirectories(target.getParent());
       Files.write(target, file.getValue());
+      if (isScript(file.getValue()) && !target.toFile().setExecutable(true)) {
+        throw new IOException(target + " cannot be made executable");
+      }
     }
+  }
+
+  private static boolean isScript(byte[] content) {
+    return content.length > 1 && content[0] == '#' && content[1] == '!';
   }
 
   private void move(Path draft, SortedMap<String, byte[]> files) throws IOException {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
@@ -76,6 +77,22 @@ class GeneratedProjectsTest {
     assertThat(made.files())
         .contains("depth-gauge/build.gradle.kts", "depth-gauge/.gitignore")
         .doesNotContain("depth-gauge/pom.xml");
+  }
+
+  @Test
+  void make_gradle_hasTheWrapperOfThisProject() throws IOException {
+    made.make("sensor", "depth-gauge", "--gradle");
+    Path project = here.resolve("depth-gauge");
+    for (String file :
+        List.of(
+            "gradlew",
+            "gradlew.bat",
+            "gradle/wrapper/gradle-wrapper.jar",
+            "gradle/wrapper/gradle-wrapper.properties")) {
+      assertThat(project.resolve(file)).hasSameBinaryContentAs(Path.of("..", file));
+    }
+    assertThat(project.resolve("gradlew")).isExecutable();
+    assertThat(made.told()).contains("./gradlew build");
   }
 
   @Test

@@ -23,6 +23,7 @@ final class ConfigurationValues {
   private final Map<String, FileVariable> stated;
   private final Set<String> overridden = new LinkedHashSet<>();
   private final Set<String> tolerated = new HashSet<>();
+  private final Set<String> readByName = new HashSet<>(); // used, though not declared
   private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
   private final List<RecordBinding<?>> records = new ArrayList<>();
   private final Map<String, Object> values = new LinkedHashMap<>();
@@ -71,6 +72,7 @@ final class ConfigurationValues {
               "%s, variable \"%s\": there is none%s",
               origin, name, NearestNames.didYouMean(name, values.keySet())));
     }
+    readByName.add(name);
     return value;
   }
 
@@ -157,11 +159,15 @@ final class ConfigurationValues {
 
   void refuseUndeclared() {
     for (FileVariable variable : stated.values()) {
-      if (!declared.containsKey(variable.name()) && !tolerated.contains(variable.name())) {
+      if (!isUsed(variable.name()) && !tolerated.contains(variable.name())) {
         throw variable.error(
             "no service declares it" + NearestNames.didYouMean(variable.name(), declared.keySet()));
       }
     }
+  }
+
+  private boolean isUsed(String name) {
+    return declared.containsKey(name) || readByName.contains(name);
   }
 
   /** All of it, changed by nobody else. */
@@ -169,6 +175,7 @@ final class ConfigurationValues {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
     copy.overridden.addAll(overridden);
     copy.tolerated.addAll(tolerated);
+    copy.readByName.addAll(readByName);
     copy.declared.putAll(declared);
     copy.records.addAll(records);
     copy.values.clear();
@@ -191,12 +198,13 @@ final class ConfigurationValues {
   Set<String> tolerated() {
     Set<String> names = new LinkedHashSet<>(tolerated);
     names.addAll(declared.keySet());
+    names.addAll(readByName);
     return names;
   }
 
   List<String> withoutEffect() {
     List<String> names = new ArrayList<>(stated.keySet());
-    names.removeIf(name -> declared.containsKey(name) || !tolerated.contains(name));
+    names.removeIf(name -> isUsed(name) || !tolerated.contains(name));
     return names;
   }
 

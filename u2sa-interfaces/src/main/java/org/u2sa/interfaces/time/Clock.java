@@ -40,6 +40,18 @@ public interface Clock {
   }
 
   /**
+   * {@link #newWaiter(String)} for a thread whose code may also wait elsewhere, such as in {@link
+   * Thread#sleep} or for a device. Simulated time goes on without the thread meanwhile.
+   *
+   * @param thread who waits; started after this
+   * @param outOfStep called when simulated time first goes on without the thread, by whoever drives
+   *     the clock
+   */
+  default Waiter newWaiter(Thread thread, Runnable outOfStep) {
+    return newWaiter(thread.getName());
+  }
+
+  /**
    * The thread whose code the calling one runs: the one that {@linkplain Waiter#lend lent} its
    * turns, if a clock takes one of them on another thread; otherwise the calling one itself.
    */

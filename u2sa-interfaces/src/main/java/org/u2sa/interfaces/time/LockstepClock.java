@@ -21,11 +21,15 @@ import java.util.function.BooleanSupplier;
  *
  * <p>The thread that calls {@link #runUntil} or {@link #advance} drives: it is blocked while the
  * services run. A waiter counts as busy from its creation until its thread first waits, so make it
- * where the order is certain (in the thread that starts the services) and start its thread.
+ * where the order is certain (in the thread that starts the services) and start its thread. Time
+ * goes on without a thread that has a turn and waits for something else, if its waiter was made by
+ * {@link #newWaiter(Thread, Runnable)}.
  */
 public final class LockstepClock implements Clock {
   /** With one core, who looks out for its turn would only keep the core from whoever has it. */
   private static final boolean CALLS_AHEAD = Runtime.getRuntime().availableProcessors() > 1;
+
+  private static final long LOOKS_EVERY_MS = 10;
 
   private final Object lock =
       new Object(); // guards everything below but nowMicros, which it guards for writing
@@ -33,6 +37,7 @@ public final class LockstepClock implements Clock {
   private final ArrayDeque<Turn> ready =
       new ArrayDeque<>(); // signalled while waiting, first come first
   private final TurnCarriers carriers = new TurnCarriers();
+  private final List<Turn> unreliable = new ArrayList<>(); // of threads that may wait elsewhere
   private int busy; // turns that are not waiting
   private volatile long nowMicros;
   private long targetMicros;
@@ -48,11 +53,25 @@ public final class LockstepClock implements Clock {
   @Override
   public Waiter newWaiter(String name) {
     synchronized (lock) {
-      Turn turn = new Turn();
-      turns.add(turn);
-      busy++;
+      return newTurn(null);
+    }
+  }
+
+  @Override
+  public Waiter newWaiter(Thread thread, Runnable outOfStep) {
+    synchronized (lock) {
+      Turn turn = newTurn(new StepWatch(thread, outOfStep));
+      unreliable.add(turn);
+      lock.notifyAll(); // the driver is to look from now on
       return turn;
     }
+  }
+
+  private Turn newTurn(StepWatch watch) {
+    Turn turn = new Turn(watch);
+    turns.add(turn);
+    busy++;
+    return turn;
   }
 
   /**
@@ -94,13 +113,23 @@ public final class LockstepClock implements Clock {
       targetMicros = limitMicros;
       try {
         passTurnIfIdle();
-        while (driving) {
-          lock.wait();
-        }
+        awaitEndOfDrive();
         throwFailure();
       } finally {
         driving = false;
         failure = null;
+      }
+    }
+  }
+
+  /** The caller holds the lock. */
+  private void awaitEndOfDrive() throws InterruptedException {
+    while (driving) {
+      if (unreliable.isEmpty()) {
+        lock.wait();
+      } else {
+        lock.wait(LOOKS_EVERY_MS);
+        List.copyOf(unreliable).forEach(Turn::leaveIfElsewhere);
       }
     }
   }
@@ -173,6 +202,8 @@ public final class LockstepClock implements Clock {
 
   /** One thread's place in the order. Its fields are guarded by the clock's lock. */
   private final class Turn implements Waiter {
+    private final StepWatch watch; // null: time always waits for the thread
+    private boolean hasLeft; // time goes on without the thread
     private boolean hasWaited;
     private final TurnWait wait = new TurnWait();
     private Loan loan; // the last one; null if it never lent
@@ -182,9 +213,32 @@ public final class LockstepClock implements Clock {
     private boolean closed;
     private long deadlineMicros = NEVER;
 
+    Turn(StepWatch watch) {
+      this.watch = watch;
+    }
+
+    private void leaveIfElsewhere() {
+      if (!wait.isWaiting() && !hasLeft && watch.isElsewhere()) {
+        hasLeft = true;
+        busy--;
+        passTurnIfIdle();
+      }
+    }
+
+    private void rejoin() {
+      if (watch != null) {
+        watch.reset();
+      }
+      if (hasLeft) {
+        hasLeft = false;
+        busy++;
+      }
+    }
+
     @Override
     public void await(long deadline) throws InterruptedException {
       synchronized (lock) {
+        rejoin();
         if (goesOn()) {
           return;
         }
@@ -336,7 +390,10 @@ public final class LockstepClock implements Clock {
           carriers.leave();
         }
         turns.remove(this);
-        busy--;
+        unreliable.remove(this);
+        if (!hasLeft) {
+          busy--;
+        }
         passTurnIfIdle();
       }
     }

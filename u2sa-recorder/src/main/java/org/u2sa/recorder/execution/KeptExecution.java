@@ -10,8 +10,9 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionEntry.Kind;
+import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.Execution;
-import org.u2sa.service.ServiceRole;
+import org.u2sa.service.PeriodicService;
 import org.u2sa.service.U2SAService;
 
 /**
@@ -76,11 +77,15 @@ public final class KeptExecution implements Execution {
   }
 
   /**
-   * Whether a service of that role depends on nothing but messages, time and its configuration, as
-   * far as a role can tell: sensors and actuators have devices.
+   * Whether a service depends on nothing but messages, time and its configuration, as far as can be
+   * told: sensors and actuators have devices, and a loop that its author wrote runs beside the
+   * handling of messages.
    */
-  public static boolean isRepeatable(ServiceRole role) {
-    return switch (role) {
+  static boolean isRepeatable(U2SAService service) {
+    if (!(service instanceof EventDrivenService || service instanceof PeriodicService)) {
+      return false;
+    }
+    return switch (service.role()) {
       case PROPRIOCEPTIVE_SENSOR, EXTEROCEPTIVE_SENSOR, ACTUATOR, LAUNCHER, OBSERVER -> false;
       default -> true;
     };
@@ -256,6 +261,11 @@ public final class KeptExecution implements Execution {
     @Override
     public Waiter newWaiter(String waiterName, long spinMicros) {
       return new NotingWaiter(clock.newWaiter(waiterName, spinMicros));
+    }
+
+    @Override
+    public Waiter newWaiter(Thread thread, Runnable outOfStep) {
+      return clock.newWaiter(thread, outOfStep); // of a loop that is not kept
     }
   }
 

@@ -44,7 +44,7 @@ public final class KeptExecutions implements Execution.Keeper {
   }
 
   private void begin(KeptExecution made, ExecutionStart before, ServiceContext context) {
-    if (!KeptExecution.isRepeatable(made.service().role())) {
+    if (!KeptExecution.isRepeatable(made.service())) {
       return;
     }
     try {

@@ -1,0 +1,163 @@
+package org.u2sa.service;
+
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+
+/**
+ * The loop that a service's author wrote as {@link U2SAService#run}, and the thread that handles
+ * the service's messages beside it: the loop need not know of messages (thesis 8.2.4).
+ *
+ * <p>{@link U2SAService#sleep} waits on the run's clock, so a simulation waits for each pass of the
+ * loop. It does not wait for a loop that waits elsewhere, such as in {@link Thread#sleep}.
+ */
+final class AuthoredLoop {
+  /** An author's kill clears a field that cannot be watched, so it is polled this often. */
+  private static final long POLLS_EVERY_MICROS = 250_000;
+
+  private static final long ENDS_WITHIN_MS = 1_000;
+  private static final long ENDS_AFTER_INTERRUPT_WITHIN_MS = 200;
+  private static final long MESSAGES_END_WITHIN_MS = 4_000; // includes waiting for the loop
+  private static final long MICROS_PER_MILLI = 1_000;
+
+  private final U2SAService service;
+  private final Clock clock;
+  private final Thread messages;
+  private final AtomicBoolean closed = new AtomicBoolean();
+  private volatile Clock.Waiter waiter; // of the loop's thread; null until started
+  private boolean hasTurn; // touched by the loop's thread only
+  private volatile boolean isLoop; // run() has lasted, or has slept
+  private boolean hasReturned; // touched by the messages' thread only
+
+  AuthoredLoop(U2SAService service) {
+    this.service = service;
+    clock = service.clock();
+    messages =
+        new Thread(
+            () -> service.life.run(() -> {}, this::handling), service.getName() + "-messages");
+    messages.setDaemon(true);
+  }
+
+  /** Begins to handle messages; the loop's thread is started after this. */
+  void begin() {
+    waiter = clock.newWaiter(service, this::outOfStep);
+    messages.start();
+  }
+
+  private void outOfStep() {
+    service.log(
+        LogLevelEnum.WARN,
+        "run() waits for something other than the run's clock, so the simulation goes on without"
+            + " it: with sleep(…) in place of Thread.sleep(…) the simulation waits for it");
+  }
+
+  /** The thread that handles messages. */
+  Thread messages() {
+    return messages;
+  }
+
+  private Clock.Turns handling() {
+    Clock.Turns turns = service.handling.until(Clock.NEVER);
+    return () -> {
+      checkLoop();
+      long next = turns.take();
+      return next == Clock.Turns.OVER
+          ? Clock.Turns.OVER
+          : Math.min(next, clock.micros() + POLLS_EVERY_MICROS);
+    };
+  }
+
+  /**
+   * A loop that returns although the service is to go on has failed. A run() that returns at once
+   * is no loop: the service only handles messages.
+   */
+  private void checkLoop() {
+    if (hasReturned || !service.running) {
+      return;
+    }
+    if (service.getState() != Thread.State.TERMINATED) {
+      isLoop |= clock.micros() - service.life.startedMicros() >= POLLS_EVERY_MICROS;
+      return;
+    }
+    hasReturned = true;
+    if (isLoop || service.subscribedChannels().isEmpty()) {
+      throw new IllegalStateException("run() returned while running was true");
+    }
+  }
+
+  /** On the loop's thread, waits for its first turn: services act in the order of their start. */
+  void awaitTurn() {
+    if (Thread.currentThread() != service || hasTurn) {
+      return;
+    }
+    hasTurn = true;
+    try {
+      waiter.await(clock.micros());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // for the author's next wait
+    }
+  }
+
+  /** {@link U2SAService#sleep}, on the loop's thread. */
+  void sleep(long millis) throws InterruptedException {
+    if (!service.running) {
+      Thread.sleep(millis); // it is ending, and no longer waits on the run's clock
+      return;
+    }
+    hasTurn = true;
+    isLoop = true;
+    long untilMicros = clock.micros() + Math.multiplyExact(millis, MICROS_PER_MILLI);
+    do {
+      waiter.await(untilMicros);
+    } while (service.running && clock.micros() < untilMicros);
+  }
+
+  /** Ends a {@link #sleep} of the loop for good. */
+  void stopSleeping() {
+    Clock.Waiter sleeping = waiter;
+    if (sleeping != null) {
+      sleeping.close();
+    }
+  }
+
+  /** Has the author close what the service opened, and waits for the loop to end; once. */
+  void close() {
+    if (!closed.compareAndSet(false, true)) {
+      return;
+    }
+    service.running = false;
+    service.life.atLast("kill()", service::kill);
+    stopSleeping();
+    if (Thread.currentThread() != service && !hasEnded()) {
+      service.log(LogLevelEnum.WARN, "run() has not returned although running is false");
+    }
+  }
+
+  private boolean hasEnded() {
+    try {
+      service.join(ENDS_WITHIN_MS);
+      if (service.isAlive()) {
+        service.interrupt();
+        service.join(ENDS_AFTER_INTERRUPT_WITHIN_MS);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    return !service.isAlive();
+  }
+
+  /** Ends a service that was killed, and returns when it has ended. */
+  void finish() {
+    Thread caller = Clock.runningThread();
+    if (caller == service || caller == messages) {
+      return; // it ends after the present pass or callback
+    }
+    service.life.stopWaiting();
+    try {
+      messages.join(MESSAGES_END_WITHIN_MS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    service.life.end(); // if it was never started, or hangs in a callback
+  }
+}
