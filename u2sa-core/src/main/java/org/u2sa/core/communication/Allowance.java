@@ -34,8 +34,15 @@ final class Allowance {
     return left > 0.0;
   }
 
+  /** To be called after {@link #isOpen}. */
   void take(double amount) {
     left -= amount;
+  }
+
+  /** Takes without asking before: what has come cannot be refused. */
+  void take(double amount, long nowMicros) {
+    isOpen(nowMicros);
+    take(amount);
   }
 
   /**
@@ -53,13 +60,13 @@ final class Allowance {
       this.perS = perS;
     }
 
-    /** Takes one of the user's allowance if there is any left. */
-    synchronized boolean take(String user, long nowMicros) {
+    /** Takes from the user's allowance if there is any left; it may be overdrawn once. */
+    synchronized boolean take(String user, double amount, long nowMicros) {
       Allowance allowance = byUser.computeIfAbsent(user, name -> new Allowance(perS, nowMicros));
       if (!allowance.isOpen(nowMicros)) {
         return false;
       }
-      allowance.take(1.0);
+      allowance.take(amount);
       return true;
     }
   }

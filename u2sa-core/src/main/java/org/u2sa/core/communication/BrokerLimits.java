@@ -19,7 +19,7 @@ record BrokerLimits(
             max = 2_000_000_000,
             ifAbsent = 200_000_000,
             text =
-                "Payload bytes per second that the embedded broker reads from one client; the client has to wait with more. A tenth while a subscriber of its messages is behind.")
+                "Bytes per second that the embedded broker reads from one client; the client has to wait with more. A tenth while a subscriber of its messages is behind.")
         int clientBytesPerSecond,
     @Variable(
             min = 100,
@@ -115,6 +115,12 @@ record BrokerLimits(
 
   /** A payload with its topic. */
   static final int LONGEST_PACKET = LONGEST_PAYLOAD + 16 * 1_024;
+
+  /** Longest packet other than PUBLISH and CONNECT, such as SUBSCRIBE. */
+  static final int LONGEST_CONTROL_PACKET = 8 * 1_024;
+
+  /** A will with topic, names and password. */
+  static final int LONGEST_CONNECT = LONGEST_WILL + LONGEST_CONTROL_PACKET;
 
   /** Bytes that wait for one client before messages of QoS 0 to it are dropped. */
   static final long UNREAD_BYTES = 256 * 1_024;

@@ -83,9 +83,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     return connection;
   }
 
-  /** Whether a packet counts among the questions of its user. */
-  boolean isQuestion(Object packet) {
-    return rules != null && packet instanceof MqttMessage message && rules.isQuestion(message);
+  /** How many questions a packet counts as; 0 if it is none. */
+  double questions(Object packet) {
+    return rules != null && packet instanceof MqttMessage message ? rules.questions(message) : 0.0;
   }
 
   /**
@@ -115,11 +115,12 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Whether the next packet may come. Moquette cuts a client off that subscribes before it has
-   * finished connecting it, which may be after the client has its answer.
+   * Whether the next packet may come: not while the client leaves answers unread. Moquette cuts a
+   * client off that subscribes before it has finished connecting it, which may be after the client
+   * has its answer.
    */
   boolean isReady() {
-    return stage != Stage.CHECKED && (stage != Stage.IN || connected);
+    return stage != Stage.CHECKED && (stage != Stage.IN || connected) && !outflow.owesAnswers();
   }
 
   /** Moquette is ready for the client's packets. May be called on any thread. */

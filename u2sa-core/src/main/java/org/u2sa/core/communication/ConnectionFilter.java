@@ -7,6 +7,7 @@ import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.ChannelOption;
 import io.netty.channel.WriteBufferWaterMark;
 import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
+import io.netty.util.AttributeKey;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
@@ -34,6 +35,9 @@ final class ConnectionFilter implements AutoCloseable {
    */
   private static final int NEVER_UNWRITABLE = 64 << 20;
 
+  /** Set for connections that pass here; those from before have nothing that limits them. */
+  static final AttributeKey<Boolean> FILTERED = AttributeKey.valueOf("u2sa-filtered");
+
   private static final int LEAST_READ = 512;
 
   private static final double TOTAL_BURST_S = 0.01; // for so long a flood may hold up the others
@@ -58,6 +62,8 @@ final class ConnectionFilter implements AutoCloseable {
   private final AtomicLong connectionsSoFar = new AtomicLong();
   private final RetainedTable retained;
   private final Allowance.PerUser questions;
+  private final UnfinishedPackets<ClientSession> unfinished =
+      UnfinishedPackets.ofClients(); // touched by the network's thread only
   private final Allowance beyondShares; // touched by the network's thread only
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final MessageRouter router;
@@ -144,6 +150,7 @@ final class ConnectionFilter implements AutoCloseable {
               new AdaptiveRecvByteBufAllocator(
                       LEAST_READ, BrokerLimits.READ_AT_ONCE / 2, BrokerLimits.READ_AT_ONCE)
                   .maxMessagesPerRead(1));
+      child.attr(FILTERED).set(true);
       child.pipeline().addFirst(new Furnisher());
       ctx.fireChannelRead(message);
     }
@@ -160,7 +167,9 @@ final class ConnectionFilter implements AutoCloseable {
       for (String unused : MOQUETTES_OBSERVERS) {
         ctx.pipeline().remove(unused);
       }
-      ctx.pipeline().addFirst(new FirstPacketLimit(session));
+      ctx.pipeline().addFirst(new ReceivedBytes(session, inflow));
+      ctx.pipeline()
+          .addBefore("decoder", "u2sa-framer", new PacketFramer(session, inflow, unfinished));
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
       ctx.pipeline().addBefore("handler", "u2sa-session", session);
       ctx.pipeline().addBefore("handler", "u2sa-outflow", outflow);

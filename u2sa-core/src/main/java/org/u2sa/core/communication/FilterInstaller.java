@@ -11,6 +11,7 @@ import io.netty.channel.ServerChannel;
 import io.netty.channel.SingleThreadEventLoop;
 import io.netty.util.concurrent.EventExecutor;
 import java.lang.reflect.Field;
+import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
@@ -19,7 +20,8 @@ import org.u2sa.interfaces.communication.CommunicationException;
 /**
  * Puts the connection filter before Moquette's listening socket. Moquette has no way of its own for
  * that, so its private field is read; should a later version keep it elsewhere, the broker does not
- * start. What connects before the connection filter is there has no pass and is not let in.
+ * start. What connects before the connection filter is there has no pass, is not let in, and is
+ * disconnected, since nothing would limit what Moquette decodes for it.
  */
 final class FilterInstaller {
   private static final long END_WITHIN_S = 5;
@@ -33,6 +35,9 @@ final class FilterInstaller {
       EventLoopGroup listening = (EventLoopGroup) field(acceptor, "bossGroup");
       for (EventExecutor executor : listening) {
         installed += executor.submit(() -> install(filter, (EventLoop) executor)).get();
+      }
+      for (EventExecutor executor : (EventLoopGroup) field(acceptor, "workerGroup")) {
+        executor.submit(() -> closeUnfiltered((SingleThreadEventLoop) executor)).get();
       }
     } catch (ReflectiveOperationException | ExecutionException e) {
       throw new CommunicationException("this version of Moquette cannot be secured: " + e, e);
@@ -78,6 +83,19 @@ final class FilterInstaller {
     EventLoop one = ((EventLoopGroup) group.get(acceptor)).next();
     group.set(acceptor, one);
     return one;
+  }
+
+  /** Ends connections from before the connection filter was there. On the loop's own thread. */
+  private static void closeUnfiltered(SingleThreadEventLoop loop) {
+    List<Channel> unfiltered = new ArrayList<>();
+    loop.registeredChannelsIterator()
+        .forEachRemaining(
+            channel -> {
+              if (!channel.hasAttr(ConnectionFilter.FILTERED)) {
+                unfiltered.add(channel);
+              }
+            });
+    unfiltered.forEach(Channel::close);
   }
 
   /** On the loop's own thread, as its channels may be looked at there only. */

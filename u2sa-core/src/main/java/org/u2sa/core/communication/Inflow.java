@@ -2,7 +2,6 @@ package org.u2sa.core.communication;
 
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
-import io.netty.handler.codec.mqtt.MqttPublishMessage;
 import io.netty.util.ReferenceCountUtil;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -36,6 +35,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private final Allowance bytes;
   private final Allowance slowMessages;
   private final Allowance slowBytes;
+  private long decoded; // packets
   private boolean isBehind; // a subscriber
   private boolean isWithinShare; // the next message
   private boolean paused;
@@ -66,12 +66,18 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   @Override
   public void channelRead(ChannelHandlerContext ctx, Object message) {
+    decoded++;
     if (held.isEmpty() && isOpen() && isInTurn(message)) {
       letIn(ctx, message);
     } else {
       held.add(message);
       pause(ctx);
     }
+  }
+
+  /** Packets that came from the decoder so far, those that it could not read included. */
+  long decoded() {
+    return decoded;
   }
 
   private boolean isOpen() {
@@ -87,8 +93,21 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   /** Every service answers a question: so they are counted for all connections of a user. */
   private boolean isInTurn(Object message) {
-    return !session.isQuestion(message)
-        || filter.questions().take(session.name(), filter.nowMicros());
+    double questions = session.questions(message);
+    return questions == 0.0
+        || filter.questions().take(session.name(), questions, filter.nowMicros());
+  }
+
+  /** Counts bytes as they are received, before anything is decrypted or decoded. */
+  void received(int length) {
+    long now = filter.nowMicros();
+    bytes.take(length, now);
+    if (isBehind) {
+      slowBytes.take(length, now);
+    }
+    if (!isOpen()) {
+      pause(context);
+    }
   }
 
   /**
@@ -105,13 +124,6 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     messages.take(1.0);
     if (isBehind) {
       slowMessages.take(1.0);
-    }
-    if (message instanceof MqttPublishMessage publish) {
-      int length = publish.content().readableBytes();
-      bytes.take(length);
-      if (isBehind) {
-        slowBytes.take(length);
-      }
     }
     ctx.fireChannelRead(message);
   }

@@ -33,6 +33,9 @@ final class Outflow extends ChannelDuplexHandler {
 
   private static final int PUBACK = 0x4002; // its type and length
 
+  /** More than one read of ordinary messages makes. */
+  private static final int MAX_UNSENT_ANSWERS = 512;
+
   private final ConnectionFilter filter;
   private final Map<Integer, Unacknowledged> unacknowledged = new LinkedHashMap<>(); // by packet
   private User user; // null: may listen to everything
@@ -40,6 +43,7 @@ final class Outflow extends ChannelDuplexHandler {
   private long taken; // packets that the client's side of the network took
   private long takenBefore;
   private long idleSince; // [µs]
+  private int unsentAnswers; // acknowledgements and the like
   private int onTheWay; // of those that are not acknowledged: handed over and not sent yet
   private long sentMicros = Long.MIN_VALUE / 2; // the last message
   private int lastPacket;
@@ -70,7 +74,7 @@ final class Outflow extends ChannelDuplexHandler {
   @Override
   public void write(ChannelHandlerContext ctx, Object message, ChannelPromise promise) {
     if (!(message instanceof MqttPublishMessage publish)) {
-      pass(ctx, message, promise);
+      answer(ctx.write(message, promise.unvoid()));
       return;
     }
     boolean acknowledged = publish.fixedHeader().qosLevel() != MqttQoS.AT_MOST_ONCE;
@@ -169,7 +173,24 @@ final class Outflow extends ChannelDuplexHandler {
 
   /** Acknowledges what the client published. */
   void acknowledge(ChannelHandlerContext ctx, int packet) {
-    write(ctx, ctx.alloc().ioBuffer(2 * Short.BYTES).writeShort(PUBACK).writeShort(packet));
+    answer(write(ctx, ctx.alloc().ioBuffer(2 * Short.BYTES).writeShort(PUBACK).writeShort(packet)));
+  }
+
+  private void answer(ChannelFuture written) {
+    unsentAnswers++;
+    written.addListener(
+        done -> {
+          taken++;
+          unsentAnswers--;
+        });
+  }
+
+  /**
+   * Whether so many answers wait for the client that it should be read no further: one that asks
+   * and never reads would otherwise fill the memory.
+   */
+  boolean owesAnswers() {
+    return unsentAnswers > MAX_UNSENT_ANSWERS;
   }
 
   /** What is written while the network's thread reads goes out together. */

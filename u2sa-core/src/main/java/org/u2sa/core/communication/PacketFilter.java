@@ -45,8 +45,15 @@ final class PacketFilter {
         }
         break;
       case UNSUBSCRIBE:
-        rules.unsubscribed((MqttUnsubscribeMessage) packet);
-        break;
+        MqttUnsubscribeMessage unwanted = (MqttUnsubscribeMessage) packet;
+        Optional<MqttUnsubscribeMessage> known = rules.unsubscribed(unwanted);
+        if (known.isEmpty()) {
+          int id = unwanted.variableHeader().messageId();
+          ctx.writeAndFlush(MqttMessageBuilders.unsubAck().packetId(id).build());
+          return false;
+        }
+        ctx.fireChannelRead(known.get());
+        return true;
       case PUBACK:
       case PINGREQ:
       case DISCONNECT:

@@ -7,9 +7,15 @@ import io.netty.handler.codec.mqtt.MqttPublishMessage;
 import io.netty.handler.codec.mqtt.MqttQoS;
 import io.netty.handler.codec.mqtt.MqttSubAckMessage;
 import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
+import io.netty.handler.codec.mqtt.MqttSubscribePayload;
 import io.netty.handler.codec.mqtt.MqttTopicSubscription;
 import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
+import io.netty.handler.codec.mqtt.MqttUnsubscribePayload;
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.core.security.AccessRule;
@@ -23,6 +29,7 @@ import org.u2sa.messages.schema.U2SAData;
 /** What one client's packets may do. Belongs to its connection's thread. */
 final class PacketRules {
   private static final double BYTES_OF_AN_ORDER = 4_096.0;
+  private static final double TOPICS_OF_A_QUESTION = 4_096.0;
 
   private final ConnectionFilter filter;
   private final User user; // null: everything within the limits
@@ -43,11 +50,26 @@ final class PacketRules {
     orders = new Allowance(filter.limits().clientOrdersPerSecond(), filter.nowMicros());
   }
 
-  /** Whether a packet asks something of every service, or of the broker's whole table. */
-  boolean isQuestion(MqttMessage packet) {
+  /**
+   * How many questions a packet counts as: one if it is a query to every service or changes
+   * subscriptions. Each further filter counts the more, the more topics it is compared with.
+   */
+  double questions(MqttMessage packet) {
+    if (packet.payload() instanceof MqttSubscribePayload wanted) {
+      return questions(wanted.topicSubscriptions().size());
+    }
+    if (packet.payload() instanceof MqttUnsubscribePayload unwanted) {
+      return questions(unwanted.topics().size());
+    }
     return packet instanceof MqttPublishMessage publish
-        ? judge.judge(publish.variableHeader().topicName()).is(AccessRule.Kind.QUESTION)
-        : packet instanceof MqttSubscribeMessage;
+            && judge.judge(publish.variableHeader().topicName()).is(AccessRule.Kind.QUESTION)
+        ? 1.0
+        : 0.0;
+  }
+
+  private double questions(int filters) {
+    int topics = filter.subscriptions().topics() + filter.retained().topics().size();
+    return 1.0 + (filters - 1) * topics / TOPICS_OF_A_QUESTION;
   }
 
   /** Why the message may not be published; empty if it may. */
@@ -187,31 +209,34 @@ final class PacketRules {
     }
   }
 
-  /** Why the client may not subscribe so; what it hears is looked at again message by message. */
+  /**
+   * Enters subscriptions, all or none; what the client hears is looked at again message by message.
+   *
+   * @return why it may not subscribe to them; empty if it may
+   */
   Optional<String> refusalOf(MqttSubscribeMessage subscribe) {
-    for (MqttTopicSubscription wanted : subscribe.payload().topicSubscriptions()) {
-      String filter = wanted.topicFilter();
-      if (BrokerLimits.isTooLong(filter)) {
+    Map<String, Boolean> eachMatters = new LinkedHashMap<>(); // by filter; the last of one counts
+    for (MqttTopicSubscription one : subscribe.payload().topicSubscriptions()) {
+      if (BrokerLimits.isTooLong(one.topicFilter())) {
         return Optional.of("a filter is too long");
       }
-      if (filters.size() >= BrokerLimits.FILTERS_PER_CLIENT && !filters.contains(filter)) {
-        return Optional.of("it has too many filters");
+      if (!TopicFilter.isValid(one.topicFilter())) {
+        return Optional.of("a filter is none");
       }
-      if (!filters.contains(filter)
-          && this.filter.subscriptions().ofUser(name) >= BrokerLimits.FILTERS_PER_USER) {
-        return Optional.of("its user has too many filters");
-      }
-      filters.add(filter);
+      eachMatters.put(one.topicFilter(), one.qualityOfService() != MqttQoS.AT_MOST_ONCE);
     }
-    for (MqttTopicSubscription wanted : subscribe.payload().topicSubscriptions()) {
-      this.filter
-          .subscriptions()
-          .add(
-              connection,
-              name,
-              wanted.topicFilter(),
-              wanted.qualityOfService() != MqttQoS.AT_MOST_ONCE);
+    Set<String> added = new HashSet<>(eachMatters.keySet());
+    added.removeAll(filters);
+    if (filters.size() + added.size() > BrokerLimits.FILTERS_PER_CLIENT) {
+      return Optional.of("it has too many filters");
     }
+    if (!added.isEmpty()
+        && filter.subscriptions().ofUser(name) + added.size() > BrokerLimits.FILTERS_PER_USER) {
+      return Optional.of("its user has too many filters");
+    }
+    filters.addAll(added);
+    eachMatters.forEach(
+        (wanted, each) -> filter.subscriptions().add(connection, name, wanted, each));
     return Optional.empty();
   }
 
@@ -225,10 +250,26 @@ final class PacketRules {
     return answer.build();
   }
 
-  void unsubscribed(MqttUnsubscribeMessage unsubscribe) {
-    for (String filter : unsubscribe.payload().topics()) {
-      filters.remove(filter);
-      this.filter.subscriptions().remove(connection, filter);
+  /**
+   * Ends subscriptions.
+   *
+   * @return the packet with those filters only that the client had subscribed, since Moquette
+   *     spends time on each of the others too; empty if there are none
+   */
+  Optional<MqttUnsubscribeMessage> unsubscribed(MqttUnsubscribeMessage unsubscribe) {
+    List<String> known = new ArrayList<>();
+    for (String unwanted : unsubscribe.payload().topics()) {
+      if (filters.remove(unwanted)) {
+        known.add(unwanted);
+        filter.subscriptions().remove(connection, unwanted);
+      }
     }
+    return known.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            new MqttUnsubscribeMessage(
+                unsubscribe.fixedHeader(),
+                unsubscribe.variableHeader(),
+                new MqttUnsubscribePayload(known)));
   }
 }

@@ -47,16 +47,13 @@ final class RemoteSubscriptions {
   }
 
   /**
-   * Enters a filter, or a new quality for one that is there; one that is none is left to Moquette
-   * to refuse.
+   * Enters a filter, or a new quality for one that is there.
    *
+   * @param filter a {@link TopicFilter#isValid valid} one
    * @param eachMatters whether the client asks for QoS 1 or more
    */
   synchronized void add(String connection, String user, String filter, boolean eachMatters) {
     Topic parsed = new Topic(filter);
-    if (!parsed.isValid()) {
-      return;
-    }
     Client client =
         clients.computeIfAbsent(connection, id -> new Client(user, new LinkedHashMap<>()));
     Boolean before = client.filters.get(filter);
@@ -90,15 +87,17 @@ final class RemoteSubscriptions {
     }
   }
 
+  /** Removes all filters of a connection without comparing any of them with a topic. */
   synchronized void remove(String connection) {
     Client client = clients.remove(connection);
     if (client != null) {
-      client.filters.forEach(
-          (filter, eachMatters) -> removed(connection, client, filter, eachMatters));
+      client.filters.keySet().forEach(filter -> entryWithout(connection, client, filter));
+      routes.values().forEach(route -> route.remove(connection));
+      version.incrementAndGet();
     }
   }
 
-  private void removed(String connection, Client client, String filter, boolean eachMatters) {
+  private Filter entryWithout(String connection, Client client, String filter) {
     byUser.computeIfPresent(client.user, (name, count) -> count > 1 ? count - 1 : null);
     if (filter.startsWith(SHARED)) {
       shared.decrementAndGet();
@@ -108,6 +107,11 @@ final class RemoteSubscriptions {
     if (entry.clients.isEmpty()) {
       filters.remove(filter);
     }
+    return entry;
+  }
+
+  private void removed(String connection, Client client, String filter, boolean eachMatters) {
+    Filter entry = entryWithout(connection, client, filter);
     for (TopicRoute route : routes.values()) {
       if (matches.test(route.topic(), entry.parsed)) {
         route.remove(connection, eachMatters);
@@ -119,6 +123,11 @@ final class RemoteSubscriptions {
   /** How many filters a user has, by all connections. */
   synchronized int ofUser(String user) {
     return byUser.getOrDefault(user, 0);
+  }
+
+  /** Topics with which each new filter is compared. */
+  int topics() {
+    return routes.size();
   }
 
   /** Changes with every change, so that answers of {@link #wants} may be remembered. */

@@ -88,4 +88,12 @@ final class TopicRoute {
     wanted = !counts.isEmpty();
     listeners = null;
   }
+
+  /** Takes every {@link #add} of a connection back. */
+  synchronized void remove(String connection) {
+    if (counts.remove(connection) != null) {
+      wanted = !counts.isEmpty();
+      listeners = null;
+    }
+  }
 }

@@ -132,7 +132,7 @@ class BrokerAttackTest {
     String deep = "u2sa" + "/x".repeat(10_000);
     client.publish(deep, COMMAND, 0);
     client.publish("u2sa/cessna/" + "x".repeat(60_000), COMMAND, 0);
-    assertThat(client.subscribe(deep)).isEqualTo(REFUSED);
+    assertThat(client.subscribe("u2sa" + "/x".repeat(2_000))).isEqualTo(REFUSED);
     assertThat(client.subscribe("+/".repeat(40) + "#")).isEqualTo(REFUSED);
     broker.awaitLog("message refused, its topic is too long");
     broker.awaitLog("subscription refused, a filter is too long");

@@ -148,24 +148,24 @@ class CountersTest {
   @Test
   void take_ofOneUser_leavesTheOthersAlone() {
     Allowance.PerUser allowances = new Allowance.PerUser(4.0);
-    assertThat(allowances.take("ann", 0)).isTrue();
-    assertThat(allowances.take("ann", 0)).isFalse();
-    assertThat(allowances.take("bob", 0)).isTrue();
+    assertThat(allowances.take("ann", 1.0, 0)).isTrue();
+    assertThat(allowances.take("ann", 1.0, 0)).isFalse();
+    assertThat(allowances.take("bob", 1.0, 0)).isTrue();
 
-    assertThat(allowances.take("ann", SECOND / 4)).isTrue();
+    assertThat(allowances.take("ann", 1.0, SECOND / 4)).isTrue();
   }
 
   @Test
   void take_moreUsersThanAreRemembered_theOneNotSeenLongestBeginsAnew() {
     Allowance.PerUser allowances = new Allowance.PerUser(1.0);
     for (int i = 1; i <= 1_024; i++) {
-      allowances.take("u" + i, 0);
+      allowances.take("u" + i, 1.0, 0);
     }
-    assertThat(allowances.take("u1", 0)).isFalse(); // and so was seen last
+    assertThat(allowances.take("u1", 1.0, 0)).isFalse(); // and so was seen last
 
-    assertThat(allowances.take("one more", 0)).isTrue();
+    assertThat(allowances.take("one more", 1.0, 0)).isTrue();
 
-    assertThat(allowances.take("u1", 0)).isFalse();
-    assertThat(allowances.take("u2", 0)).isTrue();
+    assertThat(allowances.take("u1", 1.0, 0)).isFalse();
+    assertThat(allowances.take("u2", 1.0, 0)).isTrue();
   }
 }

@@ -2,7 +2,6 @@ package org.u2sa.core.communication;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.moquette.broker.subscriptions.Topic;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
@@ -67,10 +66,23 @@ class RemoteSubscriptionsTest {
     assertThat(subscriptions.ofUser("screen")).isZero();
   }
 
+  /** A client that leaves with many filters must not hold the others up. */
   @Test
-  void add_whatIsNoFilter_isLeftOut() {
-    subscriptions.add("1", "screen", "a/#/b", false);
-    assertThat(subscriptions.ofUser("screen")).isZero();
-    assertThat(new Topic("a/#/b").isValid()).isFalse();
+  void remove_connectionWithManyFilters_comparesNothing() {
+    for (int i = 0; i < 100; i++) {
+      subscriptions.wants("u2sa/cessna/state/Type" + i);
+      subscriptions.add("1", "screen", "u2sa/+/state/Type" + i, false);
+    }
+    subscriptions.add("2", "screen", "u2sa/cessna/state/Type7", false);
+    int before = compared.get();
+
+    subscriptions.remove("1");
+
+    assertThat(compared.get()).isEqualTo(before);
+    assertThat(subscriptions.wants("u2sa/cessna/state/Type8")).isFalse();
+    assertThat(subscriptions.wants("u2sa/cessna/state/Type7")).isTrue();
+    assertThat(subscriptions.route("u2sa/cessna/state/Type7").listeners())
+        .containsExactly(new TopicRoute.Listener("2", false));
+    assertThat(subscriptions.ofUser("screen")).isEqualTo(1);
   }
 }

@@ -10,12 +10,15 @@ import java.util.Arrays;
 final class MqttPacketReader {
   private static final int BUFFER = 1 << 16;
   private static final int LONGEST_PACKET = (1 << 20) + (1 << 17); // a payload and its topic
+  private static final int LONGEST_ANSWER = 1 << 13; // whatever is no message
+  private static final int PUBLISH = 3;
   private static final int LENGTH_BYTES = 4;
   private static final int LENGTH_BITS = 7;
   private static final int MORE = 0x80;
   private static final int BYTE = 0xff;
   private static final int SHORT = 0xffff;
   private static final int TOPICS = 256; // a power of two
+  private static final int LONGEST_KEPT_TOPIC = 1_024;
 
   /** Told what a broker says. */
   interface Handler {
@@ -84,15 +87,21 @@ final class MqttPacketReader {
         throw new IOException("the broker sent a packet's length of more than 4 bytes");
       }
     }
-    if (length > LONGEST_PACKET) {
+    int head = in.get(in.position()) & BYTE;
+    int longest = head >> 4 == PUBLISH ? LONGEST_PACKET : LONGEST_ANSWER;
+    if (length > longest) {
       throw new IOException(
-          "the broker sent a packet of " + length + " bytes; at most " + LONGEST_PACKET);
+          "the broker sent a packet of "
+              + length
+              + " bytes and type "
+              + (head >> 4)
+              + "; at most "
+              + longest);
     }
     int end = at + length;
     if (end > in.limit()) {
       return end - in.position();
     }
-    int head = in.get(in.position()) & BYTE;
     MqttPackets.position(in, at);
     try {
       take(head, end);
@@ -106,7 +115,7 @@ final class MqttPacketReader {
   private void take(int head, int end) throws IOException {
     switch (head >> 4) {
       case 2 -> handler.connected(in.get(in.position() + 1));
-      case 3 -> takeMessage(head, end);
+      case PUBLISH -> takeMessage(head, end);
       case 4, 9, 11 -> {
         int packetId = in.getShort() & SHORT;
         handler.answered(packetId, rest(end));
@@ -118,9 +127,14 @@ final class MqttPacketReader {
     }
   }
 
-  private void takeMessage(int head, int end) {
+  private void takeMessage(int head, int end) throws IOException {
     String topic = topic(in.getShort() & SHORT);
-    int packetId = (head >> 1 & 3) == 0 ? 0 : in.getShort() & SHORT;
+    int quality = head >> 1 & 3;
+    int packetId = quality == 0 ? 0 : in.getShort() & SHORT;
+    if (quality > 1 || quality == 1 && packetId == 0) {
+      throw new IOException(
+          "the broker sent a message of QoS " + quality + " with packet identifier " + packetId);
+    }
     handler.message(topic, rest(end), packetId, (head & 1) != 0);
   }
 
@@ -132,6 +146,10 @@ final class MqttPacketReader {
 
   private String topic(int length) {
     int from = in.arrayOffset() + in.position();
+    if (length > LONGEST_KEPT_TOPIC) {
+      MqttPackets.position(in, in.position() + length);
+      return new String(in.array(), from, length, StandardCharsets.UTF_8);
+    }
     int hash = length;
     for (int i = 0; i < length; i++) {
       hash = 31 * hash + in.array()[from + i];

@@ -144,6 +144,43 @@ class MqttPacketReaderTest {
         .hasMessageStartingWith("the broker sent a packet of 268435455 bytes");
   }
 
+  @Test
+  void read_longAnswer_isRefusedByItsLengthAlone() {
+    for (int type : new int[] {0x20, 0x40, 0x90, 0xb0, 0xd0}) {
+      assertThatThrownBy(() -> fresh().read(new Wire(bytes(type, 0x81, 0x40), 9)))
+          .isInstanceOf(IOException.class)
+          .hasMessage(
+              "the broker sent a packet of 8193 bytes and type " + (type >> 4) + "; at most 8192");
+    }
+  }
+
+  @Test
+  void read_messagesThatNoSubscriptionAskedFor_areRefused() {
+    for (int[] wrong : new int[][] {{0x34, 0, 7}, {0x36, 0, 7}, {0x32, 0, 0}}) {
+      assertThatThrownBy(
+              () -> fresh().read(new Wire(bytes(wrong[0], 5, 0, 1, 'a', wrong[1], wrong[2]), 9)))
+          .isInstanceOf(IOException.class)
+          .hasMessage(
+              "the broker sent a message of QoS "
+                  + (wrong[0] >> 1 & 3)
+                  + " with packet identifier "
+                  + wrong[2]);
+    }
+    assertThat(heard).isEmpty();
+  }
+
+  @Test
+  void read_topicLongerThanAnyOfOurs_isRead() {
+    String topic = "x".repeat(2_000);
+    ByteBuffer bytes = ByteBuffer.allocate(3_000);
+    MqttPackets.putPublish(bytes, MqttPackets.text(topic), new byte[] {7}, 0, false);
+    bytes.flip();
+
+    read(bytes, 1_000);
+
+    assertThat(heard).containsExactly(topic + " " + Arrays.hashCode(new byte[] {7}) + " 0 false");
+  }
+
   private MqttPacketReader fresh() {
     return new MqttPacketReader(new Noting());
   }

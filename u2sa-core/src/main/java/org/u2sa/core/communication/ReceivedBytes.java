@@ -1,0 +1,37 @@
+package org.u2sa.core.communication;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.util.ReferenceCountUtil;
+
+/**
+ * Counts every byte that a client sends, encryption's included, before anything is decrypted or
+ * decoded, and bounds those before its first packet is complete. Belongs to its connection's
+ * thread.
+ */
+final class ReceivedBytes extends ChannelInboundHandlerAdapter {
+  private final ClientSession session;
+  private final Inflow inflow;
+  private long beforeFirstPacket;
+
+  ReceivedBytes(ClientSession session, Inflow inflow) {
+    this.session = session;
+    this.inflow = inflow;
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext ctx, Object message) {
+    int length = ((ByteBuf) message).readableBytes();
+    inflow.received(length);
+    if (session.isPending()) {
+      beforeFirstPacket += length;
+      if (beforeFirstPacket > BrokerLimits.FIRST_PACKET_BYTES) {
+        ReferenceCountUtil.release(message);
+        session.putOutFor("connection closed, its first packet is too long");
+        return;
+      }
+    }
+    ctx.fireChannelRead(message);
+  }
+}

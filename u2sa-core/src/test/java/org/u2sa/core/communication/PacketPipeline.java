@@ -1,0 +1,180 @@
+package org.u2sa.core.communication;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.channel.ChannelOutboundHandlerAdapter;
+import io.netty.channel.ChannelPromise;
+import io.netty.channel.embedded.EmbeddedChannel;
+import io.netty.handler.codec.mqtt.MqttDecoder;
+import io.netty.handler.codec.mqtt.MqttEncoder;
+import io.netty.handler.codec.mqtt.MqttMessage;
+import io.netty.util.ReferenceCountUtil;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
+
+/**
+ * The handlers of one client's connection without a network, a thread or Moquette: what Moquette
+ * would get is read by the test. Counts what the decoder is given.
+ */
+final class PacketPipeline implements AutoCloseable {
+  static final String TOPIC = "u2sa/cessna/state/StateInformation";
+
+  final List<String> log = new CopyOnWriteArrayList<>();
+  final ConnectionFilter filter;
+  final ClientSession session;
+  final EmbeddedChannel channel;
+  final List<Integer> decoded = new ArrayList<>(); // bytes of each buffer that the decoder got
+  final Inflow inflow;
+  private final Deque<Runnable> unread = new ArrayDeque<>(); // what the client has not taken
+  private boolean isDeaf;
+  private long nowMicros;
+
+  PacketPipeline() {
+    this(Map.of());
+  }
+
+  PacketPipeline(Map<String, Object> variables) {
+    filter =
+        new ConnectionFilter(
+            XmlConfiguration.inMemory("test", variables).settings(BrokerLimits.class).get(),
+            new MessageCodec(StandardTypes.registry()),
+            new TestClock(),
+            null,
+            log::add);
+    Outflow outflow = new Outflow(filter);
+    session = new ClientSession(filter, outflow);
+    channel = new Addressed();
+    channel.freezeTime();
+    inflow = new Inflow(filter, session);
+    session.inflow(inflow);
+    channel
+        .pipeline()
+        .addLast(
+            new Network(),
+            new ReceivedBytes(session, inflow),
+            new PacketFramer(session, inflow, UnfinishedPackets.ofClients()),
+            new Counter(),
+            new MqttDecoder(BrokerLimits.LONGEST_PACKET),
+            MqttEncoder.INSTANCE,
+            inflow,
+            session,
+            outflow);
+  }
+
+  /** A channel with an address of the Internet. */
+  private static final class Addressed extends EmbeddedChannel {
+    @Override
+    protected SocketAddress remoteAddress0() {
+      return new InetSocketAddress("127.0.0.1", 1);
+    }
+  }
+
+  private final class TestClock implements Clock {
+    @Override
+    public long micros() {
+      return nowMicros;
+    }
+
+    @Override
+    public Waiter newWaiter(String name) {
+      throw new IllegalStateException(name + " does not wait");
+    }
+  }
+
+  private final class Counter extends ChannelInboundHandlerAdapter {
+    @Override
+    public void channelRead(ChannelHandlerContext ctx, Object message) {
+      decoded.add(((ByteBuf) message).readableBytes());
+      ctx.fireChannelRead(message);
+    }
+  }
+
+  /** Keeps what is sent to a client that reads nothing. */
+  private final class Network extends ChannelOutboundHandlerAdapter {
+    @Override
+    public void write(ChannelHandlerContext ctx, Object message, ChannelPromise promise) {
+      if (isDeaf) {
+        unread.add(() -> ctx.writeAndFlush(message, promise));
+      } else {
+        ctx.write(message, promise);
+      }
+    }
+  }
+
+  /** From now on the client reads nothing. */
+  void readNothing() {
+    isDeaf = true;
+  }
+
+  /** The client reads what was sent, and what will be. Returns how many packets waited. */
+  int read() {
+    isDeaf = false;
+    int packets = unread.size();
+    unread.forEach(Runnable::run);
+    unread.clear();
+    return packets;
+  }
+
+  /** Connects as Moquette would confirm it. What the decoder got for that does not count. */
+  PacketPipeline introduced() {
+    send(MqttPacketBytes.connect("client", 0));
+    filter.connected(session.connection());
+    pass(2);
+    taken();
+    decoded.clear();
+    return this;
+  }
+
+  /** Receives bytes in one piece. */
+  void send(byte[] bytes) {
+    channel.writeInbound(Unpooled.wrappedBuffer(bytes));
+    channel.runPendingTasks();
+  }
+
+  /** Receives bytes one by one, until the connection ends. Returns how many were received. */
+  int drip(byte[] bytes) {
+    int sent = 0;
+    while (sent < bytes.length && channel.isOpen()) {
+      send(new byte[] {bytes[sent]});
+      sent++;
+    }
+    return sent;
+  }
+
+  void pass(int milliseconds) {
+    nowMicros += 1_000L * milliseconds;
+    channel.advanceTimeBy(milliseconds, TimeUnit.MILLISECONDS);
+    channel.runScheduledPendingTasks();
+    channel.runPendingTasks();
+  }
+
+  /** Types of the packets that Moquette would have got since the last call. */
+  List<String> taken() {
+    List<String> types = new ArrayList<>();
+    for (MqttMessage message = channel.readInbound();
+        message != null;
+        message = channel.readInbound()) {
+      types.add(message.fixedHeader().messageType().toString());
+      ReferenceCountUtil.release(message);
+    }
+    return types;
+  }
+
+  @Override
+  public void close() {
+    channel.finishAndReleaseAll();
+  }
+}

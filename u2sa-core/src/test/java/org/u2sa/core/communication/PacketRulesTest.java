@@ -1,0 +1,162 @@
+package org.u2sa.core.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.netty.buffer.Unpooled;
+import io.netty.handler.codec.mqtt.MqttMessageBuilders;
+import io.netty.handler.codec.mqtt.MqttQoS;
+import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
+import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** Subscriptions of one client, and how many questions they count as. */
+class PacketRulesTest {
+  private static final String TOPIC = PacketPipeline.TOPIC;
+
+  private final PacketPipeline pipeline = new PacketPipeline();
+  private final ConnectionFilter filter = pipeline.filter;
+  private final PacketRules rules = new PacketRules(filter, null, "client", "connection");
+
+  @AfterEach
+  void close() {
+    pipeline.close();
+  }
+
+  private static MqttSubscribeMessage subscribe(MqttQoS quality, List<String> filters) {
+    MqttMessageBuilders.SubscribeBuilder builder = MqttMessageBuilders.subscribe().messageId(7);
+    filters.forEach(filter -> builder.addSubscription(quality, filter));
+    return builder.build();
+  }
+
+  private static MqttUnsubscribeMessage unsubscribe(String... filters) {
+    MqttMessageBuilders.UnsubscribeBuilder builder = MqttMessageBuilders.unsubscribe().messageId(7);
+    List.of(filters).forEach(builder::addTopicFilter);
+    return builder.build();
+  }
+
+  private static List<String> different(String prefix, int count) {
+    return IntStream.range(0, count).mapToObj(i -> prefix + i).toList();
+  }
+
+  @Test
+  void refusalOf_asManyFiltersAsAllowed_entersThemAllAndNoneMore() {
+    int most = BrokerLimits.FILTERS_PER_CLIENT;
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, different("a", most)))).isEmpty();
+    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(most);
+
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("b"))))
+        .contains("it has too many filters");
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a0")))).isEmpty();
+    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(most);
+  }
+
+  @Test
+  void refusalOf_oneTooManyInAPacket_entersNone() {
+    List<String> tooMany = different("a", BrokerLimits.FILTERS_PER_CLIENT + 1);
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, tooMany))).isPresent();
+    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isZero();
+  }
+
+  @Test
+  void refusalOf_filtersOfAllConnectionsOfAUser_areCountedTogether() {
+    int clients = BrokerLimits.FILTERS_PER_USER / BrokerLimits.FILTERS_PER_CLIENT;
+    for (int i = 0; i < clients; i++) {
+      List<String> filters = different(i + "/", BrokerLimits.FILTERS_PER_CLIENT);
+      assertThat(
+              new PacketRules(filter, null, "client", "connection " + i)
+                  .refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, filters)))
+          .isEmpty();
+    }
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a"))))
+        .contains("its user has too many filters");
+  }
+
+  @Test
+  void refusalOf_filterThatIsNoneOrTooLong_isRefused() {
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a", "a/#/b"))))
+        .contains("a filter is none");
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("x".repeat(1_025)))))
+        .contains("a filter is too long");
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("/".repeat(32)))))
+        .contains("a filter is too long");
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("/".repeat(31))))).isEmpty();
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("x".repeat(1_024)))))
+        .isEmpty();
+  }
+
+  /** Each change of quality would compare the filter with every topic again. */
+  @Test
+  void refusalOf_oneFilterAgainAndAgain_isEnteredOnceWithTheLastQuality() {
+    filter.subscriptions().wants(TOPIC);
+    MqttMessageBuilders.SubscribeBuilder packet = MqttMessageBuilders.subscribe().messageId(7);
+    for (int i = 0; i < 1_000; i++) {
+      packet.addSubscription(i % 2 == 0 ? MqttQoS.AT_MOST_ONCE : MqttQoS.AT_LEAST_ONCE, "u2sa/#");
+    }
+    int version = filter.subscriptions().version();
+
+    assertThat(rules.refusalOf(packet.build())).isEmpty();
+
+    assertThat(filter.subscriptions().version()).isEqualTo(version + 1);
+    assertThat(filter.subscriptions().route(TOPIC).listeners())
+        .containsExactly(new TopicRoute.Listener("connection", true));
+  }
+
+  @Test
+  void unsubscribed_knownAndUnknownFilters_moquetteGetsTheKnownOnesOnly() {
+    filter.subscriptions().wants(TOPIC);
+    rules.refusalOf(subscribe(MqttQoS.AT_LEAST_ONCE, List.of("u2sa/#", "u2sa/+/state/#")));
+
+    MqttUnsubscribeMessage known =
+        rules.unsubscribed(unsubscribe("x", "u2sa/#", "y", "u2sa/#")).orElseThrow();
+
+    assertThat(known.payload().topics()).containsExactly("u2sa/#");
+    assertThat(known.variableHeader().messageId()).isEqualTo(7);
+    assertThat(filter.subscriptions().wants(TOPIC)).isTrue();
+    assertThat(rules.unsubscribed(unsubscribe("u2sa/+/state/#"))).isPresent();
+    assertThat(filter.subscriptions().wants(TOPIC)).isFalse();
+    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isZero();
+  }
+
+  @Test
+  void unsubscribed_nothingKnown_isEmptyAndTheRestStays() {
+    rules.refusalOf(subscribe(MqttQoS.AT_LEAST_ONCE, List.of("u2sa/#")));
+
+    assertThat(rules.unsubscribed(unsubscribe("u2sa/cessna/#"))).isEmpty();
+
+    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(1);
+  }
+
+  @Test
+  void unsubscribed_makesRoomForOthers() {
+    int most = BrokerLimits.FILTERS_PER_CLIENT;
+    rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, different("a", most)));
+    assertThat(rules.unsubscribed(unsubscribe("a0"))).isPresent();
+
+    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("b")))).isEmpty();
+  }
+
+  @Test
+  void questions_countByFiltersAndTheTopicsTheyAreComparedWith() {
+    List<String> filters = Collections.nCopies(101, "a");
+    assertThat(rules.questions(subscribe(MqttQoS.AT_MOST_ONCE, filters))).isEqualTo(1.0);
+    for (int i = 0; i < 2_048; i++) {
+      filter.subscriptions().wants("u2sa/cessna/state/Type" + i);
+    }
+    assertThat(rules.questions(subscribe(MqttQoS.AT_MOST_ONCE, filters))).isEqualTo(51.0);
+    assertThat(rules.questions(unsubscribe("a", "b", "c"))).isEqualTo(2.0);
+    assertThat(rules.questions(unsubscribe("a"))).isEqualTo(1.0);
+  }
+
+  @Test
+  void questions_messages_countIfEveryServiceAnswersThem() {
+    MqttMessageBuilders.PublishBuilder publish =
+        MqttMessageBuilders.publish().qos(MqttQoS.AT_MOST_ONCE).payload(Unpooled.EMPTY_BUFFER);
+    assertThat(rules.questions(publish.topicName(TOPIC).build())).isZero();
+    assertThat(rules.questions(publish.topicName("u2sa/cessna/discovery/DiscoveryRequest").build()))
+        .isEqualTo(1.0);
+  }
+}
