@@ -13,6 +13,7 @@ import org.u2sa.recorder.execution.ExecutionEntry.Kind;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.Execution;
 import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
@@ -78,14 +79,16 @@ public final class KeptExecution implements Execution {
 
   /**
    * Whether a service depends on nothing but messages, time and its configuration, as far as can be
-   * told: sensors and actuators have devices, and a loop that its author wrote runs beside the
-   * handling of messages.
+   * told: a loop that its author wrote runs beside the handling of messages.
    */
   static boolean isRepeatable(U2SAService service) {
-    if (!(service instanceof EventDrivenService || service instanceof PeriodicService)) {
-      return false;
-    }
-    return switch (service.role()) {
+    return (service instanceof EventDrivenService || service instanceof PeriodicService)
+        && isRepeatable(service.role());
+  }
+
+  /** The same by role alone: sensors and actuators have devices. */
+  static boolean isRepeatable(ServiceRole role) {
+    return switch (role) {
       case PROPRIOCEPTIVE_SENSOR, EXTEROCEPTIVE_SENSOR, ACTUATOR, LAUNCHER, OBSERVER -> false;
       default -> true;
     };
