@@ -1,9 +1,9 @@
 package org.u2sa.interfaces;
 
 /**
- * Input of a user that cannot be used: a file, an argument, a value. The message alone must do: it
- * names the place, the value and what was expected, and the command line prints nothing else. It is
- * one line, whatever the input holds: line ends and other control characters become spaces.
+ * Invalid user input: a file, an argument or a value. The message must suffice on its own, because
+ * the command line prints nothing else: it names the place, the value and the expectation. It is
+ * always one line; line breaks and other control characters become spaces.
  */
 public class BadInputException extends RuntimeException {
   private static final long serialVersionUID = 1L;
@@ -17,7 +17,7 @@ public class BadInputException extends RuntimeException {
 
   /**
    * @param message place, value and what was expected, in one sentence
-   * @param cause what was caught
+   * @param cause the cause
    */
   public BadInputException(String message, Throwable cause) {
     super(OneLine.of(message), cause);

@@ -14,16 +14,16 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 
-/** An object of JSON, keys in the order in which they were put; what is not known is left out. */
+/** A JSON object with keys in insertion order; unknown values are omitted. */
 public final class JsonText {
   private static final JsonFactory FACTORY = new JsonFactory();
 
   private final Map<String, Object> fields = new LinkedHashMap<>();
 
   /**
-   * Adds a field unless its value is an Optional that is empty.
+   * Adds a field unless its value is an empty Optional.
    *
-   * @param value text, number, boolean, another object, a collection or an Optional of such
+   * @param value a text, number, boolean, object, collection, or an Optional of one
    */
   public JsonText put(String name, Object value) {
     Object known = value;
@@ -59,12 +59,12 @@ public final class JsonText {
     }
   }
 
-  /** The text on one line. */
+  /** Single-line text. */
   public String line() {
     return text(null);
   }
 
-  /** The text, indented. */
+  /** Indented text. */
   @Override
   public String toString() {
     return text(new DefaultPrettyPrinter());

@@ -3,9 +3,9 @@ package org.u2sa.interfaces;
 import java.util.regex.Pattern;
 
 /**
- * A text of somebody else's on one line of a log or a terminal, where it can neither begin a line
- * of its own nor command the terminal: line ends, control characters (ESC among them, not the tab)
- * and the marks that turn the direction of writing become spaces.
+ * Sanitises foreign text for one line of a log or terminal, so that it can neither start a new line
+ * nor control the terminal: line breaks, control characters (including ESC, except tab) and
+ * bidirectional marks become spaces.
  */
 public final class OneLine {
   private static final Pattern CONTROLS =
@@ -14,7 +14,7 @@ public final class OneLine {
 
   private OneLine() {}
 
-  /** The text without them. */
+  /** Returns the sanitised text. */
   public static String of(String text) {
     return CONTROLS.matcher(text).replaceAll(" ");
   }

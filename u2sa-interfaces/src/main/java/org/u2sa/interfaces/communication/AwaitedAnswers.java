@@ -6,32 +6,33 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Who waits for the broker's answer to which packet: publishers for a confirmation, others for the
- * answer to a question. Numbers are given out by one thread at a time; answers may come on another.
+ * Pending broker responses by packet identifier: confirmations of publications and responses to
+ * requests. Identifiers are assigned by one thread at a time; responses may arrive on another.
  */
 final class AwaitedAnswers {
   private static final int CONFIRMATIONS_AT_MOST = 4_096;
   private static final int LAST_PACKET = 65_535;
   private static final Runnable NOBODY = () -> {};
 
-  private final Map<Integer, Runnable> unconfirmed = new ConcurrentHashMap<>(); // by packet
+  private final Map<Integer, Runnable> unconfirmed =
+      new ConcurrentHashMap<>(); // by packet identifier
   private final Map<Integer, CompletableFuture<byte[]>> questions = new ConcurrentHashMap<>();
   private int lastPacket;
 
-  /** Whether so many messages await their confirmation that no more are to be sent. */
+  /** Whether the limit of unconfirmed messages is reached. */
   boolean isFull() {
     return unconfirmed.size() >= CONFIRMATIONS_AT_MOST;
   }
 
-  /** Messages that await their confirmation. */
+  /** Number of unconfirmed messages. */
   int unconfirmed() {
     return unconfirmed.size();
   }
 
   /**
-   * Numbers a message that the broker is to confirm.
+   * Assigns an identifier to a message that requires confirmation.
    *
-   * @param confirmed what to do then; null for nothing
+   * @param confirmed action on confirmation; null for none
    */
   int publishing(Runnable confirmed) {
     int packet = nextPacket();
@@ -39,7 +40,7 @@ final class AwaitedAnswers {
     return packet;
   }
 
-  /** Numbers a question. */
+  /** Assigns an identifier to a request. */
   int asking(CompletableFuture<byte[]> answer) {
     int packet = nextPacket();
     questions.put(packet, answer);
@@ -53,13 +54,13 @@ final class AwaitedAnswers {
     return lastPacket;
   }
 
-  /** Waits no more for what was not sent, or was answered too late. */
+  /** Cancels a request that was not sent or timed out. */
   void forget(int packet) {
     unconfirmed.remove(packet);
     questions.remove(packet);
   }
 
-  /** Tells who waited. */
+  /** Completes the pending request or publication. */
   void answered(int packet, byte[] codes) {
     Runnable confirmed = unconfirmed.remove(packet);
     if (confirmed != null) {
@@ -71,7 +72,7 @@ final class AwaitedAnswers {
     }
   }
 
-  /** No question will be answered. Who waits for a confirmation is not told. */
+  /** Fails all pending requests. Publishers awaiting a confirmation are not notified. */
   void fail(IOException why) {
     questions.values().forEach(answer -> answer.completeExceptionally(why));
   }

@@ -21,11 +21,11 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * How a client logs in to the Communication Manager: user, password and encryption. Immutable; the
- * files are read once, when it is made.
+ * Credentials of a client of the Communication Manager: user, password and encryption. Immutable;
+ * files are read once, on creation.
  */
 public final class BrokerAccess {
-  /** How a client of a Communication Manager in another process logs in. */
+  /** Login variables for a Communication Manager in another process. */
   public record Login(
       @Variable(
               ifAbsentText = "",
@@ -50,7 +50,7 @@ public final class BrokerAccess {
 
   private final String user;
   private final char[] password;
-  private final SSLContext tls; // null: not encrypted
+  private final SSLContext tls; // null if unencrypted
 
   private BrokerAccess(String user, char[] password, SSLContext tls) {
     this.user = user;
@@ -58,15 +58,16 @@ public final class BrokerAccess {
     this.tls = tls;
   }
 
-  /** Without user, without encryption: what the broker of the same host takes by default. */
+  /** Anonymous and unencrypted, as accepted by a local broker by default. */
   public static BrokerAccess open() {
     return OPEN;
   }
 
   /**
-   * Access as the variables of {@link Login} say.
+   * Creates access from the variables of {@link Login}.
    *
-   * @throws BadInputException if a file is missing or wrong, or they contradict each other
+   * @throws BadInputException if a file is missing or invalid, or the settings contradict each
+   *     other
    */
   public static BrokerAccess configured(Configurator configuration) {
     Login login = configuration.settings(Login.class).get();
@@ -74,13 +75,14 @@ public final class BrokerAccess {
   }
 
   /**
-   * Access with these settings; an empty text stands for none.
+   * Creates access from settings; empty texts mean none.
    *
    * @param user name of the user
    * @param passwordFile first line: the password
    * @param encrypted whether to use TLS; a CA file switches it on
    * @param caFile certificates (PEM) of the trusted authorities
-   * @throws BadInputException if a file is missing or wrong, or they contradict each other
+   * @throws BadInputException if a file is missing or invalid, or the settings contradict each
+   *     other
    */
   public static BrokerAccess of(
       String user, String passwordFile, boolean encrypted, String caFile) {
@@ -99,11 +101,11 @@ public final class BrokerAccess {
   }
 
   /**
-   * Access with a password that stands in no file.
+   * Creates access with a password given directly.
    *
    * @param user name of the user, not empty
    * @param caFile certificates (PEM) of the trusted authorities; empty: no encryption
-   * @throws BadInputException if the file is missing or wrong
+   * @throws BadInputException if the file is missing or invalid
    */
   public static BrokerAccess of(String user, char[] password, String caFile) {
     return new BrokerAccess(user, password.clone(), caFile.isEmpty() ? null : context(caFile));
@@ -113,7 +115,7 @@ public final class BrokerAccess {
     Path path = path("PASSWORD FILE", file);
     SecretFiles.requireClosed("PASSWORD FILE", path);
     try (InputStream in = Files.newInputStream(path)) {
-      byte[] bytes = new byte[1024]; // far longer than any password
+      byte[] bytes = new byte[1024]; // longer than any password
       int length = in.read(bytes);
       String[] lines =
           new String(bytes, 0, Math.max(0, length), StandardCharsets.UTF_8).split("\\R", 2);
@@ -187,7 +189,7 @@ public final class BrokerAccess {
     return password.clone();
   }
 
-  /** How Paho names the way to a broker. */
+  /** URI scheme of the broker address, as used by Paho. */
   String scheme() {
     return tls == null ? "tcp" : "ssl";
   }

@@ -10,23 +10,23 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A named stream of one type of message (thesis 8.2.3.1) and how it is delivered.
+ * A named stream of one message type (thesis 8.2.3.1) and its delivery policy.
  *
- * <p>Subclasses of the type travel on the channel too and are received as what they are, or as
- * their nearest known ancestor (thesis 8.2.5). Two channels are equal if their names are.
+ * <p>Subclasses of the type are also carried, and received as themselves or as their nearest known
+ * ancestor (thesis 8.2.5). Channels are equal if their names are.
  *
- * @param <T> what the channel carries
+ * @param <T> base message type
  */
 public final class Channel<T extends U2SAData> {
   private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9]*(-[a-z0-9]+)*");
 
   private final String name;
   private final MessageType<T> type;
-  private final CarriedTypes carried; // null: the type and its subclasses, whatever they are
+  private final CarriedTypes carried; // null: the type and all its subclasses
   private final Function<? super T, String> source;
   private final Set<Trait> traits;
 
-  // Of type, traits and name; each is asked for several times a message.
+  // Derived from type, traits and name; cached because each is used several times per message.
   private final Class<T> messageClass;
   private final boolean deliversEvery;
   private final boolean retained;
@@ -37,7 +37,7 @@ public final class Channel<T extends U2SAData> {
   private enum Trait {
     EVERY,
     RETAINED,
-    BY_SOURCE, // if retained
+    BY_SOURCE, // only if retained
     URGENT,
     RESERVED
   }
@@ -80,8 +80,8 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * A channel on which each message matters, such as commands and reports: a subscriber gets all of
-   * them, in order, as far as its inbox holds.
+   * Creates a channel on which every message matters, such as commands and reports: a subscriber
+   * receives all of them in order, up to the capacity of its inbox.
    *
    * @param name lower-case words joined by hyphens, for example {@code goal-reports}
    * @throws IllegalArgumentException if the name is not of that form
@@ -91,11 +91,11 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * A channel on which a newer message replaces an older one of the same source, such as states and
-   * commands to hold: a subscriber that is late gets the newest only.
+   * Creates a channel on which a newer message replaces an older one of the same source, such as
+   * states and held commands: a slow subscriber receives only the newest.
    *
    * @param name lower-case words joined by hyphens, for example {@code sensed-state}
-   * @param source what tells the sources on the channel apart, for example the sensor's name
+   * @param source identifies the source of a message, for example by sensor name
    * @throws IllegalArgumentException if the name is not of that form
    */
   public static <T extends U2SAData> Channel<T> latest(
@@ -104,104 +104,104 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * This channel, but of the subclasses of its type it carries these and their subclasses only: a
-   * channel of requests and answers has several types, and nothing else may travel on it.
+   * Copy that carries only these subclasses of its type, and their subclasses: a request/response
+   * channel has several types, and nothing else may be sent on it.
    */
   @SafeVarargs
   public final Channel<T> carrying(MessageType<? extends T>... types) {
     return new Channel<>(name, type, CarriedTypes.only(types), source, traits);
   }
 
-  /** This channel, but late subscribers receive the last message of each source at once. */
+  /** Copy on which late subscribers immediately receive the last message (retained). */
   public Channel<T> retained() {
     return with(Trait.RETAINED);
   }
 
   /**
-   * {@link #retained()} where there are several sources: the broker holds the last message of each,
-   * under a topic that ends with its name.
+   * Like {@link #retained()}, for several sources: the broker retains the last message of each,
+   * under a topic that ends with the source's name.
    */
   public Channel<T> retainedBySource() {
     return with(Trait.RETAINED, Trait.BY_SOURCE);
   }
 
   /**
-   * This channel, but its messages overtake all others that wait for a service. Of use only where
-   * each message matters.
+   * Copy whose messages overtake all others in a service's inbox. Only useful where every message
+   * matters.
    */
   public Channel<T> urgent() {
     return with(Trait.URGENT);
   }
 
   /**
-   * This channel, but its messages find room in a service's inbox when the others have filled
-   * theirs; they wait in their order all the same.
+   * Copy whose messages have reserved space in a service's inbox; they are still delivered in
+   * order.
    */
   public Channel<T> reservingRoom() {
     return with(Trait.RESERVED);
   }
 
-  /** The name that stands in the topic. */
+  /** Name used in the topic. */
   public String name() {
     return name;
   }
 
-  /** The base type of what the channel carries. */
+  /** Base message type. */
   public MessageType<T> type() {
     return type;
   }
 
-  /** Whether each message matters; otherwise the newest of each source does. */
+  /** Whether every message matters; otherwise only the newest of each source. */
   public boolean deliversEvery() {
     return deliversEvery;
   }
 
-  /** Whether a late subscriber is handed the last message of each source. */
+  /** Whether late subscribers receive the last message of each source. */
   public boolean isRetained() {
     return retained;
   }
 
-  /** Whether its messages find room where others have filled theirs. */
+  /** Whether its messages have reserved inbox space. */
   public boolean reservesRoom() {
     return reservesRoom;
   }
 
-  /** Whether a topic of the channel may end with its source. */
+  /** Whether topics of the channel may end with the source. */
   public boolean isRetainedBySource() {
     return traits.contains(Trait.BY_SOURCE);
   }
 
-  /** Whether its messages overtake others that wait for a service. */
+  /** Whether its messages overtake others in the inbox. */
   public boolean isUrgent() {
     return urgent;
   }
 
-  /** Which source the message is of; newer messages of one source replace older ones. */
+  /** Source of a message; newer messages of a source replace older ones. */
   public String sourceOf(U2SAData message) {
     return messageClass.isInstance(message) ? source.apply(messageClass.cast(message)) : "";
   }
 
   /**
-   * Whether the message may travel on this channel: it is of the channel's type or a subclass, and
-   * of one that the channel carries. A channel of any message carries none of the service contract:
-   * those have channels of their own.
+   * Whether the channel carries a message: its type must be the channel's type or a permitted
+   * subclass. A channel of any message carries none of the service contract's types, which have
+   * their own channels.
    */
   public boolean carries(U2SAData message) {
     return messageClass.isInstance(message) && (carried == null || carried.include(message.type()));
   }
 
-  /** {@link #carries(U2SAData)} of a message of that type. */
+  /** {@link #carries(U2SAData)} for a message type. */
   public boolean carries(MessageType<?> other) {
     return messageClass.isAssignableFrom(other.messageClass())
         && (carried == null || carried.include(other));
   }
 
-  /** The types that travel on this channel, their subclasses left out. */
+  /** Carried types, without their subclasses. */
   public List<MessageType<?>> carriedTypes() {
     return carried == null || carried.types().isEmpty() ? List.of(type) : carried.types();
   }
 
-  /** Whether a channel may be called so. */
+  /** Whether this is a valid channel name. */
   static boolean isName(String name) {
     return NAME.matcher(name).matches();
   }
@@ -223,12 +223,12 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * Which subclasses of its type a channel carries.
+   * Subclasses of its type that a channel carries.
    *
-   * @param types these and their subclasses; empty: all but those of the service contract
+   * @param types permitted types, with subclasses; empty for all except the service contract's
    */
   record CarriedTypes(List<MessageType<?>> types) {
-    /** Where the service contract's messages are: commands, requests, answers, reports. */
+    /** Package of the service contract's messages: commands, requests, responses, reports. */
     private static final String CONTRACT = "org.u2sa.messages.contract.";
 
     static CarriedTypes only(MessageType<?>... types) {
@@ -236,8 +236,8 @@ public final class Channel<T extends U2SAData> {
     }
 
     /**
-     * Of a channel of that type, unless it says more. Null if the type alone decides: a channel
-     * that names its type, even one of the contract, means it.
+     * Default for a channel of this type. Null if the type alone decides: a channel that names its
+     * type, even one of the contract, carries it.
      */
     static CarriedTypes by(MessageType<?> type) {
       return type == U2SAData.TYPE ? new CarriedTypes(List.of()) : null;
@@ -255,7 +255,7 @@ public final class Channel<T extends U2SAData> {
       return types.isEmpty();
     }
 
-    /** Whether the type is one of the service contract itself. */
+    /** Whether the type belongs to the service contract. */
     static boolean isOfContract(MessageType<?> type) {
       return type.messageClass().getName().startsWith(CONTRACT);
     }

@@ -46,12 +46,9 @@ import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 
-/**
- * The standard channels: all that flows between the services of a vehicle (thesis figures 4 and
- * 16).
- */
+/** The standard channels between the services of a vehicle (thesis figures 4 and 16). */
 public final class Channels {
-  /** What proprioceptive sensors measured; to the State Estimator. */
+  /** Proprioceptive measurements; to the State Estimator. */
   public static final Channel<StateInformation> SENSED_STATE =
       Channel.latest("sensed-state", StateInformation.TYPE, StateInformation::sensorName);
 
@@ -66,15 +63,15 @@ public final class Channels {
   public static final Channel<StateInformation> LOCAL_STATE =
       Channel.latest("local-state", StateInformation.TYPE, StateInformation::sensorName);
 
-  /** What exteroceptive sensors saw; to the World Modeler. */
+  /** Detections of exteroceptive sensors; to the World Modeler. */
   public static final Channel<ObjectDescription> SENSED_OBJECTS =
       Channel.every("sensed-objects", ObjectDescription.TYPE);
 
-  /** What scanning range finders measured, beam by beam; to the World Modeler. */
+  /** Lidar and sonar scans, beam by beam; to the World Modeler. */
   public static final Channel<RangeScan> SCANS =
       Channel.latest("scans", RangeScan.TYPE, RangeScan::sensorName);
 
-  /** What cameras see, a picture now and then; to recorders and screens. */
+  /** Camera images at a low rate; to recorders and screens. */
   public static final Channel<CameraImage> IMAGES =
       Channel.latest("images", CameraImage.TYPE, CameraImage::sensorName);
 
@@ -82,15 +79,15 @@ public final class Channels {
   public static final Channel<ObjectList> OBJECTS =
       Channel.latest("objects", ObjectList.TYPE, list -> "").retained();
 
-  /** What is occupied and what is free around the vehicle; to planner and screens. */
+  /** Occupancy grid around the vehicle; to planner and screens. */
   public static final Channel<OccupancyGrid> GRID =
       Channel.latest("grid", OccupancyGrid.TYPE, grid -> "").retained();
 
-  /** The Mission Manager's current goals; to the planner and whoever changes behaviour by task. */
+  /** The Mission Manager's current goals; to the planner and task-dependent services. */
   public static final Channel<GoalList> GOALS =
       Channel.latest("goals", GoalList.TYPE, list -> "").retained();
 
-  /** Goals as the planner completed them; to the Mission Manager. */
+  /** Completed goals from the planner; to the Mission Manager. */
   public static final Channel<GoalInformation> GOAL_REPORTS =
       Channel.every("goal-reports", GoalInformation.TYPE);
 
@@ -98,21 +95,21 @@ public final class Channels {
   public static final Channel<GoalInformation> GOAL_UPDATES =
       Channel.every("goal-updates", GoalInformation.TYPE);
 
-  /** Orders to turn to another goal; to the Mission Manager. */
+  /** Commands to switch to another goal; to the Mission Manager. */
   public static final Channel<GoalCommand> GOAL_COMMANDS =
       Channel.every("goal-commands", GoalCommand.TYPE);
 
-  /** How the mission stands, and operators' orders that change it, each with its answer. */
+  /** Mission status, and operators' commands that change it, each with its response. */
   public static final Channel<U2SAData> MISSION =
       Channel.every("mission", U2SAData.TYPE)
           .carrying(
               MissionRequest.TYPE, MissionReport.TYPE, MissionOrder.TYPE, MissionOrderResult.TYPE);
 
-  /** Where the planner wants each subsystem to be next; to control. */
+  /** Next navigation point of each subsystem; to control. */
   public static final Channel<NavigationPoint> NAVIGATION =
       Channel.latest("navigation", NavigationPoint.TYPE, NavigationPoint::subsystem);
 
-  /** The ways that the planner means to take; to screens. */
+  /** Planned paths; to screens. */
   public static final Channel<PlannedPath> PLANS =
       Channel.latest("plans", PlannedPath.TYPE, PlannedPath::subsystem).retainedBySource();
 
@@ -120,27 +117,25 @@ public final class Channels {
   public static final Channel<ActuatorCommand> ACTUATION =
       Channel.latest("actuation", ActuatorCommand.TYPE, ActuatorCommand::actuatorName);
 
-  /** What actuators say of themselves (thesis 5.1); to control. */
+  /** Actuator announcements (thesis 5.1); to control. */
   public static final Channel<ActuatorAnnouncement> ACTUATORS =
       Channel.latest("actuators", ActuatorAnnouncement.TYPE, ActuatorAnnouncement::actuatorName)
           .retainedBySource();
 
-  /** Who is there: requests and responses (thesis 3.2.2.1). */
+  /** Service discovery: requests and responses (thesis 3.2.2.1). */
   public static final Channel<U2SAData> DISCOVERY =
       Channel.every("discovery", U2SAData.TYPE)
           .carrying(DiscoveryRequest.TYPE, DiscoveryResponse.TYPE);
 
-  /**
-   * Which channels a service publishes and subscribes to: requests and responses (thesis 3.2.2.1).
-   */
+  /** Channels a service publishes and subscribes to: requests and responses (thesis 3.2.2.1). */
   public static final Channel<U2SAData> FUNCTIONALITY =
       Channel.every("functionality", U2SAData.TYPE)
           .carrying(FunctionalityRequest.TYPE, FunctionalityResponse.TYPE);
 
-  /** Orders to stop one service or all (thesis 3.2.2.1). */
+  /** Commands to stop one service or all (thesis 3.2.2.1). */
   public static final Channel<StopCommand> STOP = Channel.every("stop", StopCommand.TYPE);
 
-  /** Configuration variables: requests, changes, and what comes of them (thesis 3.2.2.1). */
+  /** Configuration variables: requests, changes and results (thesis 3.2.2.1). */
   public static final Channel<U2SAData> CONFIGURATION =
       Channel.every("configuration", U2SAData.TYPE)
           .carrying(
@@ -152,16 +147,16 @@ public final class Channels {
               ConfigurationUndo.TYPE,
               ConfigurationTransactionResult.TYPE);
 
-  /** How each service is (thesis 3.5.3). */
+  /** Health reports of the services (thesis 3.5.3). */
   public static final Channel<HealthReport> HEALTH =
       Channel.latest("health", HealthReport.TYPE, Channels::reporter);
 
-  /** How each service looks to the health monitor, and what is done about it (thesis 3.5.3). */
+  /** Conditions of the services as seen by the Health Monitor, and its actions (thesis 3.5.3). */
   public static final Channel<ServiceCondition> CONDITIONS =
       Channel.latest("conditions", ServiceCondition.TYPE, ServiceCondition::serviceName)
           .retainedBySource();
 
-  /** Orders to launchers to start, restart or swap a service, and what came of them. */
+  /** Commands to launchers to start, restart or swap a service, and their results. */
   public static final Channel<U2SAData> SERVICE_ORDERS =
       Channel.every("service-orders", U2SAData.TYPE)
           .carrying(ServiceOrder.TYPE, ServiceOrderResult.TYPE);
@@ -170,25 +165,23 @@ public final class Channels {
   public static final Channel<EmergencyStop> EMERGENCY_STOP =
       Channel.every("emergency-stop", EmergencyStop.TYPE).retained().urgent();
 
-  /**
-   * What the vehicle is to do because something is wrong; to planner, Mission Manager and control.
-   */
+  /** Active failsafe action; to planner, Mission Manager and control. */
   public static final Channel<FailsafeState> FAILSAFE =
       Channel.latest("failsafe", FailsafeState.TYPE, state -> "").retained().reservingRoom();
 
-  /** Signs of life of those who watch the vehicle. */
+  /** Operator heartbeats. */
   public static final Channel<OperatorHeartbeat> OPERATOR =
       Channel.latest("operator", OperatorHeartbeat.TYPE, OperatorHeartbeat::operator);
 
-  /** Requests to let the vehicle move, or no longer. */
+  /** Arming and disarming requests. */
   public static final Channel<ArmCommand> ARMING =
       Channel.every("arming", ArmCommand.TYPE).reservingRoom();
 
-  /** Whether the vehicle may move; to actuators and screens. */
+  /** Arming state; to actuators and screens. */
   public static final Channel<ArmingState> ARMING_STATE =
       Channel.latest("arming-state", ArmingState.TYPE, state -> "").retained().reservingRoom();
 
-  /** What batteries have left. */
+  /** Battery states. */
   public static final Channel<BatteryState> POWER =
       Channel.latest("power", BatteryState.TYPE, BatteryState::sensorName);
 
@@ -231,8 +224,8 @@ public final class Channels {
   private Channels() {}
 
   /**
-   * Who reports on a service: itself, the broker its connection or a supervisor its process. None
-   * of them replaces what another says.
+   * Reporter on a service: the service itself, the broker about its connection, or a supervisor
+   * about its process. Reports of different reporters do not replace each other.
    */
   private static String reporter(HealthReport report) {
     if (!(report instanceof ConnectionLost)) {
@@ -246,12 +239,12 @@ public final class Channels {
     return ALL;
   }
 
-  /** The standard channel of that name. */
+  /** Standard channel by name. */
   public static Optional<Channel<?>> named(String name) {
     return Optional.ofNullable(BY_NAME.get(name));
   }
 
-  /** The standard channel of that name, or one on which each message matters. */
+  /** Standard channel by name, or else a channel on which every message matters. */
   public static Channel<? extends U2SAData> namedOrNew(String name) {
     Optional<Channel<?>> standard = named(name);
     return standard.isPresent() ? standard.get() : Channel.every(name, U2SAData.TYPE);

@@ -2,11 +2,10 @@ package org.u2sa.interfaces.communication;
 
 import org.u2sa.interfaces.configuration.Configurator;
 
-/** What opens a service's communication (thesis 3.2.1.2). */
+/** Opens a service's communication (thesis 3.2.1.2). */
 public interface Communicator extends Configurator {
   /**
-   * Connects to the Communication Manager. Registering or publishing does it by itself if it was
-   * not done before.
+   * Connects to the Communication Manager. Registering or publishing connects automatically.
    *
    * @return whether the Communication Manager was reached; if not, the reason is in the log
    */

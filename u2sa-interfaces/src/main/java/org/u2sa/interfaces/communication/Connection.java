@@ -4,25 +4,24 @@ import java.util.Collections;
 import java.util.Set;
 import org.u2sa.messages.schema.U2SAData;
 
-/** One service's connection to the Communication Manager. All calls are safe from any thread. */
+/** A service's connection to the Communication Manager. Thread-safe. */
 public interface Connection extends AutoCloseable {
   /**
-   * Which connection this is: a text that no other connection to the same Communication Manager
-   * has. Health, discovery and the broker's word of a lost connection carry it, so that what is
-   * said of a predecessor of the same name is not taken for this one. Stays the same when an
-   * interrupted connection is made anew.
+   * Unique identifier of this connection at the Communication Manager. Health, discovery and the
+   * will message carry it, so that reports about a predecessor of the same name are not mistaken
+   * for this one. Unchanged by reconnection.
    */
   String instance();
 
   /**
-   * Hands one frozen message over for delivery. Never waits for a subscriber.
+   * Publishes a frozen message. Never waits for subscribers.
    *
-   * @return whether it was taken; a message that was not taken is counted in {@link #refused()}
+   * @return whether it was accepted; rejected messages are counted in {@link #refused()}
    */
   boolean publish(Channel<?> channel, U2SAData message);
 
   /**
-   * Begins to receive what is published on the channel by the services of the same system.
+   * Starts receiving messages published on the channel by services of the same system.
    *
    * @return whether the Communication Manager took the subscription (one that comes back after an
    *     interruption counts)

@@ -7,14 +7,11 @@ import java.util.function.Predicate;
 import org.u2sa.messages.schema.Origin;
 
 /**
- * Counts the messages that were lost on their way over MQTT: those between two numbers of one
- * sender on one topic. What a sender sent before it was heard first is not missed. Safe for all
- * threads.
+ * Counts messages lost over MQTT from gaps in a sender's sequence numbers per topic. Messages sent
+ * before the first one received do not count. Thread-safe.
  */
 public final class Gaps {
-  /**
-   * Senders and topics remembered; of one that falls silent and is forgotten, a gap is not seen.
-   */
+  /** Maximum number of senders and topics remembered; a gap of a forgotten one is not detected. */
   private static final int REMEMBERED = 4_096;
 
   private record Stream(String sender, String topic) {}
@@ -31,10 +28,10 @@ public final class Gaps {
   private long missed;
 
   /**
-   * Takes note of a message that arrived, in whatever order.
+   * Registers a received message, in any order.
    *
-   * @param origin as the message has it; without one nothing can be counted
-   * @return how many messages are missing right before this one
+   * @param origin origin of the message; without one nothing is counted
+   * @return number of messages missing immediately before this one
    */
   public synchronized long arrived(String topic, Optional<Origin> origin) {
     if (!origin.isPresent()) {
@@ -44,7 +41,7 @@ public final class Gaps {
     long sequence = origin.get().sequence();
     Long before = last.get(stream);
     if (before != null && sequence <= before) {
-      return 0; // sent twice, or kept by the broker from earlier
+      return 0; // duplicate, or retained by the broker
     }
     last.put(stream, sequence);
     long gap = before == null ? 0 : sequence - before - 1;
@@ -52,12 +49,12 @@ public final class Gaps {
     return gap;
   }
 
-  /** Forgets what came on some topics: the next message there is heard as if for the first time. */
+  /** Resets some topics: their next message is treated as the first. */
   public synchronized void forget(Predicate<String> topics) {
     last.keySet().removeIf(stream -> topics.test(stream.topic()));
   }
 
-  /** Messages missed since the start. */
+  /** Number of messages missed since the start. */
   public synchronized long missed() {
     return missed;
   }

@@ -6,8 +6,7 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The way of messages from an MQTT connection to its receiver, and the count of those that did not
- * get through in either direction.
+ * Delivers messages from an MQTT connection to its receiver and counts failures in both directions.
  */
 final class IncomingMessages {
   private final MessageCodec codec;
@@ -20,7 +19,7 @@ final class IncomingMessages {
     this.receiver = receiver;
   }
 
-  /** Reads one message and hands it over. */
+  /** Decodes a message and delivers it. */
   void hand(Channel<?> channel, Topic topic, byte[] payload) {
     try {
       U2SAData data = codec.decode(topic.typeChain(), payload);
@@ -33,21 +32,20 @@ final class IncomingMessages {
       }
     } catch (MalformedMessageException | IllegalArgumentException e) {
       refuse("a message on " + topic + " cannot be read: " + e.getMessage());
-    } catch (RuntimeException e) { // the session would end
+    } catch (RuntimeException e) { // an exception would end the session
       refuse("receiving a message on " + topic + " failed: " + e);
     }
   }
 
   private void noteGap(Topic topic, long gap) {
     long missed = gaps.missed();
-    if (gap > 0 && Long.highestOneBit(missed) > missed - gap) { // past 1, 2, 4, 8…: no flood
+    if (gap > 0
+        && Long.highestOneBit(missed) > missed - gap) { // log at 1, 2, 4, 8…, to avoid a flood
       receiver.trouble(gap + " messages on " + topic + " were missed (" + missed + " so far)");
     }
   }
 
-  /**
-   * Forgets what came on a channel: what others send until it is subscribed again is not missed.
-   */
+  /** Resets a channel: messages sent until it is subscribed again do not count as missed. */
   void forget(Channel<?> channel) {
     gaps.forget(topic -> Topic.parse(topic).channel().equals(channel.name()));
   }
@@ -56,15 +54,15 @@ final class IncomingMessages {
     return gaps.missed();
   }
 
-  /** Counts a message that did not get through, and tells why, now and then. */
+  /** Counts a failed message, logging the reason occasionally. */
   void refuse(String why) {
     long count = refused.incrementAndGet();
-    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+    if (Long.bitCount(count) == 1) { // log at 1, 2, 4, 8…, to avoid a flood
       receiver.trouble(why + " (" + count + " so far)");
     }
   }
 
-  /** Counts messages whose fate is told elsewhere. */
+  /** Counts failed messages that are reported elsewhere. */
   void refuse(long messages) {
     refused.addAndGet(messages);
   }

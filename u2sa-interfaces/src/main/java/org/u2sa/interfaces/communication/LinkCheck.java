@@ -4,21 +4,21 @@ import java.io.IOException;
 import java.util.function.LongSupplier;
 
 /**
- * Finds dead links of open sessions: nothing came for twice the time of the keep-alive. It asks
- * early, since a broker ends a connection after one and a half times, and a busy machine may hold
- * the question up. Belongs to the thread that reads.
+ * Detects dead links of open sessions: no data for twice the keep-alive interval. Pings early,
+ * because a broker disconnects after 1.5 intervals and a busy machine may delay the ping. Confined
+ * to the reading thread.
  */
 final class LinkCheck {
   private static final int MICROS_PER_MS = 1_000;
 
   private final LongSupplier clock;
   private final long askAfterMicros;
-  private final long giveUpAfterMicros; // of asking
+  private final long giveUpAfterMicros; // after a ping
   private long heardMicros;
-  private long askedMicros; // 0: nothing
+  private long askedMicros; // 0 without a pending ping
 
   /**
-   * @param clock the time now [µs]
+   * @param clock current time [µs]
    */
   LinkCheck(LongSupplier clock, long keepAliveMicros) {
     this.clock = clock;
@@ -27,21 +27,21 @@ final class LinkCheck {
     heardMicros = clock.getAsLong();
   }
 
-  /** Takes note that the broker lives. */
+  /** Registers received data. */
   void heard() {
     heardMicros = clock.getAsLong();
     askedMicros = 0;
   }
 
-  /** How long nothing needs to be checked while a session is not open yet. */
+  /** Time until the next check while a session is being opened. */
   long waitMs() {
-    return giveUpAfterMicros / MICROS_PER_MS; // who opens the session waits for the answer
+    return giveUpAfterMicros / MICROS_PER_MS; // the opener waits for the response
   }
 
   /**
-   * How long nothing needs to be checked.
+   * Time until the next check.
    *
-   * @param sentMicros when something was sent last
+   * @param sentMicros time of the last transmission
    */
   long waitMs(long sentMicros) {
     long dueMicros = askedMicros != 0 ? askedMicros + giveUpAfterMicros : askMicros(sentMicros);
@@ -49,10 +49,10 @@ final class LinkCheck {
   }
 
   /**
-   * Whether to ask now whether the broker lives.
+   * Whether to ping the broker now.
    *
-   * @param sentMicros when something was sent last
-   * @throws IOException if it was asked and has not answered
+   * @param sentMicros time of the last transmission
+   * @throws IOException if a ping was not answered
    */
   boolean isToAsk(long sentMicros) throws IOException {
     long now = clock.getAsLong();

@@ -12,11 +12,11 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The direct path of the Communication Manager: services of its own process are handed messages
- * object to object, on the publisher's thread, without socket or encoding.
+ * The Communication Manager's in-process path: messages are passed as objects on the publisher's
+ * thread, without sockets or encoding.
  *
- * <p>Any number of {@link Bridge bridges} may be attached and detached while messages flow: for
- * remote subscribers, recorders and observers.
+ * <p>Any number of {@link Bridge bridges} may be attached and detached at run time: for remote
+ * subscribers, recorders and observers.
  */
 public final class LocalBus implements Transport {
   private final String systemId;
@@ -25,57 +25,57 @@ public final class LocalBus implements Transport {
   private final AtomicLong connections = new AtomicLong();
   private final List<Bridge> bridges = new CopyOnWriteArrayList<>();
 
-  /** A bus for the services of one system. */
+  /** Creates a bus for one system. */
   public LocalBus(String systemId) {
     this.systemId = Topic.checkSystemId(systemId);
   }
 
   /**
-   * Receives each message that a local service publishes, on the publisher's thread; must not
-   * block. Exceptions are counted and reported to the publisher.
+   * Receives each message published by a local service, on the publisher's thread; must not block.
+   * Exceptions are counted and reported to the publisher.
    */
   @FunctionalInterface
   public interface Bridge {
-    /** Takes one frozen message that a local service published. */
+    /** Handles a frozen message published by a local service. */
     void forward(Channel<?> channel, U2SAData message);
 
     /**
-     * Takes a retained message that came from another process where a local service publishes too,
-     * and that is the last one on the bus now. A bridge behind which the last one is kept as well
-     * forwards it, as a copy of an older message may have got there after it.
+     * Handles a retained message from another process that is now the last one on the bus, on a
+     * topic that a local service publishes too. A bridge with its own retained store forwards it,
+     * because a copy of an older message may have arrived there later.
      */
     default void restate(Channel<?> channel, U2SAData message) {
-      // observers of what services publish do not need it
+      // not needed by observers of published messages
     }
   }
 
   /**
-   * Attaches a bridge, besides those that are there. It is given what is retained at once, since
-   * the broker behind it may be new and know nothing; what is published meanwhile may come to it
-   * twice, but never an older message after a newer one.
+   * Attaches another bridge. It immediately receives retained messages, because the broker behind
+   * it may be new; messages published meanwhile may arrive twice, but never an older one after a
+   * newer one.
    */
   public void attach(Bridge added) {
     bridges.add(added);
     routes.values().forEach(route -> route.handRetained(added));
   }
 
-  /** Detaches a bridge. A message on its way on another thread may still reach it. */
+  /** Detaches a bridge. A message in flight on another thread may still reach it. */
   public void detach(Bridge removed) {
     bridges.removeIf(bridge -> bridge == removed);
   }
 
-  /** Delivers a frozen message that came from another process to the local subscribers. */
+  /** Delivers a frozen message from another process to local subscribers. */
   public void deliver(Channel<?> channel, U2SAData message) {
     route(channel).deliver(channel, message, null);
   }
 
-  /** Whether any service of this process is subscribed to the channel of that name. */
+  /** Whether any local service subscribes to a channel. */
   public boolean isHeard(String channelName) {
     Route route = routes.get(channelName);
     return route != null && route.subscriptions.length > 0;
   }
 
-  /** Counts messages of other processes that were lost on their way to the bus. */
+  /** Counts messages from other processes lost on the way to the bus. */
   public void missed(Channel<?> channel, long messages) {
     for (Subscription subscription : route(channel).subscriptions) {
       subscription.owner.missed.addAndGet(messages);
@@ -99,12 +99,11 @@ public final class LocalBus implements Transport {
   }
 
   private Route route(Channel<?> channel) {
-    Route route =
-        routes.get(channel.name()); // computeIfAbsent takes a lock even if the key is there
+    Route route = routes.get(channel.name()); // computeIfAbsent locks even for existing keys
     return route != null ? route : routes.computeIfAbsent(channel.name(), name -> new Route());
   }
 
-  /** One of a bridge's methods. */
+  /** A method of a bridge. */
   @FunctionalInterface
   private interface Crossing {
     void cross(Bridge bridge, Channel<?> channel, U2SAData message);
@@ -112,9 +111,9 @@ public final class LocalBus implements Transport {
 
   private record Subscription(LocalConnection owner, Channel<?> channel, Receiver receiver) {
     /**
-     * Hands on what the subscriber's channel carries.
+     * Delivers a message if the subscriber's channel carries it.
      *
-     * @param carrier a channel that is known to carry the message; null if none is
+     * @param carrier a channel known to carry the message; null if unknown
      */
     void hand(U2SAData message, Channel<?> carrier) {
       if (channel == carrier || channel.carries(message)) {
@@ -127,28 +126,26 @@ public final class LocalBus implements Transport {
     }
   }
 
-  /** The subscribers of one channel, and what is retained on it. */
+  /** Subscribers and retained messages of a channel. */
   private static final class Route {
-    /**
-     * Copied when one is added or removed, under this; as an array, since each message goes over
-     * it.
-     */
+    /** Copy-on-write under this; an array because every message iterates over it. */
     private volatile Subscription[] subscriptions = {};
 
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
-    private final Map<String, LocalConnection> publishers = new HashMap<>(); // last ones, by source
-    private Channel<?> channel; // of what is retained
+    private final Map<String, LocalConnection> publishers =
+        new HashMap<>(); // latest publishers, by source
+    private Channel<?> channel; // channel of the retained messages
 
     /**
-     * Hands a message to all subscribers, then to the bridges.
+     * Delivers a message to all subscribers, then to the bridges.
      *
-     * @param publisher whose bridges it crosses; null if it came from another process
+     * @param publisher publishing connection; null for messages from another process
      */
     void deliver(Channel<?> on, U2SAData message, LocalConnection publisher) {
-      Channel<?> carrier = publisher == null ? null : on; // publishing checks it
+      Channel<?> carrier = publisher == null ? null : on; // checked on publishing
       if (on.isRetained()) {
-        // So that a new subscriber sees a retained message once, and that of two publishers the
-        // same one comes last here and beyond the bridges.
+        // Ensures that a new subscriber sees a retained message once, and that the last of two
+        // publishers' messages is the same here and beyond the bridges.
         synchronized (this) {
           channel = on;
           String source = on.sourceOf(message);
@@ -236,17 +233,17 @@ public final class LocalBus implements Transport {
     }
 
     /**
-     * Counts and reports that a receiver or a bridge threw; the publisher and other receivers go on
+     * Counts and reports an exception of a receiver or bridge; publisher and other receivers are
      * unaffected.
      */
     void failed(String what, Channel<?> channel, RuntimeException error) {
       long count = refused.incrementAndGet();
-      if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      if (Long.bitCount(count) == 1) { // log at 1, 2, 4, 8…, to avoid a flood
         try {
           receiver.trouble(
               what + " on \"" + channel + "\" failed: " + error + " (" + count + " so far)");
         } catch (RuntimeException e) {
-          return; // it cannot be told either; the count is there, and its owner's health shows it
+          return; // reporting failed too; the count remains visible in its owner's health
         }
       }
     }

@@ -10,13 +10,12 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * The password of whoever started the broker of a port of this host, in a file that only that
- * account can read: its other programs come as user {@value #USER} without being told, other
- * accounts do not. Another one for each start of a broker, so that who takes the port later learns
- * nothing of use.
+ * Login token of a local broker, in a file readable only by the account that started it: that
+ * account's programs log in as user {@value #USER} automatically, other accounts cannot.
+ * Regenerated at each broker start, so a later owner of the port learns nothing useful.
  */
 public final class LocalToken {
-  /** User name of clients that log in with the token. */
+  /** User name for token logins. */
   public static final String USER = "local";
 
   private static final int MOST_BYTES = 256;
@@ -26,12 +25,12 @@ public final class LocalToken {
   private LocalToken() {}
 
   /**
-   * The file of a broker's token: in {@code $XDG_RUNTIME_DIR/u2sa}, or else in {@code ~/.u2sa/run}.
-   * Each loopback address has its own: where the broker does not listen, any account may, and would
-   * be told the token.
+   * Token file of a broker: in {@code $XDG_RUNTIME_DIR/u2sa}, or else in {@code ~/.u2sa/run}. Each
+   * loopback address has its own file, because on an address where the broker does not listen
+   * another account could, and would receive the token.
    *
-   * @param address at which the broker listens
-   * @param port at which the broker listens
+   * @param address listening address of the broker
+   * @param port listening port of the broker
    */
   public static Path file(String address, int port) {
     String runtime = System.getenv("XDG_RUNTIME_DIR");
@@ -45,8 +44,8 @@ public final class LocalToken {
   }
 
   /**
-   * The token of the broker at a port of this host; empty if there is none for this account. One
-   * that others could read or have put there is not used.
+   * Token of a local broker; empty if this account has none. A file that others could read or write
+   * is not used.
    */
   static Optional<char[]> read(String host, int port) {
     Path file = file(host, port);
@@ -61,11 +60,11 @@ public final class LocalToken {
       String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8).trim();
       return text.isEmpty() ? Optional.empty() : Optional.of(text.toCharArray());
     } catch (IOException | BadInputException e) {
-      return Optional.empty(); // the broker says what one without it may not do
+      return Optional.empty(); // the broker decides what is allowed without it
     }
   }
 
-  /** The loopback address that is meant; empty for any other host, and for names of one. */
+  /** Normalised loopback address; empty for other hosts and for host names. */
   private static Optional<String> loopback(String host) {
     if (host.equalsIgnoreCase("localhost")) {
       return Optional.of(USUAL);

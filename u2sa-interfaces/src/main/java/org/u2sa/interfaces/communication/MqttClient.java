@@ -5,9 +5,9 @@ import java.util.concurrent.ScheduledExecutorService;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.u2sa.interfaces.time.Clock;
 
-/** What speaks MQTT for a connection. All do alike, which the tests' contract holds. */
+/** MQTT client implementations, interchangeable as verified by contract tests. */
 public enum MqttClient {
-  /** Ours, where a connection is not encrypted; otherwise Paho. */
+  /** Our client for unencrypted connections; Paho otherwise. */
   DIRECT,
   /** Eclipse Paho. */
   PAHO;
@@ -16,9 +16,9 @@ public enum MqttClient {
   private static final String PLAIN = "tcp://";
 
   /**
-   * The one that the property {@value #PROPERTY} of the Java virtual machine names.
+   * Client selected by the system property {@value #PROPERTY}.
    *
-   * @throws IllegalArgumentException if there is none of that name
+   * @throws IllegalArgumentException if the name is unknown
    */
   static MqttClient ofProcess() {
     String name = System.getProperty(PROPERTY, DIRECT.toString());
@@ -30,7 +30,7 @@ public enum MqttClient {
     throw new IllegalArgumentException(PROPERTY + ": \"" + name + "\" is neither direct nor paho");
   }
 
-  /** What a process that this one starts is to be told: an option of its virtual machine. */
+  /** JVM option that passes the selection to child processes. */
   public static String option() {
     return "-D" + PROPERTY + "=" + ofProcess();
   }
@@ -41,11 +41,11 @@ public enum MqttClient {
   }
 
   /**
-   * A session that is not open yet.
+   * Creates an unopened session.
    *
    * @param address {@code tcp://HOST:PORT} or {@code ssl://HOST:PORT}
-   * @param linkThread looks after Paho's link
-   * @throws MqttException if the address is none
+   * @param linkThread maintains Paho's link
+   * @throws MqttException if the address is invalid
    */
   MqttSession session(
       String address,

@@ -16,10 +16,7 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.Origin;
 import org.u2sa.messages.schema.U2SAData;
 
-/**
- * One service's MQTT connection: what it sends, and what it is subscribed to. When the broker or
- * the way to it is gone, it comes back by itself.
- */
+/** A service's MQTT connection: publications and subscriptions, with automatic reconnection. */
 final class MqttConnection implements Connection {
   private static final int AT_LEAST_ONCE = 1;
   private static final int TOPICS_REMEMBERED = 1_024;
@@ -35,12 +32,12 @@ final class MqttConnection implements Connection {
   private final RetainedTopics retained;
   private final MqttSubscriptions subscriptions;
   private final TopicNames topics;
-  private final Map<String, Topic> parsed = new ConcurrentHashMap<>(); // topics that came before
+  private final Map<String, Topic> parsed = new ConcurrentHashMap<>(); // cache of parsed topics
   private final MqttLink link;
-  private volatile long refusedBefore; // when the link broke
+  private volatile long refusedBefore; // value at the last disconnect
   private volatile boolean closed;
 
-  /** Takes what the connection needs; {@link #open} makes it. */
+  /** Creates an unopened connection; see {@link #open}. */
   MqttConnection(
       String address,
       String systemId,
@@ -57,10 +54,10 @@ final class MqttConnection implements Connection {
     incoming = new IncomingMessages(codec, receiver);
     retained = new RetainedTopics(incoming::refuse);
     subscriptions = new MqttSubscriptions(address, systemId, receiver::trouble);
-    // Brokers drop the older of two clients with one ID. So a restarted service must not take its
-    // predecessor's, while a connection that comes back takes its own from the broken session.
-    // Nor may it be guessed from what is published, as the instance is: a broker that lets any user
-    // take any ID, such as Mosquitto, would let a reader throw the service out.
+    // Brokers drop the older of two clients with the same ID, so a restarted service must not reuse
+    // its predecessor's, while a reconnection must reuse its own. Nor may the ID be derivable from
+    // published data such as the instance: a broker that lets any user take any ID, such as
+    // Mosquitto, would let a reader disconnect the service.
     link = new MqttLink(address, clientId(systemId, serviceName), this, client);
   }
 
@@ -72,9 +69,9 @@ final class MqttConnection implements Connection {
   /**
    * Connects for the first time.
    *
-   * @param options how, without the will; made anew for each attempt
-   * @param patienceS how long to try [s]
-   * @throws CommunicationException if the broker is not there in all that time
+   * @param options connect options without the will; created for each attempt
+   * @param patienceS time limit for all attempts [s]
+   * @throws CommunicationException if the broker is unreachable within that time
    */
   void open(Supplier<MqttConnectOptions> options, double patienceS, Clock clock, Random random) {
     try {
@@ -89,7 +86,7 @@ final class MqttConnection implements Connection {
     }
   }
 
-  /** Adds what the broker says in the service's place when the connection breaks. */
+  /** Adds the will message, which the broker publishes when the connection breaks. */
   private MqttConnectOptions withWill(MqttConnectOptions options) {
     if (!systemId.equals(Topic.ANY_SYSTEM)) {
       ConnectionLost lost = new ConnectionLost();
@@ -136,15 +133,15 @@ final class MqttConnection implements Connection {
         sent = session.publish(topic, payload, channel.deliversEvery(), false, null);
       }
       if (!sent && session == null) {
-        incoming.refuse(1); // that the link is broken was told
+        incoming.refuse(1); // the broken link was already reported
       } else if (!sent) {
         incoming.refuse("publishing on \"" + channel + "\" failed: the broker is too slow");
         if (channel.isRetained()) {
-          link.catchUpSoon(); // whoever subscribes later relies on it
+          link.catchUpSoon(); // late subscribers rely on it
         }
       }
       return sent;
-    } catch (MqttException | IllegalStateException e) { // the latter: too long
+    } catch (MqttException | IllegalStateException e) { // IllegalStateException: message too long
       incoming.refuse("publishing on \"" + channel + "\" failed: " + MqttSession.reason(e));
       return false;
     }
@@ -172,8 +169,8 @@ final class MqttConnection implements Connection {
   }
 
   /**
-   * Renews on a new session what the broken one had, before it is in use. Called on the link
-   * thread.
+   * Restores subscriptions and retained messages on a new session before it is used. Called on the
+   * link thread.
    */
   void renew(MqttSession session) throws MqttException, InterruptedException {
     retained.restore(session);
@@ -181,10 +178,10 @@ final class MqttConnection implements Connection {
   }
 
   /**
-   * Does on a session in use what was asked for while it was not, or what it could not take then.
-   * Called on the link thread.
+   * Completes requests on the current session that were made before it was in use or that it could
+   * not accept. Called on the link thread.
    *
-   * @return whether nothing is left to do
+   * @return whether everything is done
    */
   boolean catchUp(MqttSession session) throws MqttException {
     subscriptions.renew(session);
@@ -192,9 +189,9 @@ final class MqttConnection implements Connection {
   }
 
   /**
-   * A message came in, on the session's thread. Must not throw.
+   * Handles a received message on the session's thread. Must not throw.
    *
-   * @param isOld whether it was published before the subscription that brings it
+   * @param isOld whether it is a retained message delivered on subscription
    */
   void arrived(String topicName, byte[] payload, boolean isOld) {
     Topic topic;
@@ -206,12 +203,12 @@ final class MqttConnection implements Connection {
     }
     Channel<?> channel = subscriptions.named(topic.channel());
     if ((channel == null || channel.isRetained()) && !retained.isNews(topicName, payload)) {
-      return; // known since before the link broke
+      return; // already received before the link broke
     }
     if (channel != null && isOld && !channel.isRetained()) {
-      // An order that somebody left behind is none: it would be obeyed at each start.
+      // A retained command is ignored: it would be executed at every start.
       incoming.refuse("a retained message on " + topic + ": \"" + channel + "\" retains nothing");
-    } else if (channel != null) { // otherwise it came in while unsubscribing
+    } else if (channel != null) { // otherwise it arrived during an unsubscribe
       incoming.hand(channel, topic, payload);
     }
   }
@@ -227,18 +224,18 @@ final class MqttConnection implements Connection {
     return known;
   }
 
-  /** The session broke and will not be of use again. Called on the session's threads. */
+  /** Called on the session's threads when the session has broken. */
   void lost(MqttSession session, String why) {
     link.lost(session, why);
   }
 
-  /** The link broke. */
+  /** Called when the link is lost. */
   void interrupted(String why) {
     refusedBefore = incoming.refused();
     receiver.trouble(why);
   }
 
-  /** The link and all subscriptions are back. */
+  /** Called when the link and all subscriptions are restored. */
   void restored(double afterS) {
     receiver.trouble(
         String.format(
@@ -249,12 +246,12 @@ final class MqttConnection implements Connection {
             incoming.refused() - refusedBefore));
   }
 
-  /** The link does not come back, for a reason not told before. */
+  /** Called when reconnection fails for a new reason. */
   void trouble(String what) {
     receiver.trouble(what);
   }
 
-  /** Counts messages of which nobody can say that they have arrived. */
+  /** Counts messages whose delivery is unknown. */
   void unconfirmed(long messages) {
     incoming.refuse(messages);
   }
@@ -277,7 +274,7 @@ final class MqttConnection implements Connection {
     }
   }
 
-  /** The topics of what one system sends, composed once for each channel and type. */
+  /** Cache of a system's outgoing topics by channel and type. */
   static final class TopicNames {
     private final String systemId;
     private final Map<String, Map<List<String>, String>> composed = new ConcurrentHashMap<>();
@@ -286,7 +283,7 @@ final class MqttConnection implements Connection {
       this.systemId = systemId;
     }
 
-    /** The topic of a message; those that a source of its own tells apart are not remembered. */
+    /** Topic of a message; topics with a source are not cached. */
     String of(Channel<?> channel, U2SAData message) {
       if (channel.isRetained()) {
         return Topic.of(systemId, channel, message).toString();

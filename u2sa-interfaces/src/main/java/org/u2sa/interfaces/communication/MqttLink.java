@@ -14,11 +14,11 @@ import org.eclipse.paho.client.mqttv3.MqttException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Keeps one connection's way to the broker open: makes a new session whenever one breaks, and
- * declares it open only when all that the connection was subscribed to is confirmed again. Paho's
- * own reconnecting would hide what fails then.
+ * Maintains a connection's link to the broker: creates a new session when one breaks, and declares
+ * it open only after all subscriptions are confirmed. Paho's automatic reconnect would hide
+ * failures of that.
  *
- * <p>One daemon thread makes sessions and looks after the link: the link thread.
+ * <p>A daemon thread, the link thread, creates sessions and supervises the link.
  */
 final class MqttLink {
   private static final long ANSWER_WITHIN_MS = 4_000;
@@ -37,11 +37,11 @@ final class MqttLink {
   private final AtomicReference<MqttSession> current = new AtomicReference<>();
   private final AtomicBoolean catchesUp = new AtomicBoolean();
   private volatile boolean closed;
-  private volatile MqttSession opened; // the last one, perhaps not in use yet
+  private volatile MqttSession opened; // latest session, possibly not in use yet
   private String lastFailure = ""; // touched by the link thread only
   private long lostAtMicros; // touched by the link thread only
 
-  /** A link that {@link #open} makes. */
+  /** Creates an unopened link; see {@link #open}. */
   MqttLink(String address, String clientId, MqttConnection owner, MqttClient client) {
     this.client = client;
     this.address = address;
@@ -62,9 +62,9 @@ final class MqttLink {
   /**
    * Connects for the first time.
    *
-   * @param how settings of a session; asked for at each attempt
-   * @param patienceMicros how long to try
-   * @throws MqttException if the broker is not there in all that time
+   * @param how session settings; evaluated for each attempt
+   * @param patienceMicros time limit for all attempts
+   * @throws MqttException if the broker is unreachable within that time
    */
   void open(Supplier<MqttConnectOptions> how, long patienceMicros, Clock time, Random random)
       throws MqttException {
@@ -82,7 +82,7 @@ final class MqttLink {
           throw new IllegalStateException(e.getCause());
         }
         waitMs = backOff.nextMs();
-        // Who is asked to come again comes again: a broker that is only busy is there.
+        // "Server unavailable" means the broker is up but busy: retry.
         boolean isBusy = failure.getReasonCode() == MqttException.REASON_CODE_BROKER_UNAVAILABLE;
         long deadline =
             begun + (isBusy ? Math.max(patienceMicros, IF_BUSY_MICROS) : patienceMicros);
@@ -100,8 +100,8 @@ final class MqttLink {
   }
 
   /**
-   * Whether the broker does not want us, which waiting does not change. "Bad user name or password"
-   * to one who gave none is no answer to us: an embedded broker that is only starting says so.
+   * Whether the broker rejects us permanently. "Bad user name or password" without credentials does
+   * not count, because a starting embedded broker answers so.
    */
   private boolean isRefusal(MqttException failure) {
     int code = failure.getReasonCode();
@@ -110,7 +110,7 @@ final class MqttLink {
             && options.get().getUserName() != null;
   }
 
-  /** Makes a session unless there is one. Returns whether it made one. */
+  /** Creates a session if there is none; returns whether it did. */
   private boolean connectOnce() throws MqttException, InterruptedException {
     if (closed || current.get() != null) {
       return false;
@@ -126,8 +126,8 @@ final class MqttLink {
       }
       owner.renew(session);
       current.set(session);
-      catchUp(session); // with what came since it was renewed
-      if (session.isOver()) { // perhaps before it was current, and then nobody was told
+      catchUp(session); // with requests since it was restored
+      if (session.isOver()) { // it may have ended before it was current, without notification
         throw new MqttException(MqttException.REASON_CODE_CONNECTION_LOST);
       }
       open = true;
@@ -141,12 +141,12 @@ final class MqttLink {
     return true;
   }
 
-  /** Lets the owner catch up on the session in use before long. Called from any thread. */
+  /** Schedules a catch-up on the current session. Thread-safe. */
   void catchUpSoon() {
     if (!catchesUp.getAndSet(true)) {
       onLinkThread(
           () -> {
-            catchesUp.set(false); // first: what comes from here on wants another one
+            catchesUp.set(false); // cleared first: later requests need another catch-up
             MqttSession session = current.get();
             if (session != null) {
               catchUpOrLeaveIt(session);
@@ -166,25 +166,23 @@ final class MqttLink {
     try {
       catchUp(session);
     } catch (MqttException e) {
-      if (!session.isOver()) { // otherwise the next session begins with it
+      if (!session.isOver()) { // otherwise the next session starts with it
         owner.trouble("catching up at " + address + " failed: " + MqttSession.reason(e));
         catchUpSoon();
       }
     }
   }
 
-  /** The session in use; null while there is none. */
+  /** Current session; null if none. */
   MqttSession session() {
     return current.get();
   }
 
-  /**
-   * Takes note that a session broke, and begins to make a new one. Called on the session's threads.
-   */
+  /** Handles a broken session and starts reconnecting. Called on the session's threads. */
   void lost(MqttSession session, String why) {
     owner.unconfirmed(session.end());
     if (!current.compareAndSet(session, null) || closed) {
-      return; // closed, or not in use yet: who opens it notices
+      return; // closed, or not in use yet, in which case the opener notices
     }
     owner.interrupted("connection to " + address + " lost: " + why);
     onLinkThread(
@@ -204,7 +202,7 @@ final class MqttLink {
     } catch (MqttException e) {
       String failure = MqttSession.reason(e);
       if (!failure.equals(lastFailure) && !closed) {
-        lastFailure = failure; // said once, however long it lasts
+        lastFailure = failure; // reported once
         owner.trouble("no way back to " + address + " yet: " + failure + "; tries on");
       }
       onLinkThread(this::connectAgain, backOff.nextMs());
@@ -222,9 +220,9 @@ final class MqttLink {
   }
 
   /**
-   * Ends the session after what is on the way was sent, and with it all attempts. One that is under
-   * way is not interrupted before the broker answers or its time is up: Paho, cut off while it
-   * begins its threads, leaves them behind.
+   * Ends the session after pending messages are sent, and stops all attempts. A running attempt is
+   * not interrupted before the broker answers or it times out, because Paho leaks threads if
+   * interrupted while starting them.
    */
   void close() {
     closed = true;
@@ -245,8 +243,8 @@ final class MqttLink {
   }
 
   /**
-   * How long to wait before the next attempt to connect: longer after each failure, and never the
-   * same for all, so that the services of a vehicle do not fall upon a restarted broker together.
+   * Exponential back-off with jitter between connection attempts, so that a vehicle's services do
+   * not all hit a restarted broker at once.
    */
   static final class BackOff {
     private static final long FIRST_MS = 100;
@@ -261,7 +259,8 @@ final class MqttLink {
     }
 
     /**
-     * The wait before the next attempt [ms]: between half and the whole of what doubles each time.
+     * Wait before the next attempt [ms]: random between half and all of a value that doubles each
+     * time.
      */
     synchronized long nextMs() {
       long whole = nextMs;
@@ -269,7 +268,7 @@ final class MqttLink {
       return Math.round(whole * (LEAST_PART + (1 - LEAST_PART) * random.nextDouble()));
     }
 
-    /** Begins again with the shortest wait, after success. */
+    /** Resets to the shortest wait after success. */
     synchronized void reset() {
       nextMs = FIRST_MS;
     }

@@ -5,29 +5,29 @@ import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
 
 /**
- * What goes to a broker. Who puts something in sends it too, without waiting; what the network does
- * not take stays for later. Not safe for several threads by itself.
+ * Output buffer of a broker connection. The writer also sends, without blocking; data the network
+ * does not accept is kept for later. Not thread-safe.
  */
 final class MqttOutbox {
   private static final int FIRST_BUFFER = 1 << 14;
   private static final int WAITING_AT_MOST = 4 << 20;
 
   private final WritableByteChannel channel;
-  private ByteBuffer waiting = ByteBuffer.allocateDirect(FIRST_BUFFER); // to be filled further
+  private ByteBuffer waiting = ByteBuffer.allocateDirect(FIRST_BUFFER); // in write mode
 
   /**
-   * @param channel one that never blocks
+   * @param channel a non-blocking channel
    */
   MqttOutbox(WritableByteChannel channel) {
     this.channel = channel;
   }
 
-  /** Whether the network has taken everything. */
+  /** Whether everything was sent. */
   boolean isEmpty() {
     return waiting.position() == 0;
   }
 
-  /** Room for so many more bytes; null if too much waits. */
+  /** Buffer with room for this many bytes; null if too much is pending. */
   ByteBuffer room(int bytes) {
     if (bytes > waiting.remaining()) {
       int needed = waiting.position() + bytes;
@@ -43,7 +43,7 @@ final class MqttOutbox {
     return waiting;
   }
 
-  /** Sends what the network takes. An interrupt of the thread closes no channel. */
+  /** Sends as much as the network accepts. A thread interrupt does not close the channel. */
   void send() throws IOException {
     if (isEmpty()) {
       return;

@@ -6,49 +6,49 @@ import java.nio.channels.ReadableByteChannel;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Takes apart what a broker sends. For one thread. */
+/** Parses packets from a broker. Not thread-safe. */
 final class MqttPacketReader {
   private static final int BUFFER = 1 << 16;
-  private static final int LONGEST_PACKET = (1 << 20) + (1 << 17); // a payload and its topic
-  private static final int LONGEST_ANSWER = 1 << 13; // whatever is no message
+  private static final int LONGEST_PACKET = (1 << 20) + (1 << 17); // payload and topic
+  private static final int LONGEST_ANSWER = 1 << 13; // any packet but PUBLISH
   private static final int PUBLISH = 3;
   private static final int LENGTH_BYTES = 4;
   private static final int LENGTH_BITS = 7;
   private static final int MORE = 0x80;
   private static final int BYTE = 0xff;
   private static final int SHORT = 0xffff;
-  private static final int TOPICS = 256; // a power of two
+  private static final int TOPICS = 256; // must be a power of two
   private static final int LONGEST_KEPT_TOPIC = 1_024;
 
-  /** Told what a broker says. */
+  /** Receives parsed packets. */
   interface Handler {
-    /** The answer to CONNECT: 0, or why not. */
+    /** CONNACK with return code; 0 means accepted. */
     void connected(int code);
 
     /**
-     * A message.
+     * * PUBLISH.
      *
-     * @param packetId to be acknowledged; 0: not at all
+     * @param packetId identifier to acknowledge; 0 for none
      */
     void message(String topic, byte[] payload, int packetId, boolean retained);
 
-    /** The answer to a message, SUBSCRIBE or UNSUBSCRIBE. */
+    /** PUBACK, SUBACK or UNSUBACK. */
     void answered(int packetId, byte[] codes);
   }
 
   private final Handler handler;
-  private final byte[][] topicBytes = new byte[TOPICS][]; // topics come again and again
+  private final byte[][] topicBytes = new byte[TOPICS][]; // cache of recurring topics
   private final String[] topics = new String[TOPICS];
-  private ByteBuffer in = ByteBuffer.allocate(BUFFER); // what is not taken apart yet, and room
+  private ByteBuffer in = ByteBuffer.allocate(BUFFER); // unparsed bytes and free space
 
   MqttPacketReader(Handler handler) {
     this.handler = handler;
   }
 
   /**
-   * Reads what there is, or as much of it as has room.
+   * Reads as many available bytes as fit.
    *
-   * @throws IOException if the connection broke or ended, or what comes is no MQTT
+   * @throws IOException if the connection is lost or the data is not valid MQTT
    */
   void read(ReadableByteChannel from) throws IOException {
     int read = from.read(in);
@@ -69,7 +69,7 @@ final class MqttPacketReader {
     }
   }
 
-  /** Returns 0 if a packet was taken, or how many bytes the next one has at least. */
+  /** Returns 0 if a packet was parsed, otherwise the minimum length of the next one. */
   private int takePacket() throws IOException {
     int at = in.position() + 1;
     int length = 0;
@@ -105,7 +105,7 @@ final class MqttPacketReader {
     MqttPackets.position(in, at);
     try {
       take(head, end);
-    } catch (RuntimeException e) { // shorter than it has to be
+    } catch (RuntimeException e) { // packet too short
       throw new IOException("the broker sent a broken packet of type " + (head >> 4), e);
     }
     MqttPackets.position(in, end);
@@ -121,7 +121,7 @@ final class MqttPacketReader {
         handler.answered(packetId, rest(end));
       }
       case 13 -> {
-        return; // that it came is enough
+        return; // PINGRESP has no content
       }
       default -> throw new IOException("the broker sent a packet of type " + (head >> 4));
     }

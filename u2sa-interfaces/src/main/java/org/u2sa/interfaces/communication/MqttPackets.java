@@ -5,13 +5,13 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 
-/** Packets of MQTT 3.1.1 that a client sends, as bytes (OASIS standard, chapter 3). */
+/** Encodes client packets of MQTT 3.1.1 (OASIS standard, chapter 3). */
 final class MqttPackets {
   static final int PUBACK_BYTES = 4;
 
   private static final int LONGEST_TEXT = 65_535;
   private static final int LONGEST_HEAD = 5; // type and length
-  private static final int LENGTH_BITS = 7; // of each byte of a packet's length
+  private static final int LENGTH_BITS = 7; // per byte of a packet's length
   private static final int MORE = 0x80;
   private static final byte[] NOTHING = {};
 
@@ -51,7 +51,7 @@ final class MqttPackets {
     return whole(packet);
   }
 
-  /** SUBSCRIBE to filters, all with one quality. */
+  /** SUBSCRIBE to filters, all with the same QoS. */
   static ByteBuffer subscribe(int packetId, int quality, String... filters) {
     ByteBuffer packet = packet(0x82, Short.BYTES + length(filters) + filters.length);
     packet.putShort((short) packetId);
@@ -72,13 +72,13 @@ final class MqttPackets {
     return whole(packet);
   }
 
-  /** A packet without contents: PINGREQ 0xc0, DISCONNECT 0xe0. */
+  /** A packet without content: PINGREQ 0xc0, DISCONNECT 0xe0. */
   static ByteBuffer empty(int type) {
     ByteBuffer packet = packet(type, 0);
     return whole(packet);
   }
 
-  /** Bytes of a {@link #putPublish}, or a few more. */
+  /** Upper bound of the length of a {@link #putPublish}. */
   static int publishBytes(byte[] topic, byte[] payload) {
     return LONGEST_HEAD + 2 * Short.BYTES + topic.length + payload.length;
   }
@@ -105,7 +105,7 @@ final class MqttPackets {
   }
 
   /**
-   * A text's bytes.
+   * UTF-8 bytes of a text.
    *
    * @throws IllegalArgumentException if it is longer than MQTT allows
    */
@@ -135,7 +135,7 @@ final class MqttPackets {
     return packet;
   }
 
-  /** As a method of ByteBuffer itself, Android has it only since 9. */
+  /** Casts to Buffer, because ByteBuffer's own override exists on Android only since 9. */
   static void flip(Buffer buffer) {
     buffer.flip();
   }

@@ -5,63 +5,64 @@ import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
 
 /**
- * One MQTT session, from its opening until it breaks or is closed. It is used once, so that nothing
- * of a broken link comes back later. Counts the unconfirmed messages. Tells its {@link
- * MqttConnection} what arrives and when it breaks.
+ * A single-use MQTT session, from opening until it breaks or is closed, so that no state of a
+ * broken link survives. Counts unconfirmed messages and notifies its {@link MqttConnection} of
+ * messages and loss.
  */
 interface MqttSession {
   /**
-   * Begins the session.
+   * * Opens the session.
    *
-   * @throws MqttException if the broker does not answer, or refuses
+   * @throws MqttException if the broker does not answer or rejects the connection
    */
   void open(MqttConnectOptions options) throws MqttException;
 
   /**
-   * Sends a message. Does not wait for the network.
+   * Sends a message without blocking on the network.
    *
-   * @param eachMatters whether the broker is to confirm it
-   * @param confirmed run when the broker has confirmed it; null if nobody wants to know
-   * @return whether it was taken; otherwise the session is over, or owes too many already
+   * @param eachMatters whether the broker must confirm it (QoS 1)
+   * @param confirmed run on confirmation; null for none
+   * @return whether it was accepted; if not, the session is over or has too many unconfirmed
+   *     messages
    * @throws MqttException if it cannot be sent
-   * @throws IllegalStateException if it is too long
+   * @throws IllegalStateException if the message is too long
    */
   boolean publish(
       String topic, byte[] payload, boolean eachMatters, boolean retained, Runnable confirmed)
       throws MqttException;
 
   /**
-   * Asks for messages and waits for the broker's answer.
+   * Subscribes and waits for the broker's response.
    *
-   * @return the filters that it refused; empty if it consented to all
+   * @return rejected filters; empty if all were accepted
    * @throws MqttException if it does not answer
    */
   Set<String> subscribe(boolean eachMatters, String... filters) throws MqttException;
 
-  /** Whether the broker has answered {@link #subscribe} with this filter, either way. */
+  /** Whether the broker has answered a {@link #subscribe} of this filter, either way. */
   boolean hasAsked(String filter);
 
-  /** Ends {@link #subscribe}. */
+  /** Unsubscribes. */
   void unsubscribe(String... filters) throws MqttException;
 
-  /** Whether the session broke or was ended. */
+  /** Whether the session has broken or was closed. */
   boolean isOver();
 
   /**
-   * Disconnects after the messages on their way, such as neutral commands, were sent and, where
-   * each matters, confirmed.
+   * Disconnects after pending messages, such as neutral commands, are sent and, for QoS 1,
+   * confirmed.
    *
-   * @return how many messages may not have arrived
+   * @return number of messages that may be lost
    */
   long close();
 
-  /** Cuts the session off without a DISCONNECT; likewise. Safe on one that was never open. */
+  /** Aborts the session without a DISCONNECT; returns likewise. Safe on an unopened session. */
   long abandon();
 
-  /** Stops counting; returns how many messages were unconfirmed. */
+  /** Stops counting; returns the number of unconfirmed messages. */
   long end();
 
-  /** An error's message and that of its cause. */
+  /** Message of an error and its cause. */
   static String reason(Throwable e) {
     Throwable cause = e.getCause();
     return cause == null ? e.getMessage() : e.getMessage() + " (" + cause.getMessage() + ")";

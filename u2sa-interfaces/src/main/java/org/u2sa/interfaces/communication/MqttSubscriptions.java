@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import org.eclipse.paho.client.mqttv3.MqttException;
 
 /**
- * The channels that one MQTT connection wants to hear, whatever session it has, and those among
- * them that the broker does not let it hear. Safe for several threads.
+ * Subscribed channels of an MQTT connection, across sessions, and those rejected by the broker.
+ * Thread-safe.
  */
 final class MqttSubscriptions {
   private final String address;
@@ -19,8 +19,8 @@ final class MqttSubscriptions {
   private final Set<String> refused = ConcurrentHashMap.newKeySet();
 
   /**
-   * @param address the broker's, for messages
-   * @param trouble told what a broker does not allow or does not answer
+   * @param address broker address, for error messages
+   * @param trouble notified of rejected or unanswered requests
    */
   MqttSubscriptions(String address, String systemId, Consumer<String> trouble) {
     this.address = address;
@@ -28,22 +28,22 @@ final class MqttSubscriptions {
     this.trouble = trouble;
   }
 
-  /** The channel of that name; null if it is not wanted. */
+  /** Subscribed channel by name; null if not subscribed. */
   Channel<?> named(String channelName) {
     return wanted.get(channelName);
   }
 
-  /** Names of the channels that the broker refused. */
+  /** Names of channels rejected by the broker. */
   Set<String> refused() {
     return new TreeSet<>(refused);
   }
 
-  /** Takes note of a channel that is to be heard on every session. */
+  /** Adds a channel to subscribe to on every session. */
   void want(Channel<?> channel) {
     wanted.put(channel.name(), channel);
   }
 
-  /** Takes {@link #want} back. */
+  /** Reverts {@link #want}. */
   void forget(Channel<?> channel) {
     wanted.remove(channel.name());
     refused.remove(channel.name());
@@ -52,7 +52,7 @@ final class MqttSubscriptions {
   /**
    * Subscribes on a session.
    *
-   * @return whether the broker consents, or will be asked on the next session as this one broke
+   * @return whether the broker accepts, or will be asked on the next session because this one broke
    */
   boolean begin(MqttSession session, Channel<?> channel) {
     try {
@@ -63,7 +63,7 @@ final class MqttSubscriptions {
     }
   }
 
-  /** Unsubscribes on a session; likewise. */
+  /** Unsubscribes on a session; returns likewise. */
   boolean end(MqttSession session, Channel<?> channel) {
     try {
       session.unsubscribe(Topic.filter(systemId, channel));
@@ -75,8 +75,8 @@ final class MqttSubscriptions {
   }
 
   /**
-   * Subscribes to what the session was not asked for yet. What the broker refuses is left out, and
-   * asked for anew on the next session.
+   * Subscribes to channels not yet requested on this session. Rejected channels are skipped and
+   * retried on the next session.
    *
    * @throws MqttException if the broker does not answer
    */
@@ -93,7 +93,7 @@ final class MqttSubscriptions {
       refused.remove(channel.name());
       return true;
     }
-    if (refused.add(channel.name())) { // said once, however often the link breaks
+    if (refused.add(channel.name())) { // reported once, however often the link breaks
       trouble.accept(
           String.format(
               "the broker at %s refuses the subscription to \"%s\"; it is asked again at the next connection",

@@ -7,16 +7,16 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * The way to a Communication Manager in another process, or to any other MQTT broker.
+ * Transport to a Communication Manager in another process, or to any other MQTT broker.
  *
  * @param host the broker's name or address
  * @param port the broker's TCP port, 1…65535
- * @param systemId the system whose messages are exchanged; {@link Topic#ANY_SYSTEM} hears those of
- *     all systems on the broker and publishes none
- * @param codec what writes and reads messages
- * @param access how each client logs in
- * @param patienceS how long the first attempt to connect may last [s]
- * @param client what speaks MQTT
+ * @param systemId system whose messages are exchanged; {@link Topic#ANY_SYSTEM} receives from all
+ *     systems on the broker and publishes nothing
+ * @param codec message codec
+ * @param access credentials
+ * @param patienceS time limit of the first connection [s]
+ * @param client MQTT client implementation
  */
 public record MqttTransport(
     String host,
@@ -27,13 +27,16 @@ public record MqttTransport(
     double patienceS,
     MqttClient client)
     implements Transport {
-  /** A dead link is found within twice this time here, and within 1.5 times it by the broker. */
+  /**
+   * Keep-alive. A dead link is detected within twice this time here and within 1.5 times by the
+   * broker.
+   */
   private static final int KEEP_ALIVE_S = 2;
 
   private static final int CONNECT_WITHIN_S = 3;
 
   /**
-   * @throws IllegalArgumentException if the port or the system ID is none
+   * @throws IllegalArgumentException if the port or system ID is invalid
    */
   public MqttTransport {
     if (port < 1 || port > 65_535) {
@@ -48,39 +51,39 @@ public record MqttTransport(
     }
   }
 
-  /** A transport for a broker that wants neither user nor encryption. */
+  /** Creates a transport for a broker without login or encryption. */
   public MqttTransport(String host, int port, String systemId, MessageCodec codec) {
     this(host, port, systemId, codec, BrokerAccess.open());
   }
 
-  /** A transport that connects each service with a client of its own, at once. */
+  /** Creates a transport with one client per service. */
   public MqttTransport(
       String host, int port, String systemId, MessageCodec codec, BrokerAccess access) {
     this(host, port, systemId, codec, access, 0.0, MqttClient.ofProcess());
   }
 
   /**
-   * The same transport, whose first attempt to connect may last: so that a host may be started
-   * before the one with the broker.
+   * Copy with a time limit for the first connection, so that a host can be started before the
+   * broker's.
    *
-   * @param seconds how long to try to reach a broker that is not there yet [s], at least 0
+   * @param seconds time to wait for an absent broker [s], at least 0
    */
   public MqttTransport waiting(double seconds) {
     return new MqttTransport(host, port, systemId, codec, access, seconds, client);
   }
 
   /**
-   * The same transport by another client.
+   * Copy with another client implementation.
    *
-   * @param other what speaks MQTT, whatever the process has been told
+   * @param other client implementation, overriding the process default
    */
   public MqttTransport by(MqttClient other) {
     return new MqttTransport(host, port, systemId, codec, access, patienceS, other);
   }
 
   /**
-   * The way to another system on the same broker, for who wants to hear it: its vehicles otherwise
-   * do not notice each other.
+   * Transport to another system on the same broker, whose systems are otherwise isolated from each
+   * other.
    *
    * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all
    */
@@ -105,7 +108,7 @@ public record MqttTransport(
   private MqttConnectOptions options() {
     MqttConnectOptions options = new MqttConnectOptions();
     options.setCleanSession(true);
-    // Paho would try MQTT 3.1 after a refusal, and then tell of that attempt's failure only.
+    // Otherwise Paho retries with MQTT 3.1 after a rejection and reports only that failure.
     options.setMqttVersion(MqttConnectOptions.MQTT_VERSION_3_1_1);
     options.setKeepAliveInterval(KEEP_ALIVE_S);
     options.setConnectionTimeout(CONNECT_WITHIN_S);

@@ -22,11 +22,11 @@ import org.eclipse.paho.client.mqttv3.MqttPingSender;
 import org.eclipse.paho.client.mqttv3.internal.ClientComms;
 import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
 
-/** A session by a Paho client that is used once. */
+/** A session using a single-use Paho client. */
 final class PahoSession implements MqttSession {
   private static final int AT_MOST_ONCE = 0;
   private static final int AT_LEAST_ONCE = 1;
-  private static final int REFUSED = 0x80; // in the broker's answer to a subscription
+  private static final int REFUSED = 0x80; // SUBACK failure code
   private static final int OWED_AT_MOST = 4_096;
   private static final long FAREWELL_WITHIN_MS = 1_000;
   private static final long OVER = Long.MIN_VALUE / 2;
@@ -34,13 +34,13 @@ final class PahoSession implements MqttSession {
   private final MqttAsyncClient client;
   private final MqttConnection owner;
   private final long answerWithinMs;
-  private final AtomicLong owed = new AtomicLong(); // far below zero: the session is over
-  private final Set<String> asked = ConcurrentHashMap.newKeySet(); // filters that it answered
+  private final AtomicLong owed = new AtomicLong(); // far below zero once the session is over
+  private final Set<String> asked = ConcurrentHashMap.newKeySet(); // answered filters
   private final CountDownLatch settled = new CountDownLatch(1);
   private volatile boolean closing;
-  private boolean gone; // Paho's client is closed; guarded by this
+  private boolean gone; // Paho client closed; guarded by this
 
-  /** Takes what a session needs; {@link #open} begins it. */
+  /** Creates an unopened session; see {@link #open}. */
   PahoSession(
       String address,
       String clientId,
@@ -56,10 +56,10 @@ final class PahoSession implements MqttSession {
     client.setCallback(new Callback());
   }
 
-  /** Called on a daemon thread: Paho's threads inherit that they do not keep the program alive. */
+  /** Called on a daemon thread, so that Paho's threads inherit daemon status. */
   @Override
   public void open(MqttConnectOptions options) throws MqttException {
-    options.setMaxInflight(2 * OWED_AT_MOST); // the bound is held here
+    options.setMaxInflight(2 * OWED_AT_MOST); // the limit is enforced here
     client.connect(options).waitForCompletion(answerWithinMs);
   }
 
@@ -122,7 +122,7 @@ final class PahoSession implements MqttSession {
     return owed.get() < 0;
   }
 
-  /** Paho alone would send its DISCONNECT before waiting messages. */
+  /** Drains first, because Paho alone would send DISCONNECT before pending messages. */
   @Override
   public long close() {
     closing = true;
@@ -132,28 +132,28 @@ final class PahoSession implements MqttSession {
     try {
       settled.await(answerWithinMs, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // ends at once, then
+      Thread.currentThread().interrupt(); // then ends immediately
     }
     long lost = end();
     try {
       client.disconnect(FAREWELL_WITHIN_MS).waitForCompletion(FAREWELL_WITHIN_MS);
     } catch (MqttException e) {
-      return lost + cut(); // it broke meanwhile
+      return lost + cut(); // broken in the meantime
     }
     abandon();
     return lost;
   }
 
-  /** Cuts the link, but leaves the client open to Paho's threads, which may be closing it. */
+  /** Cuts the link but leaves the client to Paho's threads, which may be closing it. */
   private synchronized long cut() {
     long lost = end();
     if (gone) {
-      return lost; // Paho has nothing left to disconnect, and would trip over it
+      return lost; // nothing left to disconnect; Paho would fail on it
     }
     try {
       client.disconnectForcibly(0, 0, false);
     } catch (MqttException e) {
-      return lost; // Paho was faster
+      return lost; // already disconnected by Paho
     }
     return lost;
   }
@@ -168,7 +168,7 @@ final class PahoSession implements MqttSession {
     try {
       client.close(true);
     } catch (MqttException e) {
-      return lost; // Paho is closing it already
+      return lost; // already being closed by Paho
     }
     return lost;
   }
@@ -205,13 +205,13 @@ final class PahoSession implements MqttSession {
 
     @Override
     public void onFailure(IMqttToken token, Throwable error) {
-      // it stays unconfirmed
+      // remains unconfirmed
     }
   }
 
   /**
-   * Has Paho look after the link at regular times, on the connection's own thread. Paho's own
-   * senders keep the program alive, or interrupt the thread that found the link dead.
+   * Schedules Paho's keep-alive on the connection's own thread. Paho's own ping senders keep the
+   * JVM alive or interrupt the thread that detected the dead link.
    */
   private static final class KeepAlive implements MqttPingSender {
     private final ScheduledExecutorService thread;
@@ -249,7 +249,7 @@ final class PahoSession implements MqttSession {
       try {
         next = thread.schedule((Runnable) link::checkForActivity, delayMs, TimeUnit.MILLISECONDS);
       } catch (RejectedExecutionException e) {
-        stopped = true; // the connection is being closed, and its thread with it
+        stopped = true; // the connection and its thread are closing
       }
     }
   }

@@ -6,9 +6,9 @@ import java.nio.channels.SocketChannel;
 import java.util.Optional;
 
 /**
- * Acknowledges what came at once, where the platform can (Linux). A broker that does not set
- * TCP_NODELAY, as Mosquitto by default, holds its next small packet back until the one before is
- * acknowledged (RFC 896), which otherwise takes up to 40 ms (RFC 1122, 4.2.3.2).
+ * Disables delayed TCP acknowledgements where supported (Linux). A broker without TCP_NODELAY, such
+ * as Mosquitto by default, delays its next small packet until the previous one is acknowledged (RFC
+ * 896), otherwise up to 40 ms (RFC 1122, 4.2.3.2).
  */
 final class PromptAcknowledgements {
   private final SocketChannel channel;
@@ -23,12 +23,12 @@ final class PromptAcknowledgements {
             .map(PromptAcknowledgements::ofBoolean);
   }
 
-  @SuppressWarnings("unchecked") // its type was compared
+  @SuppressWarnings("unchecked") // type checked above
   private static SocketOption<Boolean> ofBoolean(SocketOption<?> any) {
     return (SocketOption<Boolean>) any;
   }
 
-  /** To be called after each reading: Linux forgets it. */
+  /** Call after each read, because Linux resets the option. */
   void renew() throws IOException {
     if (option.isPresent()) {
       channel.setOption(option.get(), true);

@@ -6,8 +6,8 @@ import java.net.Socket;
 import javax.net.SocketFactory;
 
 /**
- * Makes sockets that send small packets at once. By default TCP holds one back until the one before
- * is acknowledged, which the other side puts off for 40 ms: an age for a control loop.
+ * Creates sockets with TCP_NODELAY. By default TCP holds back a small packet until the previous one
+ * is acknowledged, which the peer delays by up to 40 ms: too long for a control loop.
  */
 final class PromptSockets extends SocketFactory {
   private final SocketFactory sockets = SocketFactory.getDefault();

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.SSLSocketFactory;
 
-/** {@link PromptSockets}, encrypted: TLS 1.2 or newer. Paho checks the broker's name. */
+/** {@link PromptSockets} with TLS 1.2 or newer. Paho verifies the broker's host name. */
 final class PromptTlsSockets extends SSLSocketFactory {
   private final SSLSocketFactory sockets;
 
@@ -19,7 +19,7 @@ final class PromptTlsSockets extends SSLSocketFactory {
     socket.setTcpNoDelay(true);
     SSLSocket tls = (SSLSocket) socket;
     tls.setEnabledProtocols(
-        Arrays.stream(tls.getSupportedProtocols()) // Android 9 has no 1.3
+        Arrays.stream(tls.getSupportedProtocols()) // Android 9 lacks TLS 1.3
             .filter(name -> name.equals("TLSv1.2") || name.equals("TLSv1.3"))
             .toArray(String[]::new));
     return socket;

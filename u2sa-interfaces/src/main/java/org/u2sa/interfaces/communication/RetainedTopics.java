@@ -12,9 +12,9 @@ import java.util.function.Function;
 import org.eclipse.paho.client.mqttv3.MqttException;
 
 /**
- * What one connection knows of retained messages: the last that it published on each topic, so that
- * a broker that lost them gets them again, and the last that came in, so that a renewed
- * subscription does not bring one twice. Safe for several threads.
+ * Retained messages known to a connection: the last published on each topic, so that a broker that
+ * lost them receives them again, and the last received, so that a renewed subscription delivers
+ * none twice. Thread-safe.
  */
 final class RetainedTopics {
   private static final long ANSWER_WITHIN_MS = 300;
@@ -22,39 +22,39 @@ final class RetainedTopics {
   private final Map<String, Published> published = new ConcurrentHashMap<>();
   private final Map<String, byte[]> received = new ConcurrentHashMap<>();
   private final Set<String> knownBefore = ConcurrentHashMap.newKeySet();
-  private volatile Inquiry inquiry; // null unless the broker is being asked what it holds
+  private volatile Inquiry inquiry; // null unless the broker is being queried
 
   private final Consumer<String> refuse;
 
   /**
-   * @param refuse told why a message cannot be sent at all
+   * @param refuse notified of messages that cannot be sent at all
    */
   RetainedTopics(Consumer<String> refuse) {
     this.refuse = refuse;
   }
 
-  /** One message of this connection, and whether the broker has confirmed it. */
+  /** A published message and its confirmation status. */
   static final class Published {
     private final byte[] payload;
     private volatile boolean confirmed;
-    private volatile MqttSession settled; // the last one whose broker has it or a newer one
+    private volatile MqttSession settled; // latest session whose broker holds it or a newer one
 
     private Published(byte[] payload) {
       this.payload = payload;
     }
 
-    /** Takes note that the session's broker was handed this message, or needs it no more. */
+    /** Marks the message as sent to the session's broker, or as no longer needed there. */
     void settle(MqttSession session) {
       settled = session;
     }
 
-    /** Takes note that the broker has confirmed this message. */
+    /** Marks the message as confirmed. */
     void confirm() {
       confirmed = true;
     }
   }
 
-  /** Which topics the broker's answer is still awaited for. */
+  /** Topics with a pending query response. */
   private record Inquiry(Set<String> unanswered, CountDownLatch answers) {
     boolean answered(String topic) {
       boolean awaited = unanswered.remove(topic);
@@ -65,7 +65,7 @@ final class RetainedTopics {
     }
   }
 
-  /** Takes note of a message that is about to be published; to be told of its delivery. */
+  /** Registers a message before publication; returns its delivery record. */
   Published publishing(String topic, byte[] payload) {
     Published last = new Published(payload);
     published.put(topic, last);
@@ -73,28 +73,28 @@ final class RetainedTopics {
   }
 
   /**
-   * Takes note of a message that came in. Returns whether it is news: the first on its topic in a
-   * session may be the one that came last in the session before.
+   * Registers a received message; returns whether it is new. The first on a topic in a session may
+   * repeat the last one of the previous session.
    */
   boolean isNews(String topic, byte[] payload) {
     Inquiry asked = inquiry;
-    boolean answer = asked != null && asked.answered(topic); // the subscription brings it again
+    boolean answer =
+        asked != null && asked.answered(topic); // will be delivered again by the subscription
     boolean first = answer ? knownBefore.contains(topic) : knownBefore.remove(topic);
     byte[] before = received.put(topic, payload);
     return !(first && Arrays.equals(before, payload));
   }
 
-  /** Forgets what came in on a channel: a subscription that is made anew wants it. */
+  /** Forgets messages received on a channel, so that a new subscription delivers them again. */
   void forget(Channel<?> channel) {
     received.keySet().removeIf(topic -> Topic.parse(topic).channel().equals(channel.name()));
   }
 
   /**
-   * Gives the broker of a new session what it lacks of this connection's messages: those that it
-   * does not hold, and those of which it is not known that it got them. What another connection
-   * published since is left alone.
+   * Republishes to a new session's broker the messages it does not hold or may not have received.
+   * Messages published since by other connections are left alone.
    *
-   * @param session not in use yet, so that nobody else publishes on it
+   * @param session not in use yet, so no other thread publishes on it
    * @throws MqttException if the broker does not answer
    */
   void restore(MqttSession session) throws MqttException, InterruptedException {
@@ -114,7 +114,7 @@ final class RetainedTopics {
     }
   }
 
-  /** Asks the broker; a topic of which it does not let us hear counts as held. */
+  /** Queries the broker; topics it does not let us subscribe to count as held. */
   private Set<String> notHeld(MqttSession session, Set<String> asked)
       throws MqttException, InterruptedException {
     Set<String> lacking = ConcurrentHashMap.newKeySet();
@@ -134,13 +134,12 @@ final class RetainedTopics {
   }
 
   /**
-   * Publishes on a session that is in use what it has not got: messages that were published while
-   * the session was being made, or that it could not take when they came.
+   * Publishes on the current session the messages it lacks: those published while it was being
+   * created, or rejected when first sent.
    *
-   * @param lockOf what is held while a message is published on the topic, so that none overtakes a
-   *     newer one
-   * @return whether the session has everything now
-   * @throws MqttException if it breaks
+   * @param lockOf lock held while publishing on a topic, so that no message overtakes a newer one
+   * @return whether the session now has everything
+   * @throws MqttException if the session breaks
    */
   boolean catchUp(MqttSession session, Function<String, ?> lockOf) throws MqttException {
     boolean all = true;
@@ -155,14 +154,14 @@ final class RetainedTopics {
     return all;
   }
 
-  /** Returns false if the session cannot take it now. */
+  /** Returns false if the session cannot accept it now. */
   private boolean publish(MqttSession session, String topic, Published last) throws MqttException {
     try {
       if (!session.publish(topic, last.payload, true, true, last::confirm)) {
         return false;
       }
       last.settle(session);
-    } catch (IllegalStateException e) { // too long: no later attempt would succeed
+    } catch (IllegalStateException e) { // too long: retrying is pointless
       published.remove(topic, last);
       refuse.accept("publishing on " + topic + " failed: " + MqttSession.reason(e));
     }

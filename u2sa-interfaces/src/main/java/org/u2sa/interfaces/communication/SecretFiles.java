@@ -8,7 +8,7 @@ import java.util.EnumSet;
 import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
 
-/** Files with a password in them: their owner's alone. */
+/** Permission checks of files with secrets. */
 final class SecretFiles {
   private static final Set<PosixFilePermission> OTHERS =
       EnumSet.of(
@@ -20,18 +20,18 @@ final class SecretFiles {
   private SecretFiles() {}
 
   /**
-   * Refuses a file that others than its owner may read or write, or that is no file.
+   * Rejects a file that is accessible to others, or not a regular file.
    *
-   * @param variable that names it, for the message
-   * @throws BadInputException if it is so; if it is not there, reading it tells that
+   * @param variable variable that names the file, for the message
+   * @throws BadInputException if it is rejected; a missing file is reported when it is read
    */
   static void requireClosed(String variable, Path file) {
     refuse(variable, file, OTHERS, "use it; chmod 600 it");
   }
 
   /**
-   * Refuses a file that everybody may write, who then says which brokers are trusted, or that is no
-   * file.
+   * Rejects a world-writable file, since its content decides which brokers are trusted, or one that
+   * is not a regular file.
    *
    * @throws BadInputException as {@link #requireClosed}
    */
@@ -48,7 +48,7 @@ final class SecretFiles {
       throw new BadInputException(variable + " \"" + file + "\" is not a regular file");
     }
     if (!file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
-      return; // another kind of permissions, which Java does not tell
+      return; // non-POSIX permissions, not visible to Java
     }
     try {
       Set<PosixFilePermission> open = EnumSet.noneOf(PosixFilePermission.class);

@@ -7,27 +7,25 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Where a message stands on the broker: {@code u2sa/<systemId>/<channel>/<TypeChain…>}, for example
- * {@code u2sa/cessna/actuation/ActuatorCommand/PercentageCommand}. Thesis 8.2.5: the chain lets a
- * reader take an unknown subclass for its nearest known ancestor.
+ * Broker topic of a message: {@code u2sa/<systemId>/<channel>/<TypeChain…>}, for example {@code
+ * u2sa/cessna/actuation/ActuatorCommand/PercentageCommand}. Thesis 8.2.5: the chain lets a reader
+ * take an unknown subclass for its nearest known ancestor.
  *
- * <p>Where the broker keeps the last message of each source, the source stands behind the types,
- * since a broker keeps one message a topic: {@code
- * u2sa/cessna/actuators/ActuatorAnnouncement/=RUDDER}.
+ * <p>On channels retained per source, the source follows the types, because a broker retains one
+ * message per topic: {@code u2sa/cessna/actuators/ActuatorAnnouncement/=RUDDER}.
  *
  * @param systemId the vehicle
  * @param channel the channel's name
  * @param typeChain the message's types, base first
- * @param source which of several sources on a retained channel the message is of; empty if the
- *     channel does not tell them apart
+ * @param source source of the message on a channel retained per source; otherwise empty
  */
 public record Topic(String systemId, String channel, List<String> typeChain, String source) {
-  /** In the place of a system ID in a filter: every system on the broker. */
+  /** Wildcard system ID in a filter: all systems on the broker. */
   public static final String ANY_SYSTEM = "+";
 
   private static final String ROOT = "u2sa";
   private static final int FIRST_TYPE = 3;
-  private static final String SOURCE = "="; // begins the level of the source: no type's name does
+  private static final String SOURCE = "="; // prefix of the source level; never starts a type name
   private static final Pattern SYSTEM_ID = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_.-]{0,63}");
 
   public Topic {
@@ -35,24 +33,24 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
     typeChain = List.copyOf(typeChain);
   }
 
-  /** A topic on which sources are not told apart. */
+  /** Creates a topic without a source. */
   public Topic(String systemId, String channel, List<String> typeChain) {
     this(systemId, channel, typeChain, "");
   }
 
-  /** The topic of a message of the given type. */
+  /** Topic of a message type. */
   public static Topic of(String systemId, Channel<?> channel, MessageType<?> type) {
     return new Topic(systemId, channel.name(), type.chain(), "");
   }
 
-  /** The topic of a message on a channel. */
+  /** Topic of a message on a channel. */
   public static Topic of(String systemId, Channel<?> channel, U2SAData message) {
     String source = channel.isRetained() ? channel.sourceOf(message) : "";
     return new Topic(systemId, channel.name(), message.typeChain(), source);
   }
 
   /**
-   * Reads a topic.
+   * * Parses a topic.
    *
    * @throws IllegalArgumentException if it is not of the form above
    */
@@ -83,7 +81,10 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
         hasSource ? TopicLevel.name(last.substring(SOURCE.length())) : "");
   }
 
-  /** As Java classes are called; wildcards, which a will's topic may hold unseen, are not. */
+  /**
+   * Whether this is a Java class name; excludes wildcards, which could otherwise hide in a will
+   * topic.
+   */
   private static boolean isTypeName(String level) {
     return Character.isJavaIdentifierStart(level.charAt(0))
         && level
@@ -93,13 +94,13 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
   }
 
   /**
-   * The filter that matches all messages of a channel, subclasses included.
+   * Filter that matches all messages of a channel, including subclasses.
    *
    * @param systemId the vehicle, or {@link #ANY_SYSTEM}
    */
   public static String filter(String systemId, Channel<?> channel) {
     String system = systemId.equals(ANY_SYSTEM) ? systemId : checkSystemId(systemId);
-    List<String> chain = channel.type().chain(); // empty for a channel of any message
+    List<String> chain = channel.type().chain(); // empty for channels of any message
     String base = ROOT + "/" + system + "/" + channel.name();
     return chain.isEmpty() ? base + "/#" : base + "/" + String.join("/", chain) + "/#";
   }
@@ -107,7 +108,7 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
   /**
    * Checks a system ID: 1…64 letters, digits, '_', '.' or '-', beginning with a letter or digit.
    *
-   * @throws IllegalArgumentException if it is not one
+   * @throws IllegalArgumentException if it is invalid
    */
   public static String checkSystemId(String systemId) {
     if (!SYSTEM_ID.matcher(systemId).matches()) {

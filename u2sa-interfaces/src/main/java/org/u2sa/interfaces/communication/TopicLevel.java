@@ -1,10 +1,9 @@
 package org.u2sa.interfaces.communication;
 
 /**
- * Any name as one level of a topic, or as part of a client ID: characters that mean something there
- * are written as '%' and four upper-case hexadecimal digits. MQTT claims '/', '+', '#' and control
- * characters; NATS, whose MQTT port is one of the brokers, claims space, '.', '*' and '&gt;' for
- * its subjects.
+ * Encodes a name as a topic level or part of a client ID: reserved characters become '%' and four
+ * upper-case hexadecimal digits. Reserved are '/', '+', '#' and control characters in MQTT, and
+ * space, '.', '*' and '&gt;' in NATS subjects.
  */
 final class TopicLevel {
   private static final String BEFORE_FORMAT_3 = "/+#%";
@@ -14,7 +13,7 @@ final class TopicLevel {
 
   private TopicLevel() {}
 
-  /** A name as it is written: one spelling for each. */
+  /** Encodes a name; the encoding is unique. */
   static String of(String name) {
     return written(name, SINCE_FORMAT_3);
   }
@@ -32,10 +31,10 @@ final class TopicLevel {
   }
 
   /**
-   * The name that was written by {@link #of}, or before format 3, as recordings have it.
+   * Decodes a name encoded by {@link #of}, or by formats before 3, as found in recordings.
    *
-   * @throws IllegalArgumentException if no name is written so: it is empty, four hexadecimal digits
-   *     do not follow a '%', or they stand for a character that needs none
+   * @throws IllegalArgumentException if the text is not a valid encoding: it is empty, '%' is not
+   *     followed by four hexadecimal digits, or they encode an unreserved character
    */
   static String name(String level) {
     if (level.isEmpty()) {

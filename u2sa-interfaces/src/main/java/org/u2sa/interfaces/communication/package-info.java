@@ -1,6 +1,5 @@
 /**
- * How services talk (thesis 3.2.1.2–3.2.1.4): channels, topics, and the two ways to the
- * Communication Manager, directly and over MQTT. What is said belongs to the messages, the broker
- * itself to the core module.
+ * Communication of services (thesis 3.2.1.2–3.2.1.4): channels, topics, and the two transports,
+ * in-process and MQTT. Message content belongs to the messages module, the broker to core.
  */
 package org.u2sa.interfaces.communication;

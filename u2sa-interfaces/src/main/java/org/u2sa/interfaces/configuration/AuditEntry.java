@@ -19,12 +19,12 @@ import org.u2sa.interfaces.JsonText;
 /**
  * A line of a configuration's audit log.
  *
- * @param revision of the configuration after it; of a failed change, the one that it would have had
- * @param origin who and when
- * @param outcome what came of it
- * @param reason why not; empty if accepted
- * @param undoes revision of the change that it takes back; empty if it takes none back
- * @param values what was changed
+ * @param revision revision after the change; for a failed change, the revision it would have had
+ * @param origin author and time
+ * @param outcome outcome
+ * @param reason reason for rejection; empty if accepted
+ * @param undoes revision of the change it undoes; empty if none
+ * @param values changed variables
  */
 record AuditEntry(
     long revision,
@@ -36,24 +36,24 @@ record AuditEntry(
 
   private static final JsonFactory JSON = new JsonFactory();
 
-  /** What came of a change. */
+  /** Outcome of a change. */
   enum Outcome {
-    /** About to be written; it was, unless a line FAILED of the same revision follows. */
+    /** About to be written; successful unless a FAILED line with the same revision follows. */
     ACCEPTED,
-    /** Nothing was changed. */
+    /** Rejected; nothing was changed. */
     REFUSED,
-    /** What was accepted could not be written: the old values stand. */
+    /** An accepted change could not be written; the old values remain. */
     FAILED
   }
 
   /**
-   * One variable.
+   * * A changed variable.
    *
    * @param variable its name
-   * @param before its value before, in the declared unit; empty if it is unknown
-   * @param after its value after, in the declared unit
-   * @param textBefore the file's text before; empty if the file did not have the variable
-   * @param textAfter the file's text after; empty if the file does not have it any longer
+   * @param before previous value in the declared unit; empty if unknown
+   * @param after new value in the declared unit
+   * @param textBefore previous text in the file; empty if absent
+   * @param textAfter new text in the file; empty if removed
    */
   record Value(
       String variable,
@@ -62,12 +62,12 @@ record AuditEntry(
       Optional<String> textBefore,
       Optional<String> textAfter) {}
 
-  /** The entry for what was not changed after all. */
+  /** The entry for the same change as failed. */
   AuditEntry failed(String why) {
     return new AuditEntry(revision, origin, Outcome.FAILED, why, undoes, values);
   }
 
-  /** Who changed what, for a message: {@code "ann": "GAIN" 1.0 → 2.0 (revision 7)}. */
+  /** Summary for a message: {@code "ann": "GAIN" 1.0 → 2.0 (revision 7)}. */
   String told() {
     String what =
         values.stream()
@@ -81,7 +81,7 @@ record AuditEntry(
     return who + ": " + what + " (revision " + revision + ")";
   }
 
-  /** This as a line of JSON, for people and programs alike; without its end. */
+  /** The entry as a line of JSON, without line end. */
   String line() {
     List<JsonText> changes = new ArrayList<>();
     for (Value value : values) {
@@ -105,7 +105,7 @@ record AuditEntry(
         .line();
   }
 
-  /** The entry; empty if the line is none: torn by a power cut, or written by hand. */
+  /** Parses a line; empty if invalid, such as truncated by a power cut or edited by hand. */
   static Optional<AuditEntry> read(String line) {
     try (JsonParser json = JSON.createParser(line)) {
       if (json.nextToken() != JsonToken.START_OBJECT) {
@@ -126,7 +126,7 @@ record AuditEntry(
               undoes == null ? OptionalLong.empty() : OptionalLong.of(Long.parseLong(undoes)),
               values));
     } catch (IOException | IllegalArgumentException | DateTimeException e) {
-      return Optional.empty(); // what is no entry is passed over, as the log's users are told
+      return Optional.empty(); // invalid lines are skipped, as documented
     }
   }
 

@@ -18,30 +18,30 @@ import java.util.Objects;
 
 /**
  * The audit log of one configuration file: JSON lines in {@code <file>.audit.jsonl} beside it, so
- * that it moves, is backed up and is deleted with what it explains, and survives the logs of one
- * run. A last line that a power cut has torn is removed: what it announced was not begun. A log of
- * a megabyte becomes {@code <file>.audit.jsonl.1}, in place of the one before; the new one begins
- * with the newest changes, so that refused ones cannot push them out.
+ * that it is moved, backed up and deleted with the file, and outlives the logs of a run. A last
+ * line truncated by a power cut is removed, because its change was not started. At one megabyte the
+ * log is rotated to {@code <file>.audit.jsonl.1}, replacing the previous one; the new log starts
+ * with the latest changes, so rejected ones cannot displace them.
  *
- * <p>Read once; from then on only what others have added.
+ * <p>Read once; afterwards only additions by others are read.
  */
 final class AuditFile implements ChangeJournal {
   private static final String SUFFIX = ".audit.jsonl";
   private static final String OLDER = ".1";
   private static final long MOST_BYTES = 1024 * 1024;
-  private static final int MOST_READ_BYTES = 4 * 1024 * 1024; // of a log of an older version
+  private static final int MOST_READ_BYTES = 4 * 1024 * 1024; // limit for logs of older versions
 
   private final Path configuration;
-  private Tail known = Tail.NONE; // used under the folder's lock, or before any change
+  private Tail known = Tail.NONE; // accessed under the folder's lock, or before any change
 
   /**
-   * @param configuration the configuration file, which may be a link
+   * @param configuration configuration file, possibly a symbolic link
    */
   AuditFile(Path configuration) {
     this.configuration = configuration;
   }
 
-  /** The configuration file itself, behind links. */
+  /** The configuration file with links resolved. */
   private Path target() throws IOException {
     return Files.exists(configuration)
         ? configuration.toRealPath()
@@ -64,7 +64,8 @@ final class AuditFile implements ChangeJournal {
     if (!exists(path)) {
       known = Tail.NONE;
     } else {
-      boolean interrupted = Thread.interrupted(); // would close the channel; given back below
+      boolean interrupted =
+          Thread.interrupted(); // an interrupt would close the channel; restored below
       try (FileChannel file =
           FileChannel.open(path, StandardOpenOption.READ, LinkOption.NOFOLLOW_LINKS)) {
         read(file, Files.readAttributes(path, BasicFileAttributes.class).fileKey());
@@ -77,7 +78,7 @@ final class AuditFile implements ChangeJournal {
     return known.entries();
   }
 
-  /** Whether the log is there. Only a file will do: a link would be written through. */
+  /** Whether the log exists. Links are rejected, because they would be written through. */
   private static boolean exists(Path path) throws IOException {
     if (!Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
       return false;
@@ -100,7 +101,7 @@ final class AuditFile implements ChangeJournal {
     while (bytes.hasRemaining() && file.read(bytes, from + bytes.position()) >= 0) {
       continue;
     }
-    boolean cut = !same && from > 0; // the first line then is half a line
+    boolean cut = !same && from > 0; // the first line is then incomplete
     known = (same ? known : Tail.of(key, from)).with(bytes.array(), bytes.position(), cut);
   }
 
@@ -120,7 +121,7 @@ final class AuditFile implements ChangeJournal {
     }
   }
 
-  /** Readable and writable by whom the configuration file is. */
+  /** Copies the configuration file's permissions. */
   private void create(Path path) throws IOException {
     if (path.getFileSystem().supportedFileAttributeViews().contains("posix")) {
       Files.createFile(
@@ -137,7 +138,7 @@ final class AuditFile implements ChangeJournal {
     try {
       Files.createLink(older, path);
     } catch (IOException | UnsupportedOperationException e) {
-      // Not every file system and not every phone has links.
+      // Not every file system or phone supports links.
       Files.copy(path, older, StandardCopyOption.COPY_ATTRIBUTES);
     }
     StringBuilder newest = new StringBuilder();
@@ -154,7 +155,7 @@ final class AuditFile implements ChangeJournal {
     try (FileChannel file =
         FileChannel.open(path, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS)) {
       long end = known.end();
-      file.truncate(end); // a line that a power cut has torn
+      file.truncate(end); // truncated by a power cut
       file.position(end);
       try {
         WholeFile.write(file, line);
@@ -171,33 +172,35 @@ final class AuditFile implements ChangeJournal {
   }
 
   /**
-   * The newest entries of an audit log, as far as it was read: the newest changes, and the last
-   * refusal. Immutable.
+   * Latest entries read from an audit log: the latest changes and the last rejection. Immutable.
    *
-   * @param key what the file system calls the file; null if there is none
-   * @param end where the last whole line that was read ends [bytes]
+   * @param key file key of the file system; null if unavailable
+   * @param end end of the last complete line read [bytes]
    * @param entries oldest first
    */
   private record Tail(Object key, long end, List<AuditEntry> entries) {
-    /** Of a log that is not there. */
+    /** Tail of a missing log. */
     static final Tail NONE = new Tail(null, 0, List.of());
 
     private static final int MOST_ENTRIES = 200;
 
-    /** Of a log of which nothing was read yet, from a place in it. */
+    /** Tail of an unread log, starting at an offset. */
     static Tail of(Object key, long from) {
       return new Tail(key, from, List.of());
     }
 
-    /** Whether it tells of the file of that key. File systems without keys have one name a file. */
+    /**
+     * Whether it belongs to the file with this key. File systems without keys are assumed to have
+     * one name per file.
+     */
     boolean isOf(Object otherKey) {
       return end > 0 && Objects.equals(key, otherKey);
     }
 
     /**
-     * This tail and what follows in the file.
+     * This tail extended by the rest of the file.
      *
-     * @param cut whether the first line is half a line, to be passed over
+     * @param cut whether the first line is incomplete and must be skipped
      */
     Tail with(byte[] bytes, int length, boolean cut) {
       int whole = length;

@@ -6,11 +6,11 @@ import java.util.Optional;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
- * A variable as a service's declaration and the file's statement together make it; at least one of
- * them exists. Values and limits are in the declared unit, or in the file's if nobody declared it.
+ * A variable that combines a service's declaration and the file's entry; at least one exists.
+ * Values and limits are in the declared unit, or in the file's if undeclared.
  */
 final class BoundVariable {
-  /** How far a converted limit may stray from the declared one: rounding, not meaning. */
+  /** Rounding tolerance between a converted and the declared limit. */
   private static final double ROUNDING = 1.0e-9;
 
   private final String origin;
@@ -21,8 +21,7 @@ final class BoundVariable {
   private final Range limits;
 
   /**
-   * @throws ConfigurationException if declaration and file contradict each other in type, unit or
-   *     limits
+   * @throws ConfigurationException if declaration and file disagree in type, unit or limits
    */
   BoundVariable(
       String origin,
@@ -41,12 +40,12 @@ final class BoundVariable {
     limits = narrowedLimits();
   }
 
-  /** The unit of values and limits; empty text if none. */
+  /** Unit of values and limits; empty if none. */
   private String unit() {
     return declared.map(VariableDeclaration::unit).orElseGet(this::fileUnit);
   }
 
-  /** What the variable does: the declaration's word, else the file's. */
+  /** Description from the declaration, else from the file. */
   private String description() {
     return declared
         .map(VariableDeclaration::description)
@@ -55,9 +54,9 @@ final class BoundVariable {
   }
 
   /**
-   * The value of the file, else the declared default.
+   * Value from the file, else the declared default.
    *
-   * @throws ConfigurationException if there is neither, or the value is refused
+   * @throws ConfigurationException if there is neither, or the value is invalid
    */
   Object value() {
     if (!stated.isPresent()) {
@@ -78,9 +77,9 @@ final class BoundVariable {
   }
 
   /**
-   * {@code value}, or the value that this text stands for, if the variable may take it.
+   * Validates a value or parses its text.
    *
-   * @throws ConfigurationException if it may not
+   * @throws ConfigurationException if it is invalid
    */
   Object checked(Object value) {
     Object typed;
@@ -97,7 +96,7 @@ final class BoundVariable {
     return typed;
   }
 
-  /** The same variable after the file's statement has become {@code value}, which is checked. */
+  /** Copy with the file's entry set to a validated {@code value}. */
   FileVariable restated(Object value) {
     FileVariable before =
         stated.orElseGet(
@@ -114,7 +113,7 @@ final class BoundVariable {
     return before.withText(fileText(value));
   }
 
-  /** What a configuration response tells of it. */
+  /** Converts it for a configuration response. */
   ConfigurationVariable described(Object value) {
     ConfigurationVariable message =
         new ConfigurationVariable()
@@ -138,7 +137,7 @@ final class BoundVariable {
     return message;
   }
 
-  /** {@code value}, which is checked, as it stands in the file: in the file's unit. */
+  /** Text of a validated {@code value} in the file's unit. */
   private String fileText(Object value) {
     return value instanceof Double number && converts()
         ? Double.toString(Units.convert(number, unit(), fileUnit()))
@@ -160,7 +159,7 @@ final class BoundVariable {
     return declared.flatMap(variable -> variable.refusal(value));
   }
 
-  // The user wrote the file's unit, so the message speaks it.
+  // The message uses the file's unit, because the user wrote it.
   private void refuse(String reason) {
     if (!converts() || !(stated.get().value() instanceof Double)) {
       throw error(reason);
@@ -241,7 +240,7 @@ final class BoundVariable {
     return converts() ? Units.convert(value, fileUnit(), unit()) : value;
   }
 
-  /** In the file's unit; without one, in the declared unit. */
+  /** Formats in the file's unit, or else in the declared unit. */
   private Range inFile(Range range) {
     return converts()
         ? range.between(

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** What the newest lines of an audit log say: how the configuration came to be as it is. */
+/** Recent history of a configuration from its audit log. */
 final class ChangeHistory {
   private final List<AuditEntry> standing = new ArrayList<>();
   private final List<AuditEntry> undoable = new ArrayList<>();
@@ -17,7 +17,7 @@ final class ChangeHistory {
         case ACCEPTED -> standing.add(entry);
         case FAILED -> standing.removeIf(failed -> failed.revision() == entry.revision());
         default -> {
-          // A refused change tells the revision only.
+          // A rejected change only provides the revision.
         }
       }
       revision =
@@ -33,22 +33,22 @@ final class ChangeHistory {
     }
   }
 
-  /** Counts the changes, from 0. */
+  /** Revision, counted from 0. */
   long revision() {
     return revision;
   }
 
-  /** The newest change that was not taken back yet; empty if none is remembered. */
+  /** Latest change not undone yet; empty if none is known. */
   Optional<AuditEntry> undoable() {
     return undoable.isEmpty() ? Optional.empty() : Optional.of(undoable.get(undoable.size() - 1));
   }
 
-  /** The newest change or undo that stands; empty if none is remembered. */
+  /** Latest effective change or undo; empty if none is known. */
   Optional<AuditEntry> newest() {
     return standing.isEmpty() ? Optional.empty() : Optional.of(standing.get(standing.size() - 1));
   }
 
-  /** Who changed what after a revision, for a message; empty text if nothing is remembered. */
+  /** Summary of changes after a revision, for a message; empty if none is known. */
   String since(long seen) {
     return standing.stream()
         .filter(entry -> entry.revision() > seen)

@@ -7,26 +7,26 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 
-/** Where the changes of one configuration are written down, before they are made. */
+/** Write-ahead journal of a configuration's changes. */
 interface ChangeJournal {
   /**
-   * Waits until nobody else changes the configuration; whoever has the turn closes it.
+   * Acquires exclusive access for a change; the caller closes it.
    *
-   * @throws IOException if that lasts too long or cannot be found out
+   * @throws IOException if that times out or fails
    */
   Closeable take() throws IOException;
 
-  /** The newest entries, oldest first: at least the newest accepted one. */
+  /** Latest entries, oldest first, including at least the latest accepted one. */
   List<AuditEntry> recent() throws IOException;
 
   /**
-   * Adds an entry, which outlasts a power cut from then on.
+   * Appends an entry durably.
    *
-   * @throws IOException if it could not be written; then it is not there
+   * @throws IOException if writing fails; the entry is then absent
    */
   void append(AuditEntry entry) throws IOException;
 
-  /** The journal of a configuration without a file, which lasts as long as the object. */
+  /** In-memory journal of a configuration without a file. */
   static final class InMemory implements ChangeJournal {
     private static final int KEPT = 200;
 

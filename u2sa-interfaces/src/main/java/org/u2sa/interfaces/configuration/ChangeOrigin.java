@@ -3,14 +3,14 @@ package org.u2sa.interfaces.configuration;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * Who changes a configuration and when, for its audit log.
+ * Author and time of a configuration change, for the audit log.
  *
  * @param micros time of the run's clock [µs]
- * @param service the service through which it is changed; empty if none
- * @param author who asks for it; empty if unknown
+ * @param service service that makes the change; empty if none
+ * @param author requester; empty if unknown
  */
 public record ChangeOrigin(long micros, String service, String author) {
-  /** A change by this program itself, now. */
+  /** A change by this program, now. */
   static ChangeOrigin here() {
     return new ChangeOrigin(new SystemClock().micros(), "", "");
   }

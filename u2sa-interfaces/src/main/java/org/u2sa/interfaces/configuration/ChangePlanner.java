@@ -7,13 +7,13 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 
-/** Works out and checks what a change or an undo does, against what the file says now. */
+/** Plans and validates a change or undo against the current file. */
 final class ChangePlanner {
   private final ConfigurationValues memory;
   private final Optional<ConfigurationFile> file;
 
   /**
-   * @param file as it stands on the disk now; empty for a configuration without one
+   * @param file current file content; empty for a configuration without a file
    */
   ChangePlanner(ConfigurationValues memory, Optional<ConfigurationFile> file) {
     this.memory = memory;
@@ -21,10 +21,10 @@ final class ChangePlanner {
   }
 
   /**
-   * The change of each variable to a value or its text.
+   * Plans the change of each variable to a value or text.
    *
-   * @param asSeen whether the author relies on the values that this configuration has in memory
-   * @throws ConfigurationException if one is refused
+   * @param asSeen whether the author's change is based on the values in memory
+   * @throws ConfigurationException if one is rejected
    */
   List<PlannedChange> set(Map<String, ?> wanted, boolean asSeen) {
     if (wanted.isEmpty()) {
@@ -71,9 +71,9 @@ final class ChangePlanner {
   }
 
   /**
-   * The change of each variable back to what it was before {@code entry}.
+   * Plans the reversal of each variable to its value before {@code entry}.
    *
-   * @throws ConfigurationException if one has another value than it was given then, or is refused
+   * @throws ConfigurationException if a variable has changed since, or is rejected
    */
   List<PlannedChange> undo(AuditEntry entry) {
     List<PlannedChange> plan = new ArrayList<>();
@@ -106,7 +106,7 @@ final class ChangePlanner {
     return new PlannedChange(name, before, after, inMemory, newValue, true);
   }
 
-  /** Whether nothing came of an accepted change, since the power failed before it was written. */
+  /** Whether an accepted change was never written, because power failed. */
   boolean wasLost(AuditEntry accepted) {
     return file.isPresent()
         && accepted.values().stream()
@@ -126,7 +126,7 @@ final class ChangePlanner {
     try {
       return Optional.of(bound.value());
     } catch (ConfigurationException e) {
-      return Optional.empty(); // what the file says now is wrong: all the more it may be replaced
+      return Optional.empty(); // the file's current entry is invalid and may be replaced
     }
   }
 
@@ -139,14 +139,14 @@ final class ChangePlanner {
   }
 
   /**
-   * What is to become of one variable; checked, not yet done.
+   * Planned change of a variable; validated but not applied.
    *
-   * @param name of the variable
-   * @param before the file's statement; empty if it has none
-   * @param after what the file is to state; empty if nothing any longer
-   * @param oldValue in the declared unit
-   * @param newValue in the declared unit
-   * @param changes false if file and memory have the new value already
+   * @param name variable name
+   * @param before current file entry; empty if absent
+   * @param after new file entry; empty to remove it
+   * @param oldValue previous value in the declared unit
+   * @param newValue new value in the declared unit
+   * @param changes false if file and memory already have the new value
    */
   record PlannedChange(
       String name,
@@ -172,15 +172,14 @@ final class ChangePlanner {
           after.map(FileVariable::text));
     }
 
-    /** {@code file} after this change. */
+    /** Content of {@code file} after this change. */
     ConfigurationFile in(ConfigurationFile file) {
       return after.isPresent() ? file.with(after.get()) : file.without(name);
     }
   }
 
   /**
-   * What was asked for, as far as answer and audit log repeat it: whoever asks may ask for
-   * anything, of any length.
+   * The request as repeated in response and audit log, truncated because its content is arbitrary.
    */
   static final class RefusedTexts {
     private static final int LONGEST = 200;
@@ -191,7 +190,7 @@ final class ChangePlanner {
     private RefusedTexts() {}
 
     /**
-     * Refuses oversized changes.
+     * * Rejects oversized changes.
      *
      * @throws ConfigurationException if there are too many variables, or texts are too long
      */
@@ -214,7 +213,7 @@ final class ChangePlanner {
           });
     }
 
-    /** The first variables with their values, cut to a length that can be shown. */
+    /** The first variables with their values, truncated for display. */
     static Map<String, String> of(Map<String, ?> wanted) {
       Map<String, String> texts = new LinkedHashMap<>();
       for (Map.Entry<String, ?> entry : wanted.entrySet()) {
