@@ -1,6 +1,8 @@
 package org.u2sa.core.estimation;
 
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.StateInformation;
@@ -14,9 +16,14 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>A subclass writes {@link #estimate}. The estimate's sensorName becomes this service's name, so
  * that receivers tell estimates of two estimators apart; its timestamp is that of the measurement,
- * unless the subclass sets another.
+ * unless the subclass sets another. Of more than 32 sensors it hears the first.
  */
 public abstract class StateEstimator extends EventDrivenService {
+  private static final int MAX_SOURCES = 32; // each costs time and memory in every estimate
+
+  private final Set<String> sources = new HashSet<>(); // names of sensors
+  private long refused;
+
   /**
    * @param serviceName the name, unless the variable SERVICE NAME says another
    */
@@ -40,7 +47,15 @@ public abstract class StateEstimator extends EventDrivenService {
       log(LogLevelEnum.WARN, "ignored a measurement without a timestamp: " + sensed);
       return;
     }
-    estimate(sensed).ifPresent(estimate -> publishEstimate(estimate, sensed));
+    if (sources.contains(sensed.sensorName())
+        || sources.size() < MAX_SOURCES && sources.add(sensed.sensorName())) {
+      estimate(sensed).ifPresent(estimate -> publishEstimate(estimate, sensed));
+    } else if (Long.bitCount(++refused) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      trouble(
+          String.format(
+              "more than %s sensors, \"%s\" is one too many: %s measurements ignored so far",
+              MAX_SOURCES, sensed.sensorName(), refused));
+    }
   }
 
   private void publishEstimate(StateInformation estimate, StateInformation sensed) {

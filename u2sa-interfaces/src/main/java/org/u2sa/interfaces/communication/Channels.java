@@ -68,7 +68,7 @@ public final class Channels {
 
   /** What exteroceptive sensors saw; to the World Modeler. */
   public static final Channel<ObjectDescription> SENSED_OBJECTS =
-      Channel.every("sensed-objects", ObjectDescription.TYPE);
+      Channel.every("sensed-objects", ObjectDescription.TYPE, ObjectDescription::sensorName);
 
   /** What scanning range finders measured, beam by beam; to the World Modeler. */
   public static final Channel<RangeScan> SCANS =

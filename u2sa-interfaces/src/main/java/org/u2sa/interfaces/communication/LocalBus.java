@@ -129,6 +129,8 @@ public final class LocalBus implements Transport {
 
   /** The subscribers of one channel, and what is retained on it. */
   private static final class Route {
+    private static final int MAX_RETAINED = 1_000; // sources, which others may invent
+
     /**
      * Copied when one is added or removed, under this; as an array, since each message goes over
      * it.
@@ -152,7 +154,9 @@ public final class LocalBus implements Transport {
         synchronized (this) {
           channel = on;
           String source = on.sourceOf(message);
-          retained.put(source, message);
+          if (retained.size() < MAX_RETAINED || retained.containsKey(source)) {
+            retained.put(source, message);
+          }
           hand(message, carrier);
           if (publisher != null) {
             publishers.put(source, publisher);
