@@ -2,7 +2,9 @@ package org.u2sa.service;
 
 import java.util.ArrayDeque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.DiscoveryRequest;
@@ -18,6 +20,9 @@ import org.u2sa.messages.schema.U2SAData;
  * is urgent, an emergency stop, has a queue of its own, which comes first. Arming and failsafes
  * wait among the others, but the others cannot take their room. Questions that anybody may ask,
  * which the service contract answers, fill a quarter of the rest at most.
+ *
+ * <p>Services keep something for each source of a channel, so the inbox takes messages of a limited
+ * number of them: whoever invents names fills no memory.
  */
 final class ServiceInbox {
   /** One message and the channel that it came on. */
@@ -45,13 +50,29 @@ final class ServiceInbox {
     }
   }
 
+  /** Sources of a channel whose messages it takes: the first that it gets. */
+  static final int MAX_SOURCES = 500;
+
+  /** What comes of a message. */
+  enum Outcome {
+    /** Waits for the service. */
+    KEPT,
+    /** Found the queue full. */
+    DROPPED,
+    /** Is of one source too many. */
+    UNKNOWN_SOURCE
+  }
+
   private static final int QUESTIONS_PART = 4;
+  private static final Delivery NONE_WAITS = new Delivery(null, null, 0L);
 
   private final int capacity;
   private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
   private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
   private final Map<Channel<?>, Map<String, Delivery>> newest =
-      new HashMap<>(); // deliveries still queued
+      new HashMap<>(); // deliveries still queued, of each source that is known
+  private final Map<Channel<?>, Set<String>> sources =
+      new HashMap<>(); // of channels on which each message matters
   private int reserved; // of those in the queue, as what follows
   private int questions;
   private long dropped;
@@ -63,32 +84,45 @@ final class ServiceInbox {
   }
 
   /**
-   * Queues a message. Returns whether it is kept; otherwise the queue is full.
+   * Queues a message, if there is room for it.
    *
    * @param arrivedMicros when it came, where anybody wants to know [µs]
    */
-  synchronized boolean put(Channel<?> channel, U2SAData message, long arrivedMicros) {
+  synchronized Outcome put(Channel<?> channel, U2SAData message, long arrivedMicros) {
     if (successor != null) {
       return successor.put(channel, message, arrivedMicros);
     }
+    String source = channel.sourceOf(message);
     if (channel.deliversEvery()) {
+      if (!source.isEmpty() && !isKnown(channel, source)) {
+        dropped++;
+        return Outcome.UNKNOWN_SOURCE;
+      }
       return enqueue(lineOf(channel), new Delivery(channel, message, arrivedMicros));
     }
     Map<String, Delivery> ofChannel = newest.computeIfAbsent(channel, key -> new HashMap<>());
-    String source = channel.sourceOf(message);
     Delivery waiting = ofChannel.get(source);
-    if (waiting != null) {
+    if (waiting == null && ofChannel.size() >= MAX_SOURCES) {
+      dropped++;
+      return Outcome.UNKNOWN_SOURCE;
+    }
+    if (waiting != null && waiting != NONE_WAITS) {
       waiting.message = message;
       waiting.arrivedMicros = arrivedMicros;
       replaced++;
-      return true;
+      return Outcome.KEPT;
     }
     Delivery delivery = new Delivery(channel, message, arrivedMicros);
-    boolean kept = enqueue(lineOf(channel), delivery);
-    if (kept) {
+    Outcome outcome = enqueue(lineOf(channel), delivery);
+    if (outcome == Outcome.KEPT) {
       ofChannel.put(source, delivery);
     }
-    return kept;
+    return outcome;
+  }
+
+  private boolean isKnown(Channel<?> channel, String source) {
+    Set<String> known = sources.computeIfAbsent(channel, key -> new HashSet<>());
+    return known.contains(source) || known.size() < MAX_SOURCES && known.add(source);
   }
 
   private ArrayDeque<Delivery> lineOf(Channel<?> channel) {
@@ -120,14 +154,14 @@ final class ServiceInbox {
         || message instanceof FunctionalityRequest;
   }
 
-  private boolean enqueue(ArrayDeque<Delivery> line, Delivery delivery) {
+  private Outcome enqueue(ArrayDeque<Delivery> line, Delivery delivery) {
     if (isFull(line, delivery)) {
       dropped++;
-      return false;
+      return Outcome.DROPPED;
     }
     count(delivery, 1);
     line.add(delivery);
-    return true;
+    return Outcome.KEPT;
   }
 
   /** The oldest delivery, urgent ones first, or null if there is none. */
@@ -137,7 +171,7 @@ final class ServiceInbox {
       return null;
     }
     if (!delivery.channel.deliversEvery()) {
-      newest.get(delivery.channel).remove(delivery.channel.sourceOf(delivery.message));
+      newest.get(delivery.channel).put(delivery.channel.sourceOf(delivery.message), NONE_WAITS);
     }
     count(delivery, -1);
     return delivery;
@@ -180,8 +214,11 @@ final class ServiceInbox {
   }
 
   private boolean isWaiting(Delivery handled) {
-    Map<String, Delivery> ofChannel = newest.get(handled.channel);
-    return ofChannel != null && ofChannel.containsKey(handled.channel.sourceOf(handled.message));
+    Delivery waiting =
+        newest
+            .getOrDefault(handled.channel, Map.of())
+            .getOrDefault(handled.channel.sourceOf(handled.message), NONE_WAITS);
+    return waiting != NONE_WAITS;
   }
 
   private void append(Delivery delivery) {
@@ -198,7 +235,7 @@ final class ServiceInbox {
     return urgent.size() + queue.size();
   }
 
-  /** Messages that were lost because the queue was full, so far. */
+  /** Messages that were lost so far: the queue was full, or they were of one source too many. */
   synchronized long dropped() {
     return dropped;
   }

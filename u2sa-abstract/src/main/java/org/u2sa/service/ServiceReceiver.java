@@ -76,8 +76,15 @@ final class ServiceReceiver implements Receiver {
     ServiceInbox inbox = service.handling.inbox();
     boolean ages = service.wiring.registrations().deadlineMicros(channel) != Clock.NEVER;
     long arrivedMicros = ages ? service.clock().micros() : 0L; // asking costs time
-    if (!inbox.put(channel, message, arrivedMicros) && Long.bitCount(inbox.dropped()) == 1) {
-      service.log(LogLevelEnum.WARN, "inbox full: " + inbox.dropped() + " messages dropped so far");
+    ServiceInbox.Outcome outcome = inbox.put(channel, message, arrivedMicros);
+    if (outcome != ServiceInbox.Outcome.KEPT && Long.bitCount(inbox.dropped()) == 1) {
+      String why =
+          outcome == ServiceInbox.Outcome.DROPPED
+              ? "inbox full"
+              : String.format(
+                  "more than %s sources on \"%s\", \"%s\" is one too many",
+                  ServiceInbox.MAX_SOURCES, channel, channel.sourceOf(message));
+      service.log(LogLevelEnum.WARN, why + ": " + inbox.dropped() + " messages dropped so far");
     }
     U2SAService waiting = served.present; // asked anew: it may have been moved to a successor
     if (channel.isUrgent() || !waiting.handling.isPatient()) {

@@ -15,6 +15,8 @@ import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.shape.Circle;
+import org.u2sa.service.ServiceInbox.Outcome;
 
 /** Which queue of an inbox is full when, what is replaced, and what moves to a successor. */
 class ServiceInboxLimitsTest {
@@ -23,7 +25,7 @@ class ServiceInboxLimitsTest {
   private final ServiceInbox inbox = new ServiceInbox(CAPACITY);
 
   private static boolean put(ServiceInbox inbox, Channel<?> channel, U2SAData message) {
-    return inbox.put(channel, message, 0L);
+    return inbox.put(channel, message, 0L) == Outcome.KEPT;
   }
 
   private static boolean putNumber(ServiceInbox inbox, String number) {
@@ -88,7 +90,7 @@ class ServiceInboxLimitsTest {
     inbox.put(Channels.STATE, state("A"), 1L);
     inbox.put(Channels.STATE, state("B"), 2L);
     StateInformation newer = state("A");
-    assertThat(inbox.put(Channels.STATE, newer, 3L)).isTrue();
+    assertThat(inbox.put(Channels.STATE, newer, 3L)).isEqualTo(Outcome.KEPT);
 
     assertThat(inbox.replaced()).isOne();
     ServiceInbox.Delivery first = inbox.poll();
@@ -209,5 +211,33 @@ class ServiceInboxLimitsTest {
     assertThat(put(next, Channels.DISCOVERY, new DiscoveryRequest())).isFalse();
     assertThat(fill(next, Channels.ARMING, new ArmCommand())).isEqualTo(CAPACITY - 2);
     assertThat(fill(next, Channels.GOAL_COMMANDS, new GoalCommand())).isEqualTo(CAPACITY - 2);
+  }
+
+  @Test
+  void put_moreSourcesThanAnyVehicleHas_keepsToTheFirst() {
+    for (int i = 0; i < ServiceInbox.MAX_SOURCES; i++) {
+      assertThat(put(inbox, Channels.SENSED_STATE, state("s" + i))).isTrue();
+      inbox.poll();
+    }
+
+    assertThat(inbox.put(Channels.SENSED_STATE, state("invented"), 0L))
+        .isEqualTo(Outcome.UNKNOWN_SOURCE);
+    assertThat(put(inbox, Channels.SENSED_STATE, state("s0"))).isTrue();
+    assertThat(put(inbox, Channels.STATE, state("invented"))).isTrue(); // counted by channel
+    assertThat(contents(inbox)).containsExactly("s0", "invented");
+    assertThat(inbox.dropped()).isEqualTo(1);
+  }
+
+  @Test
+  void put_moreSourcesOfObjectsThanAnyVehicleHas_keepsToTheFirst() {
+    for (int i = 0; i < ServiceInbox.MAX_SOURCES; i++) {
+      assertThat(put(inbox, Channels.SENSED_OBJECTS, new Circle().sensorName("s" + i))).isTrue();
+      inbox.poll();
+    }
+
+    assertThat(inbox.put(Channels.SENSED_OBJECTS, new Circle().sensorName("invented"), 0L))
+        .isEqualTo(Outcome.UNKNOWN_SOURCE);
+    assertThat(put(inbox, Channels.SENSED_OBJECTS, new Circle().sensorName("s0"))).isTrue();
+    assertThat(put(inbox, Channels.SENSED_OBJECTS, new Circle())).isTrue(); // names no source
   }
 }

@@ -12,6 +12,7 @@ import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.service.ServiceInbox.Outcome;
 
 /** Who finds room in a service's inbox when others fill it. */
 class ServiceInboxTest {
@@ -21,7 +22,7 @@ class ServiceInboxTest {
 
   private int questionsTaken() {
     int taken = 0;
-    while (inbox.put(Channels.CONFIGURATION, new ConfigurationRequest(), 0L)) {
+    while (inbox.put(Channels.CONFIGURATION, new ConfigurationRequest(), 0L) == Outcome.KEPT) {
       taken++;
     }
     return taken;
@@ -31,9 +32,11 @@ class ServiceInboxTest {
   void put_floodOfQuestions_fillsAQuarterAndLeavesRoomForTheRest() {
     assertThat(questionsTaken()).isEqualTo(CAPACITY / 4);
 
-    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest(), 0L)).isFalse();
-    assertThat(inbox.put(Channels.CONFIGURATION, new ConfigurationChange(), 0L)).isTrue();
-    assertThat(inbox.put(Channels.GOALS, new GoalList(), 0L)).isTrue();
+    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest(), 0L))
+        .isEqualTo(Outcome.DROPPED);
+    assertThat(inbox.put(Channels.CONFIGURATION, new ConfigurationChange(), 0L))
+        .isEqualTo(Outcome.KEPT);
+    assertThat(inbox.put(Channels.GOALS, new GoalList(), 0L)).isEqualTo(Outcome.KEPT);
     assertThat(inbox.dropped()).isEqualTo(2);
   }
 
@@ -42,8 +45,9 @@ class ServiceInboxTest {
     questionsTaken();
     inbox.poll();
 
-    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest(), 0L)).isTrue();
-    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest(), 0L)).isFalse();
+    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest(), 0L)).isEqualTo(Outcome.KEPT);
+    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest(), 0L))
+        .isEqualTo(Outcome.DROPPED);
   }
 
   @Test
@@ -51,14 +55,15 @@ class ServiceInboxTest {
     for (int i = 0; i < CAPACITY; i++) {
       inbox.put(Channels.CONFIGURATION, new ConfigurationChange(), 0L);
     }
-    assertThat(inbox.put(Channels.CONFIGURATION, new ConfigurationChange(), 0L)).isFalse();
+    assertThat(inbox.put(Channels.CONFIGURATION, new ConfigurationChange(), 0L))
+        .isEqualTo(Outcome.DROPPED);
 
     ArmCommand arm = new ArmCommand();
     EmergencyStop stop = new EmergencyStop();
-    assertThat(inbox.put(Channels.ARMING, arm, 0L)).isTrue();
-    assertThat(inbox.put(Channels.EMERGENCY_STOP, stop, 0L)).isTrue();
-    assertThat(inbox.put(Channels.FAILSAFE, new FailsafeState(), 0L)).isTrue();
-    assertThat(inbox.put(Channels.ARMING_STATE, new ArmingState(), 0L)).isTrue();
+    assertThat(inbox.put(Channels.ARMING, arm, 0L)).isEqualTo(Outcome.KEPT);
+    assertThat(inbox.put(Channels.EMERGENCY_STOP, stop, 0L)).isEqualTo(Outcome.KEPT);
+    assertThat(inbox.put(Channels.FAILSAFE, new FailsafeState(), 0L)).isEqualTo(Outcome.KEPT);
+    assertThat(inbox.put(Channels.ARMING_STATE, new ArmingState(), 0L)).isEqualTo(Outcome.KEPT);
 
     assertThat(inbox.poll().message()).isSameAs(stop);
     for (int i = 0; i < CAPACITY; i++) {

@@ -52,6 +52,7 @@ public final class ServiceDirectory {
   /** A service is forgotten when it was silent for so long [s], or for three of its intervals. */
   public static final double LOST_AFTER_S = 4.0;
 
+  private static final int MAX_SERVICES = 1_000;
   private static final double INTERVALS = 3.0;
   private static final long ASK_AGAIN_MICROS = Clock.MICROS_PER_SECOND;
 
@@ -118,6 +119,9 @@ public final class ServiceDirectory {
   }
 
   private synchronized void note(String name, Function<KnownService, KnownService> change) {
+    if (entries.size() >= MAX_SERVICES && !entries.containsKey(name)) {
+      return; // of a system that has far fewer: somebody invents names
+    }
     Entry entry = entries.computeIfAbsent(name, Entry::new);
     entry.service = change.apply(entry.service);
     entry.heardMicros = clock.micros();

@@ -1,6 +1,8 @@
 package org.u2sa.core.estimation;
 
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.StateInformation;
@@ -14,12 +16,16 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>A subclass writes {@link #estimate}. The estimate's sensorName becomes this service's name, so
  * that receivers tell estimates of two estimators apart; its timestamp is that of the measurement,
- * unless the subclass sets another. Measurements that nothing near the earth can cause are ignored.
+ * unless the subclass sets another. Measurements that nothing near the earth can cause are ignored,
+ * and so are those of sensors beyond the first 32.
  */
 public abstract class StateEstimator extends EventDrivenService {
   private static final int WARN_OF_IGNORED = 100;
+  private static final int MAX_SOURCES = 32; // each costs time and memory in every estimate
 
+  private final Set<String> sources = new HashSet<>(); // names of sensors
   private long ignored;
+  private long refused;
 
   /**
    * @param serviceName the name, unless the variable SERVICE NAME says another
@@ -49,7 +55,15 @@ public abstract class StateEstimator extends EventDrivenService {
       ignore(sensed, "says " + objection.get());
       return;
     }
-    estimate(sensed).ifPresent(estimate -> publishEstimate(estimate, sensed));
+    if (sources.contains(sensed.sensorName())
+        || sources.size() < MAX_SOURCES && sources.add(sensed.sensorName())) {
+      estimate(sensed).ifPresent(estimate -> publishEstimate(estimate, sensed));
+    } else if (Long.bitCount(++refused) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      trouble(
+          String.format(
+              "more than %s sensors, \"%s\" is one too many: %s measurements ignored so far",
+              MAX_SOURCES, sensed.sensorName(), refused));
+    }
   }
 
   /** Tells people, not each time, of a measurement that does not count. */

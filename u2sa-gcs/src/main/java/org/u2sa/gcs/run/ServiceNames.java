@@ -26,6 +26,8 @@ import org.u2sa.messages.schema.U2SAData;
 final class ServiceNames implements Receiver, AutoCloseable {
   private static final int ASKS_AT_MOST = 20; // for each name that is nobody's of this file
 
+  private static final int MAX_NAMES = 1_000; // that are nobody's of this file
+
   private final List<SystemFile.Entry> entries;
   private final Clock clock;
   private final Consumer<String> trouble;
@@ -66,6 +68,9 @@ final class ServiceNames implements Receiver, AutoCloseable {
 
   private void hear(HealthReport report) {
     String name = report.serviceName();
+    if (asked.size() >= MAX_NAMES && !asked.containsKey(name) && !entryNames.containsKey(name)) {
+      return; // somebody invents names
+    }
     if (report.threadAlive().isEmpty()) { // it speaks for itself
       boolean isLast = report.status() == ServiceStatus.STOPPED;
       words.put(name, new Word(report.instance().orElse(""), clock.micros(), isLast));
@@ -84,6 +89,9 @@ final class ServiceNames implements Receiver, AutoCloseable {
   }
 
   private void learn(DiscoveryResponse response) {
+    if (entryNames.size() >= MAX_NAMES && !entryNames.containsKey(response.serviceName())) {
+      return;
+    }
     for (SystemFile.Entry entry : entries) {
       if (response.className().equals(Optional.of(entry.className()))) {
         entryNames.put(response.serviceName(), entry.simpleName());

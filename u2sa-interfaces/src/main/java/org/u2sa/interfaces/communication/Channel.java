@@ -87,7 +87,19 @@ public final class Channel<T extends U2SAData> {
    * @throws IllegalArgumentException if the name is not of that form
    */
   public static <T extends U2SAData> Channel<T> every(String name, MessageType<T> type) {
-    return of(name, type, message -> "", EnumSet.of(Trait.EVERY));
+    return every(name, type, message -> "");
+  }
+
+  /**
+   * {@link #every(String, MessageType)} with sources that are told apart: a subscriber keeps
+   * something for each.
+   *
+   * @param source what tells the sources on the channel apart, for example the sensor's name
+   * @throws IllegalArgumentException if the name is not of that form
+   */
+  public static <T extends U2SAData> Channel<T> every(
+      String name, MessageType<T> type, Function<? super T, String> source) {
+    return of(name, type, source, EnumSet.of(Trait.EVERY));
   }
 
   /**

@@ -65,7 +65,7 @@ public final class Channels {
 
   /** Detections of exteroceptive sensors; to the World Modeler. */
   public static final Channel<ObjectDescription> SENSED_OBJECTS =
-      Channel.every("sensed-objects", ObjectDescription.TYPE);
+      Channel.every("sensed-objects", ObjectDescription.TYPE, ObjectDescription::sensorName);
 
   /** Lidar and sonar scans, beam by beam; to the World Modeler. */
   public static final Channel<RangeScan> SCANS =

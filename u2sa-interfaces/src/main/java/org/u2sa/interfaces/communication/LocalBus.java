@@ -128,6 +128,8 @@ public final class LocalBus implements Transport {
 
   /** Subscribers and retained messages of a channel. */
   private static final class Route {
+    private static final int MAX_RETAINED = 1_000; // sources, which others may invent
+
     /** Copy-on-write under this; an array because every message iterates over it. */
     private volatile Subscription[] subscriptions = {};
 
@@ -149,7 +151,9 @@ public final class LocalBus implements Transport {
         synchronized (this) {
           channel = on;
           String source = on.sourceOf(message);
-          retained.put(source, message);
+          if (retained.size() < MAX_RETAINED || retained.containsKey(source)) {
+            retained.put(source, message);
+          }
           hand(message, carrier);
           if (publisher != null) {
             publishers.put(source, publisher);
