@@ -33,6 +33,10 @@ final class ViewChannels {
     return channel;
   }
 
+  synchronized int size() {
+    return byTopic.size();
+  }
+
   synchronized List<ViewChannel> all() {
     return new ArrayList<>(byTopic.values());
   }

@@ -41,6 +41,9 @@ final class ViewFeed {
    */
   void take(Channel<?> channel, U2SAData message, long nanos) {
     Topic topic = Topic.of(systemId, channel, message);
+    if (!server.hasRoomFor(topic.toString())) {
+      return;
+    }
     ViewChannel own =
         server.channel(
             topic.toString(),
@@ -64,6 +67,9 @@ final class ViewFeed {
 
   private void take(FoxgloveMessages.View view, long nanos) {
     String name = view.topic().substring(view.topic().lastIndexOf('/') + 1);
+    if (!server.hasRoomFor(view.topic())) {
+      return;
+    }
     ViewChannel channel =
         server.channel(
             view.topic(),

@@ -5,6 +5,7 @@ import io.netty.channel.Channel;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInitializer;
 import io.netty.channel.ChannelOption;
+import io.netty.channel.ChannelOutboundHandlerAdapter;
 import io.netty.channel.SimpleChannelInboundHandler;
 import io.netty.channel.WriteBufferWaterMark;
 import io.netty.channel.nio.NioEventLoopGroup;
@@ -25,6 +26,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.gcs.command.RunFailedException;
@@ -42,6 +44,9 @@ final class ViewServer implements AutoCloseable {
   private static final int LONGEST_FRAME = 1 << 20;
   private static final WriteBufferWaterMark BUFFER = new WriteBufferWaterMark(1 << 20, 4 << 20);
   private static final int MOST_VIEWERS = 32;
+  private static final int MAX_CHANNELS = 2048; // of a running system
+  private static final int MAX_SOCKETS = 2 * MOST_VIEWERS; // before and after the handshake
+  private static final int HANDSHAKE_WITHIN_S = 10;
   private static final int END_MS = 500;
 
   private final String name;
@@ -51,6 +56,8 @@ final class ViewServer implements AutoCloseable {
   private final ViewChannels channels = new ViewChannels();
   private final Set<ViewerSession> viewers = ConcurrentHashMap.newKeySet();
   private final NioEventLoopGroup threads = new NioEventLoopGroup(1);
+  private final AtomicInteger sockets = new AtomicInteger();
+  private volatile boolean saidFull;
   private final Channel listening;
 
   /**
@@ -105,6 +112,21 @@ final class ViewServer implements AutoCloseable {
   /** Whether somebody subscribes to anything. */
   boolean isWatched() {
     return viewers.stream().anyMatch(ViewerSession::hearsAnything);
+  }
+
+  /**
+   * Whether the topic has a channel or may get one. What comes from a running system may name
+   * sources without end.
+   */
+  boolean hasRoomFor(String topic) {
+    if (channels.of(topic).isPresent() || channels.size() < MAX_CHANNELS) {
+      return true;
+    }
+    if (!saidFull) {
+      saidFull = true;
+      remarks.accept("more than " + MAX_CHANNELS + " topics: further ones are not shown");
+    }
+    return false;
   }
 
   /** The channel of that topic; announced to all if it is new. */
@@ -171,8 +193,15 @@ final class ViewServer implements AutoCloseable {
   private final class Initializer extends ChannelInitializer<SocketChannel> {
     @Override
     protected void initChannel(SocketChannel socket) {
+      if (sockets.incrementAndGet() > MAX_SOCKETS) {
+        sockets.decrementAndGet();
+        socket.close();
+        return;
+      }
+      socket.closeFuture().addListener(closed -> sockets.decrementAndGet());
       socket
           .pipeline()
+          .addLast(new ReadsWhileWritable())
           .addLast(new HttpServerCodec())
           .addLast(new HttpObjectAggregator(LONGEST_REQUEST))
           .addLast(
@@ -184,6 +213,16 @@ final class ViewServer implements AutoCloseable {
                       .maxFramePayloadLength(LONGEST_FRAME)
                       .build()))
           .addLast(new Conversation());
+    }
+  }
+
+  /** Netty's own handler reads on after each ping and pong, whatever the channel's setting. */
+  private static final class ReadsWhileWritable extends ChannelOutboundHandlerAdapter {
+    @Override
+    public void read(ChannelHandlerContext context) {
+      if (context.channel().isWritable()) {
+        context.read();
+      }
     }
   }
 
@@ -221,6 +260,26 @@ final class ViewServer implements AutoCloseable {
     private void close(ChannelHandlerContext context, String why) {
       context.writeAndFlush(new CloseWebSocketFrame(WebSocketCloseStatus.PROTOCOL_ERROR, why));
       context.close();
+    }
+
+    @Override
+    public void handlerAdded(ChannelHandlerContext context) {
+      context
+          .executor()
+          .schedule(() -> requireViewer(context), HANDSHAKE_WITHIN_S, TimeUnit.SECONDS);
+    }
+
+    private void requireViewer(ChannelHandlerContext context) {
+      if (viewer == null) {
+        context.close();
+      }
+    }
+
+    /** A viewer that does not read its answers is not asked for further requests or pings. */
+    @Override
+    public void channelWritabilityChanged(ChannelHandlerContext context) throws Exception {
+      context.channel().config().setAutoRead(context.channel().isWritable());
+      super.channelWritabilityChanged(context);
     }
 
     @Override

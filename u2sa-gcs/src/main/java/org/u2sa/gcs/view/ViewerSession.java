@@ -25,6 +25,7 @@ final class ViewerSession {
 
   private static final byte MESSAGE_DATA = 0x01;
   private static final byte TIME = 0x02;
+  private static final long MAX_UNREAD_BYTES = 16L << 20;
   private static final int HEAD = 1 + Integer.BYTES + Long.BYTES;
   private static final int MOST_SUBSCRIPTIONS = 4096;
 
@@ -72,7 +73,15 @@ final class ViewerSession {
     return !channelBySubscription.isEmpty();
   }
 
+  /**
+   * Sends what a viewer must not miss, such as a new channel. One that has not read for so long
+   * that even these pile up is disconnected.
+   */
   void send(JsonText message) {
+    if (socket.bytesBeforeWritable() > MAX_UNREAD_BYTES) {
+      socket.close();
+      return;
+    }
     socket.writeAndFlush(new TextWebSocketFrame(message.line()));
   }
 

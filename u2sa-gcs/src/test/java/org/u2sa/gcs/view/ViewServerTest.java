@@ -10,7 +10,13 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
@@ -32,6 +38,7 @@ import org.u2sa.messages.frame.Point;
 @Timeout(120)
 class ViewServerTest {
   private static final String V1 = "foxglove.websocket.v1";
+  private static final long MORE_THAN_BUFFERS = 64L << 20;
 
   private final BlockingQueue<String> remarks = new LinkedBlockingQueue<>();
   private final ViewServer server = server(0);
@@ -180,15 +187,7 @@ class ViewServerTest {
     try (Viewer awake = viewer()) {
       asleep.setReceiveBufferSize(4096);
       asleep.connect(server.address());
-      asleep
-          .getOutputStream()
-          .write(
-              bytes(
-                  "GET / HTTP/1.1\r\nHost: a\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-                      + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nSec-WebSocket-Version: 13\r\n"
-                      + "Sec-WebSocket-Protocol: "
-                      + V1
-                      + "\r\n\r\n"));
+      asleep.getOutputStream().write(bytes(HANDSHAKE));
       readUntil(asleep, "serverInfo"); // frames before the handshake's end would be lost
       write(asleep, "{\"op\":\"subscribe\",\"subscriptions\":[{\"id\":1,\"channelId\":1}]}");
       write(asleep, "{\"op\":\"answer\"}");
@@ -213,6 +212,72 @@ class ViewServerTest {
       }
       assertThat(data.bytes()).isEqualTo(bytes("still served"));
     }
+  }
+
+  private static final String HANDSHAKE =
+      "GET / HTTP/1.1\r\nHost: a\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+          + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nSec-WebSocket-Version: 13\r\n"
+          + "Sec-WebSocket-Protocol: "
+          + V1
+          + "\r\n\r\n";
+
+  @ParameterizedTest
+  @ValueSource(ints = {0x1, 0x9}) // texts, each answered by a status; pings, each by a pong
+  void request_viewerThatNeverReads_isNotReadFromEither(int opcode) throws Exception {
+    try (SocketChannel asleep = SocketChannel.open();
+        Selector selector = Selector.open()) {
+      asleep.setOption(StandardSocketOptions.SO_RCVBUF, 4096);
+      asleep.connect(server.address());
+      asleep.write(ByteBuffer.wrap(bytes(HANDSHAKE)));
+      readUntil(asleep.socket(), "serverInfo");
+      byte[] payload = bytes("{\"op\":\"" + "x".repeat(110) + "\"}");
+      ByteBuffer frames = ByteBuffer.allocate(100 * (6 + payload.length));
+      while (frames.hasRemaining()) {
+        frames.put((byte) (0x80 | opcode)).put((byte) (0x80 | payload.length));
+        frames.putInt(0).put(payload);
+      }
+      asleep.configureBlocking(false);
+      asleep.register(selector, SelectionKey.OP_WRITE);
+      long written = 0;
+      while (written < MORE_THAN_BUFFERS && selector.select(2_000) > 0) {
+        selector.selectedKeys().clear();
+        frames.rewind().position((int) (written % frames.capacity()));
+        written += asleep.write(frames);
+      }
+      assertThat(written).isLessThan(MORE_THAN_BUFFERS);
+    }
+  }
+
+  @Test
+  void connect_withoutHandshake_isLimited() throws Exception {
+    List<Socket> idle = new ArrayList<>();
+    try {
+      int closed = 0;
+      for (int i = 0; i < 80; i++) {
+        idle.add(new Socket(InetAddress.getLoopbackAddress(), server.address().getPort()));
+      }
+      for (Socket socket : idle.subList(64, 80)) {
+        socket.setSoTimeout(30_000);
+        closed += socket.getInputStream().read() < 0 ? 1 : 0;
+      }
+      assertThat(closed).isEqualTo(16);
+    } finally {
+      for (Socket socket : idle) {
+        socket.close();
+      }
+    }
+  }
+
+  @Test
+  void hasRoomFor_topicsWithoutEnd_isLimitedAndSaidOnce() {
+    for (int i = 0; i < 2_048; i++) {
+      assertThat(server.hasRoomFor("topic" + i)).isTrue();
+      json("topic" + i, false);
+    }
+    assertThat(server.hasRoomFor("one more")).isFalse();
+    assertThat(server.hasRoomFor("and another")).isFalse();
+    assertThat(server.hasRoomFor("topic7")).isTrue();
+    assertThat(remarks).containsExactly("more than 2048 topics: further ones are not shown");
   }
 
   /** A text frame of at most 125 bytes, masked by zeros. */
