@@ -13,6 +13,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 /** The vehicle's states of the last moments, and in between by interpolation. */
 final class PoseHistory {
   private static final long SPAN_MICROS = 5 * Clock.MICROS_PER_SECOND;
+  private static final double TURN_DEG = 360.0;
   private static final StateField[] PLACE = {StateField.X, StateField.Y, StateField.Z};
   private static final StateField[] ANGLES = {StateField.PHI, StateField.THETA, StateField.PSI};
 
@@ -90,6 +91,12 @@ final class PoseHistory {
         double from = a.number(field).getAsDouble();
         state.number(field, from + share * (b.number(field).getAsDouble() - from));
       }
+    }
+    if (a.referenceFrame().equals(ReferenceFrame.GLOBAL)
+        && a.x().isPresent()
+        && b.x().isPresent()) {
+      double way = Math.IEEEremainder(b.x().getAsDouble() - a.x().getAsDouble(), TURN_DEG);
+      state.x(Math.IEEEremainder(a.x().getAsDouble() + share * way, TURN_DEG));
     }
     for (StateField field : ANGLES) {
       if (a.number(field).isPresent() && b.number(field).isPresent()) {

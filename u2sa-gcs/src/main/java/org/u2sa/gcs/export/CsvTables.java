@@ -30,7 +30,7 @@ final class CsvTables {
   private final Map<Topic, CsvColumns> columns = new LinkedHashMap<>();
 
   /**
-   * @param everyS least time between two rows of a table [s]
+   * @param everyS least time between two rows of one source in a table [s]
    */
   CsvTables(
       RecordedMessages recording, RecordedSpan span, Predicate<McapChannel> wanted, double everyS) {
@@ -88,7 +88,7 @@ final class CsvTables {
         span,
         (topic, message, nanos) -> {
           double timeS = span.seconds(nanos);
-          if (spacing.takes(topic, timeS)) {
+          if (spacing.takes(topic, message, timeS)) {
             row.take(topic, message, timeS);
           }
         });

@@ -9,8 +9,8 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * GeoJSON (RFC 7946): a line for each track, with the time of each place in {@code coordTimes}; a
- * point for each goal.
+ * GeoJSON (RFC 7946): a line for each track, with the time of each place in {@code coordTimes}; of
+ * a track that crosses the antimeridian, several lines. A point for each goal.
  */
 final class GeoJsonText {
   private static final double DEGREE_STEPS = 1e9;
@@ -28,17 +28,25 @@ final class GeoJsonText {
   }
 
   private static JsonText track(String name, List<GeoRun.Fix> fixes) {
-    List<List<Double>> places =
-        fixes.stream()
-            .map(fix -> place(fix.longitudeDeg(), fix.latitudeDeg(), fix.altitudeM()))
-            .collect(Collectors.toList());
-    List<String> times =
-        fixes.stream().map(fix -> fix.time().toString()).collect(Collectors.toList());
+    List<List<List<Double>>> lines = new ArrayList<>();
+    List<List<String>> times = new ArrayList<>();
+    for (List<GeoRun.Fix> part : TrackParts.of(fixes)) {
+      lines.add(
+          part.stream()
+              .map(fix -> place(fix.longitudeDeg(), fix.latitudeDeg(), fix.altitudeM()))
+              .collect(Collectors.toList()));
+      times.add(part.stream().map(fix -> fix.time().toString()).collect(Collectors.toList()));
+    }
+    if (lines.size() > 1) {
+      return feature(
+          "MultiLineString", lines, new JsonText().put("name", name).put("coordTimes", times));
+    }
+    List<List<Double>> places = lines.get(0);
     boolean isLine = places.size() > 1; // RFC 7946, 3.1.4: two or more positions
     return feature(
         isLine ? "LineString" : "Point",
         isLine ? places : places.get(0),
-        new JsonText().put("name", name).put("coordTimes", times));
+        new JsonText().put("name", name).put("coordTimes", times.get(0)));
   }
 
   private static JsonText goal(GeoRun.Goal goal) {

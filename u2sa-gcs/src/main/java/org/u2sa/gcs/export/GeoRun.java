@@ -25,6 +25,7 @@ import org.u2sa.recorder.mcap.McapChannel;
 final class GeoRun {
   private static final long NANOS = 1_000_000_000L;
   private static final double NANOS_PER_MICRO = 1e3;
+  private static final double TURN_DEG = 360.0;
 
   private final Map<String, List<Fix>> tracks = new LinkedHashMap<>();
   private final Map<String, Goal> goals = new LinkedHashMap<>();
@@ -33,6 +34,7 @@ final class GeoRun {
    * A place of the vehicle.
    *
    * @param nanos when it was measured [ns of the run's clock]
+   * @param longitudeDeg east positive [deg, -180…180]
    * @param altitudeM above mean sea level [m]; empty: not known
    */
   record Fix(long nanos, double longitudeDeg, double latitudeDeg, OptionalDouble altitudeM) {
@@ -109,10 +111,15 @@ final class GeoRun {
           .add(
               new Fix(
                   measuredNanos(state, logNanos),
-                  state.x().getAsDouble(),
+                  longitude(state.x().getAsDouble()),
                   state.y().getAsDouble(),
                   state.z()));
     }
+  }
+
+  /** Into -180…180: a message may say 180.5 instead of -179.5. */
+  private static double longitude(double degrees) {
+    return Math.abs(degrees) > TURN_DEG / 2.0 ? Math.IEEEremainder(degrees, TURN_DEG) : degrees;
   }
 
   private static long measuredNanos(U2SAData message, long logNanos) {
@@ -130,7 +137,7 @@ final class GeoRun {
           waypoint.uid(),
           new Goal(
               waypoint.uid(),
-              waypoint.x().getAsDouble(),
+              longitude(waypoint.x().getAsDouble()),
               waypoint.y().getAsDouble(),
               waypoint.z(),
               waypoint.horizontalThreshold(),

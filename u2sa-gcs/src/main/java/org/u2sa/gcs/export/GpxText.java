@@ -8,8 +8,14 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.u2sa.gcs.command.EscapedXml;
 
-/** GPX 1.1 (topografix.com/GPX/1/1): tracks with times, goals as waypoints. */
+/**
+ * GPX 1.1 (topografix.com/GPX/1/1): tracks with times, goals as waypoints. Longitudes are at least
+ * -180 and less than 180 degrees.
+ */
 final class GpxText {
+  private static final double HALF_TURN_DEG = 180.0;
+  private static final double DEGREE_STEPS = 1e9; // digits that are written
+
   private GpxText() {}
 
   static void write(Writer out, String title, GeoRun run) throws IOException {
@@ -41,8 +47,9 @@ final class GpxText {
   private static void place(
       Writer out, String tag, double longitude, double latitude, OptionalDouble altitude)
       throws IOException {
-    out.write(
-        String.format(Locale.ROOT, "%s lat=\"%.9f\" lon=\"%.9f\">", tag, latitude, longitude));
+    double rounded = Math.rint(longitude * DEGREE_STEPS) / DEGREE_STEPS;
+    double below180 = rounded >= HALF_TURN_DEG ? rounded - 2.0 * HALF_TURN_DEG : rounded;
+    out.write(String.format(Locale.ROOT, "%s lat=\"%.9f\" lon=\"%.9f\">", tag, latitude, below180));
     if (altitude.isPresent()) {
       out.write(String.format(Locale.ROOT, "<ele>%.3f</ele>", altitude.getAsDouble()));
     }

@@ -7,7 +7,9 @@ import java.util.Locale;
 import java.util.Map;
 import org.u2sa.gcs.command.EscapedXml;
 
-/** KML 2.2 with Google's tracks, whose places have times; goals as points. */
+/**
+ * KML 2.2 with Google's tracks, whose places have times, cut at the antimeridian; goals as points.
+ */
 final class KmlText {
   private static final String ON_THE_GROUND = "clampToGround";
   private static final String AT_ALTITUDE = "absolute";
@@ -46,19 +48,30 @@ final class KmlText {
 
   private static void write(Writer out, String name, List<GeoRun.Fix> track) throws IOException {
     boolean isHigh = track.stream().allMatch(fix -> fix.altitudeM().isPresent());
+    List<List<GeoRun.Fix>> parts = TrackParts.of(track);
+    boolean isCut = parts.size() > 1;
     out.write(
         """
           <Placemark>
             <name>%s</name>
             <styleUrl>#track</styleUrl>
-            <gx:Track>
-              <altitudeMode>%s</altitudeMode>
         """
-            .formatted(EscapedXml.of(name), isHigh ? AT_ALTITUDE : ON_THE_GROUND));
-    for (GeoRun.Fix fix : track) {
+            .formatted(EscapedXml.of(name)));
+    out.write(isCut ? "    <gx:MultiTrack>\n" : "");
+    for (List<GeoRun.Fix> part : parts) {
+      write(out, part, isHigh ? AT_ALTITUDE : ON_THE_GROUND);
+    }
+    out.write(isCut ? "    </gx:MultiTrack>\n" : "");
+    out.write("  </Placemark>\n");
+  }
+
+  private static void write(Writer out, List<GeoRun.Fix> part, String altitudeMode)
+      throws IOException {
+    out.write("    <gx:Track>\n      <altitudeMode>" + altitudeMode + "</altitudeMode>\n");
+    for (GeoRun.Fix fix : part) {
       out.write("      <when>" + fix.time() + "</when>\n");
     }
-    for (GeoRun.Fix fix : track) {
+    for (GeoRun.Fix fix : part) {
       out.write(
           String.format(
               Locale.ROOT,
@@ -67,6 +80,6 @@ final class KmlText {
               fix.latitudeDeg(),
               fix.altitudeM().orElse(0.0)));
     }
-    out.write("    </gx:Track>\n  </Placemark>\n");
+    out.write("    </gx:Track>\n");
   }
 }

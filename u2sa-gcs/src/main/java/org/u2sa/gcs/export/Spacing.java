@@ -1,7 +1,11 @@
 package org.u2sa.gcs.export;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Leaves out what comes too soon after what was last taken of the same kind. */
 final class Spacing {
@@ -13,6 +17,12 @@ final class Spacing {
    */
   Spacing(double everyS) {
     this.everyS = everyS;
+  }
+
+  /** Whether a message is to be taken at that time [s]; each source of a topic counts by itself. */
+  boolean takes(Topic topic, U2SAData message, double timeS) {
+    String source = Channels.namedOrNew(topic.channel()).sourceOf(message);
+    return takes(List.of(topic, source), timeS);
   }
 
   /** Whether one of that kind is to be taken at that time [s]. */

@@ -43,7 +43,7 @@ final class ViewerRecording {
   /**
    * @param wanted which messages
    * @param withViews whether views, too
-   * @param everyS least time between two messages of a topic [s]
+   * @param everyS least time between two messages of one source on a topic [s]
    */
   ViewerRecording(
       RecordedMessages recording,
@@ -91,13 +91,21 @@ final class ViewerRecording {
         m = cursor.next()) {
       McapMessage message = m.get();
       McapChannel channel = reader.channels().get(message.channelId());
-      if (spacing.takes(channel.id(), span.seconds(message.logTimeNanos()))) {
+      if (takes(channel, message)) {
         announce(writer, channel);
         writer.add(converted(channel, message));
         messages++;
       }
     }
     return messages;
+  }
+
+  private boolean takes(McapChannel channel, McapMessage message) {
+    double timeS = span.seconds(message.logTimeNanos());
+    return recording
+        .topic(channel)
+        .map(topic -> spacing.takes(topic, recording.decode(topic, message), timeS))
+        .orElseGet(() -> spacing.takes(channel.id(), timeS));
   }
 
   private void announce(McapWriter writer, McapChannel channel) throws IOException {

@@ -43,7 +43,8 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
         "  ./u2sa hz                           all standard channels, until Ctrl-C",
         "  ./u2sa hz state actuation --for 5 --json",
         "",
-        "Exit code 1: nothing was heard. DEVIATION is the standard deviation of the intervals, of at most the newest 10,000."
+        "Exit code 1: nothing was heard. DEVIATION is the standard deviation of the intervals, of at most the newest 10,000. LAST: "
+            + "when the last message came; RATE is 0 after 2 s without one, or 5 mean intervals where these are longer."
       })
   public static final class Rate extends MeasureCommand {
     /** A command. */

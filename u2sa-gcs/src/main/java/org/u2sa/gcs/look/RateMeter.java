@@ -8,9 +8,11 @@ import org.u2sa.messages.schema.U2SAData;
 /** How often messages come, and how evenly. */
 final class RateMeter implements Meter {
   static final List<String> COLUMNS =
-      List.of("MESSAGES", "RATE", "SHORTEST", "MEAN", "LONGEST", "DEVIATION");
+      List.of("MESSAGES", "RATE", "SHORTEST", "MEAN", "LONGEST", "DEVIATION", "LAST");
   private static final double MICROS = 1e6;
   private static final double MILLIS = 1e3;
+  private static final double SILENT_S = 2.0; // longer than a busy broker or network delays
+  private static final double SILENT_INTERVALS = 5.0;
 
   private final Spread gaps = new Spread(); // [s]
   private long messages;
@@ -27,23 +29,38 @@ final class RateMeter implements Meter {
     lastMicros = micros;
   }
 
-  /** Intervals by the time that they took: 0 before there is one [Hz]. */
-  private double rate() {
-    return lastMicros > firstMicros ? (messages - 1) * MICROS / (lastMicros - firstMicros) : 0.0;
+  /**
+   * Intervals by the time that they took [Hz]; 0 before there is one, and of a source that has been
+   * silent for much longer than usual.
+   */
+  private double rate(long nowMicros) {
+    boolean isSilent = ageS(nowMicros) > Math.max(SILENT_S, SILENT_INTERVALS * gaps.mean());
+    return lastMicros > firstMicros && !isSilent
+        ? (messages - 1) * MICROS / (lastMicros - firstMicros)
+        : 0.0;
+  }
+
+  private double ageS(long nowMicros) {
+    return (nowMicros - lastMicros) / MICROS;
   }
 
   @Override
   public List<String> cells(long nowMicros) {
     if (gaps.count() == 0) {
-      return List.of(String.valueOf(messages), "", "", "", "", "");
+      return List.of(String.valueOf(messages), "", "", "", "", "", last(nowMicros));
     }
     return List.of(
         String.valueOf(messages),
-        String.format(Locale.ROOT, "%.2f Hz", rate()),
+        String.format(Locale.ROOT, "%.2f Hz", rate(nowMicros)),
         millis(gaps.quantile(0.0)),
         millis(gaps.mean()),
         millis(gaps.quantile(1.0)),
-        millis(gaps.deviation()));
+        millis(gaps.deviation()),
+        last(nowMicros));
+  }
+
+  private String last(long nowMicros) {
+    return String.format(Locale.ROOT, "%.1f s ago", ageS(nowMicros));
   }
 
   private static String millis(double seconds) {
@@ -52,9 +69,9 @@ final class RateMeter implements Meter {
 
   @Override
   public void addTo(JsonText json, long nowMicros) {
-    json.put("messages", messages);
+    json.put("messages", messages).put("lastAgoS", ageS(nowMicros));
     if (gaps.count() > 0) {
-      json.put("rateHz", rate());
+      json.put("rateHz", rate(nowMicros));
       json.put("shortestS", gaps.quantile(0.0)).put("meanS", gaps.mean());
       json.put("longestS", gaps.quantile(1.0)).put("deviationS", gaps.deviation());
     }

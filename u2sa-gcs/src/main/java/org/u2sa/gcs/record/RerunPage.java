@@ -112,7 +112,7 @@ final class RerunPage {
         (timeS, was, is) -> {
           add(before, timeS - startS, was);
           add(after, timeS - startS, is);
-          add(difference, timeS - startS, is - was);
+          add(difference, timeS - startS, number.deviation(was, is));
         });
     recorded.chart(title, number.unit(), before);
     now.chart(title, number.unit(), after);

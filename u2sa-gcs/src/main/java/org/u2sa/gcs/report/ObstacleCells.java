@@ -20,35 +20,66 @@ final class ObstacleCells {
   private static final double FREE = 0.3;
   private static final int MOST = 30_000;
 
+  /** What a cell says: +1 occupied, -1 free, 0 neither; by its byte, counted from -128. */
+  private static final byte[] VERDICTS = verdicts();
+
   /** A square, counted from the map's origin. */
   private record Square(int column, int row) {}
 
   private final Set<Square> squares = new LinkedHashSet<>();
 
+  private static byte[] verdicts() {
+    byte[] verdicts = new byte[1 << Byte.SIZE];
+    for (int cell = Byte.MIN_VALUE; cell <= Byte.MAX_VALUE; cell++) {
+      double probability = OccupancyGrid.probability((byte) cell);
+      boolean isKnown = cell != OccupancyGrid.UNKNOWN;
+      verdicts[cell - Byte.MIN_VALUE] =
+          (byte) (!isKnown ? 0 : probability >= OCCUPIED ? 1 : probability <= FREE ? -1 : 0);
+    }
+    return verdicts;
+  }
+
   /**
-   * Takes a grid.
+   * Takes a grid. Its corners are placed on the map, and its cells between them: within a grid, the
+   * earth is flat to a fraction of a millimetre.
    *
    * @param onMap where a point of the grid's frame is on the map; empty if that is not known
    */
   void take(OccupancyGrid grid, Function<Point, Optional<Point>> onMap) {
-    for (int row = 0; row < grid.rows(); row++) {
-      for (int column = 0; column < grid.columns(); column++) {
-        byte cell = grid.cell(column, row);
-        if (cell == OccupancyGrid.UNKNOWN) {
-          continue;
-        }
-        double probability = OccupancyGrid.probability(cell);
-        if (probability >= OCCUPIED || probability <= FREE) {
-          onMap
-              .apply(grid.centerOf(column, row))
-              .ifPresent(at -> note(square(at), probability >= OCCUPIED));
+    int lastColumn = grid.columns() - 1;
+    int lastRow = grid.rows() - 1;
+    Optional<Point> first = onMap.apply(grid.centerOf(0, 0));
+    Optional<Point> right = onMap.apply(grid.centerOf(lastColumn, 0));
+    Optional<Point> top = onMap.apply(grid.centerOf(0, lastRow));
+    Optional<Point> last = onMap.apply(grid.centerOf(lastColumn, lastRow));
+    if (first.isEmpty() || right.isEmpty() || top.isEmpty() || last.isEmpty()) {
+      return;
+    }
+    byte[] cells = grid.cells();
+    for (int row = 0, i = 0; row <= lastRow; row++) {
+      double up = lastRow == 0 ? 0.0 : row / (double) lastRow;
+      double fromEast = between(first.get().x(), top.get().x(), up);
+      double fromNorth = between(first.get().y(), top.get().y(), up);
+      double toEast = between(right.get().x(), last.get().x(), up);
+      double toNorth = between(right.get().y(), last.get().y(), up);
+      for (int column = 0; column <= lastColumn; column++, i++) {
+        int verdict = VERDICTS[cells[i] - Byte.MIN_VALUE];
+        if (verdict != 0) {
+          double along = lastColumn == 0 ? 0.0 : column / (double) lastColumn;
+          note(
+              square(between(fromEast, toEast, along), between(fromNorth, toNorth, along)),
+              verdict > 0);
         }
       }
     }
   }
 
-  private static Square square(Point at) {
-    return new Square((int) Math.floor(at.x() / SQUARE_M), (int) Math.floor(at.y() / SQUARE_M));
+  private static double between(double a, double b, double share) {
+    return a + share * (b - a);
+  }
+
+  private static Square square(double east, double north) {
+    return new Square((int) Math.floor(east / SQUARE_M), (int) Math.floor(north / SQUARE_M));
   }
 
   private void note(Square square, boolean occupied) {

@@ -14,7 +14,6 @@ import org.u2sa.messages.frame.Geodetic;
 final class TruthTrack {
   private static final List<String> COLUMNS =
       List.of("time_s", "longitude_deg", "latitude_deg", "altitude_m", "heading_deg");
-  private static final double HALF_TURN_DEG = 180.0;
   private static final double TURN_DEG = 360.0;
 
   /** Where it was, and whither it pointed [rad, clockwise from north]. */
@@ -76,11 +75,11 @@ final class TruthTrack {
     double[] a = rows.get(low);
     double[] b = rows.get(high);
     double share = b[0] > a[0] ? (timeS - a[0]) / (b[0] - a[0]) : 0.0;
-    double turn = (b[4] - a[4] + HALF_TURN_DEG + TURN_DEG) % TURN_DEG - HALF_TURN_DEG;
+    double turn = Math.IEEEremainder(b[4] - a[4], TURN_DEG);
     return Optional.of(
         new Place(
             new Geodetic(
-                a[1] + share * (b[1] - a[1]),
+                a[1] + share * Math.IEEEremainder(b[1] - a[1], TURN_DEG), // Geodetic wraps it
                 a[2] + share * (b[2] - a[2]),
                 a[3] + share * (b[3] - a[3])),
             Math.toRadians(a[4] + share * turn)));

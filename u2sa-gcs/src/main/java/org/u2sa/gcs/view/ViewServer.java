@@ -5,6 +5,7 @@ import io.netty.channel.Channel;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInitializer;
 import io.netty.channel.ChannelOption;
+import io.netty.channel.ChannelOutboundHandlerAdapter;
 import io.netty.channel.SimpleChannelInboundHandler;
 import io.netty.channel.WriteBufferWaterMark;
 import io.netty.channel.nio.NioEventLoopGroup;
@@ -200,6 +201,7 @@ final class ViewServer implements AutoCloseable {
       socket.closeFuture().addListener(closed -> sockets.decrementAndGet());
       socket
           .pipeline()
+          .addLast(new ReadsWhileWritable())
           .addLast(new HttpServerCodec())
           .addLast(new HttpObjectAggregator(LONGEST_REQUEST))
           .addLast(
@@ -211,6 +213,16 @@ final class ViewServer implements AutoCloseable {
                       .maxFramePayloadLength(LONGEST_FRAME)
                       .build()))
           .addLast(new Conversation());
+    }
+  }
+
+  /** Netty's own handler reads on after each ping and pong, whatever the channel's setting. */
+  private static final class ReadsWhileWritable extends ChannelOutboundHandlerAdapter {
+    @Override
+    public void read(ChannelHandlerContext context) {
+      if (context.channel().isWritable()) {
+        context.read();
+      }
     }
   }
 

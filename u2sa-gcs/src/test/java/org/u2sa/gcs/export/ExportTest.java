@@ -34,6 +34,7 @@ import org.u2sa.recorder.mcap.ChunkCompression;
 import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapOptions;
+import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /** A vehicle that goes north for 10 s, and first knows only where it is from where it began. */
@@ -69,6 +70,114 @@ class ExportTest {
 
   private static StateInformation state() {
     return new StateInformation().sensorName("filter");
+  }
+
+  /** A vehicle that goes east over the antimeridian, and back. */
+  private void writeOverTheAntimeridian() throws IOException {
+    recording = folder.resolve("antimeridian.mcap");
+    channels.clear();
+    try (McapWriter writer =
+        new McapWriter(
+            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
+            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+      double[] longitudes = {179.9, 180.0, 180.1, -179.8, 179.9};
+      for (int i = 0; i < longitudes.length; i++) {
+        write(writer, i, Channels.STATE, state().x(longitudes[i]).y(10.0 + i).z(100.0));
+      }
+      Waypoint goal = new Waypoint().uid("a").x(180.0).y(10.0).horizontalThreshold(2.0);
+      write(writer, 5, Channels.GOALS, new GoalList().goals(List.of(goal)));
+    }
+  }
+
+  @Test
+  void gpx_antimeridian_hasLongitudesBelow180() throws IOException {
+    writeOverTheAntimeridian();
+    XmlElement gpx = XmlReader.read(exported("--format", "gpx"), "gpx");
+    assertThat(gpx.children("trk").get(0).children("trkseg").get(0).children("trkpt"))
+        .extracting(point -> point.optionalAttribute("lon").orElseThrow())
+        .containsExactly(
+            "179.900000000", "-180.000000000", "-179.900000000", "-179.800000000", "179.900000000");
+    assertThat(gpx.children("wpt").get(0).optionalAttribute("lon")).contains("-180.000000000");
+  }
+
+  @Test
+  void geojson_antimeridian_isCutThere() throws IOException {
+    writeOverTheAntimeridian();
+    JsonNode line =
+        new ObjectMapper().readTree(exported("--format", "geojson").toFile()).at("/features/0");
+    assertThat(line.at("/geometry/type").asText()).isEqualTo("MultiLineString");
+    assertThat(line.at("/geometry/coordinates").toString())
+        .isEqualTo(
+            "[[[179.9,10.0,100.0],[180.0,11.0,100.0],[180.0,11.0,100.0]],"
+                + "[[-180.0,11.0,100.0],[-179.9,12.0,100.0],[-179.8,13.0,100.0],"
+                + "[-180.0,13.666666667,100.0]],"
+                + "[[180.0,13.666666667,100.0],[179.9,14.0,100.0]]]");
+    assertThat(line.at("/properties/coordTimes")).hasSize(3);
+    assertThat(line.at("/properties/coordTimes/2/0").asText())
+        .startsWith("2023-11-14T22:13:23.666");
+  }
+
+  @Test
+  void kml_antimeridian_isCutThere() throws IOException {
+    writeOverTheAntimeridian();
+    XmlElement placemark =
+        XmlReader.read(exported("--format", "kml"), "kml")
+            .children("Document")
+            .get(0)
+            .children("Placemark")
+            .get(0);
+    List<XmlElement> tracks = placemark.children("gx:MultiTrack").get(0).children("gx:Track");
+    assertThat(tracks).hasSize(3);
+    assertThat(tracks.get(1).children("gx:coord"))
+        .extracting(XmlElement::text)
+        .containsExactly(
+            "-180.000000000 11.000000000 100.000",
+            "-179.900000000 12.000000000 100.000",
+            "-179.800000000 13.000000000 100.000",
+            "-180.000000000 13.666666667 100.000");
+    assertThat(tracks).allMatch(t -> t.children("when").size() == t.children("gx:coord").size());
+  }
+
+  /** Two sensors of one class, which share a topic. */
+  private void writeTwoSensors() throws IOException {
+    recording = folder.resolve("sensors.mcap");
+    channels.clear();
+    try (McapWriter writer =
+        new McapWriter(
+            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
+            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+      for (int i = 0; i < 6; i++) {
+        for (String sensor : List.of("gps-1", "gps-2")) {
+          StateInformation state = new StateInformation().sensorName(sensor).x(8.0).y(50.0);
+          write(writer, i, Channels.SENSED_STATE, state);
+        }
+      }
+    }
+  }
+
+  @Test
+  void csv_spacing_keepsBothSensorsOfAClass() throws IOException {
+    writeTwoSensors();
+    Path tables = exported("--format", "csv", "--every", "2");
+    assertThat(Files.readAllLines(tables.resolve("sensed-state-StateInformation.csv")))
+        .extracting(line -> line.split(",")[0] + " " + line.split(",")[2])
+        .containsExactly(
+            "time [s] sensorName",
+            "0.000000 gps-1",
+            "0.000000 gps-2",
+            "2.000000 gps-1",
+            "2.000000 gps-2",
+            "4.000000 gps-1",
+            "4.000000 gps-2");
+  }
+
+  @Test
+  void mcap_spacing_keepsBothSensorsOfAClass() throws IOException {
+    writeTwoSensors();
+    Path exported = exported("--format", "mcap", "--every", "2");
+    try (McapReader reader = McapReader.open(exported)) {
+      assertThat(reader.statistics().messages()).isEqualTo(6);
+    }
   }
 
   private void write(McapWriter writer, int second, Channel<?> channel, U2SAData message)

@@ -11,6 +11,7 @@ public final class NumberComparison {
 
   private final String name;
   private final String unit;
+  private final double turn; // a full one, if the number is an angle or a longitude; otherwise 0
   private double[] values = new double[VALUES * 64];
   private int size; // messages
   private long pairs;
@@ -31,6 +32,7 @@ public final class NumberComparison {
   NumberComparison(String name, String unit) {
     this.name = name;
     this.unit = unit;
+    turn = unit.equals("rad") ? 2.0 * Math.PI : unit.equals("deg") ? 360.0 : 0.0;
   }
 
   void add(double timeS, double recorded, double now) {
@@ -41,12 +43,17 @@ public final class NumberComparison {
     values[VALUES * size + 1] = recorded;
     values[VALUES * size + 2] = now;
     size++;
-    double deviation = now - recorded;
+    double deviation = deviation(recorded, now);
     if (!Double.isNaN(deviation)) {
       pairs++;
       sumOfSquares += deviation * deviation;
       largest = Math.max(largest, Math.abs(deviation));
     }
+  }
+
+  /** What is now less what was recorded, in the unit; of angles the shorter way round. */
+  public double deviation(double recorded, double now) {
+    return turn == 0.0 ? now - recorded : Math.IEEEremainder(now - recorded, turn);
   }
 
   /** Path of the field, such as {@code point.x}, and the source if the channel has several. */
