@@ -5,7 +5,7 @@
 --ulog    logs of PX4 (github.com/PX4/pyulog, test/: sample_px4_events.ulg, sample.ulg): IMU, magnetometer, GPS and barometer if
           they are there, against EKF2's own answer.
 --mrclam  the folder that holds MRCLAM_Dataset6 and 7 (UTIAS; github.com/ericguerrero/MUSI-lab-session-1, data/): odometry and
-          landmarks against the cameras' ground truth.
+          landmarks against the cameras' ground truth, beside a textbook filter (unicycle.py) of the same lines.
 Needs pyulog, numpy and evo of PyPI.
 """
 import argparse
@@ -16,6 +16,8 @@ import subprocess
 import tempfile
 
 import numpy as np
+
+import unicycle
 
 ODOMETRY_S = 0.1
 
@@ -191,10 +193,17 @@ def dead_reckoning(odometry, truth, start, end, t):
     return rms(np.hypot(at(t, out[:, 0], out[:, 1]) - at(t, truth[:, 0], truth[:, 1]), at(t, out[:, 0], out[:, 2]) - at(t, truth[:, 0], truth[:, 2])))
 
 
+def judged(t, truth, stamp, x, y, psi, variance):
+    """RMS position error [m], heading error [deg], share within 3 standard deviations [%]."""
+    off = np.hypot(at(t, stamp, x) - at(t, truth[:, 0], truth[:, 1]), at(t, stamp, y) - at(t, truth[:, 0], truth[:, 2]))
+    turned = wrapped(at(t, stamp, np.unwrap(psi)) - at(t, truth[:, 0], np.unwrap(truth[:, 3])))
+    return rms(off), math.degrees(rms(turned)), 100 * np.mean(off < 3 * np.sqrt(at(t, stamp, variance)))
+
+
 def mrclam(java, folder, work):
     print("\n**UTIAS %s**: odometry and landmarks of known place against ground truth\n" % folder.name)
-    print("| robot | minutes | odometry alone | filter, evo APE | worst | drift per 5 m, evo RPE | heading | within 3 σ |\n"
-          "| --- | --- | --- | --- | --- | --- | --- | --- |")
+    print("| robot | minutes | odometry alone | filter, evo APE | worst | drift per 5 m, evo RPE | heading | within 3 σ | "
+          "textbook EKF | its heading | within 3 σ |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
     for robot in range(1, 6):
         lines, truth, odometry, start, end = mrclam_lines(folder, robot)
         ours, words = replay(java, "GROUND", lines, work, "%s-%d" % (folder.name, robot))
@@ -206,11 +215,12 @@ def mrclam(java, folder, work):
         own_psi = math.pi / 2 - at(t, stamp, np.unwrap(ours[:, 12]))
         zero = np.zeros_like(t)
         ref, est = np.stack([x, y, zero], axis=1), np.stack([east, north, zero], axis=1)
-        error = np.hypot(east - x, north - y)
-        sigma = np.hypot(at(t, stamp, ours[:, 13]), at(t, stamp, ours[:, 14]))
-        print("| %d | %.0f | %.2f m | %.3f m | %.2f m | %.3f m | %.1f° | %.0f %% |" % (
-            robot, (end - start) / 60, dead_reckoning(odometry, truth, start, end, t), ape(t, ref, est), error.max(),
-            rpe(t, ref, est, psi, own_psi, 5.0), math.degrees(rms(wrapped(own_psi - psi))), 100 * np.mean(error < 3 * sigma)))
+        own = judged(t, truth, stamp, ours[:, 5], ours[:, 4], math.pi / 2 - ours[:, 12], ours[:, 13] ** 2 + ours[:, 14] ** 2)
+        judge = unicycle.track(lines)
+        other = judged(t, truth, judge[:, 0], judge[:, 1], judge[:, 2], judge[:, 3], judge[:, 4] + judge[:, 5])
+        print("| %d | %.0f | %.2f m | %.3f m | %.2f m | %.3f m | %.1f° | %.0f %% | %.3f m | %.1f° | %.0f %% |" % (
+            robot, (end - start) / 60, dead_reckoning(odometry, truth, start, end, t), ape(t, ref, est),
+            np.hypot(east - x, north - y).max(), rpe(t, ref, est, psi, own_psi, 5.0), own[1], own[2], *other))
     print("\n```\n" + words.strip() + "\n```")
 
 

@@ -62,6 +62,7 @@ final class FilterState {
 
   final double[] x = new double[SIZE];
   final DMatrixRMaj p = new DMatrixRMaj(N, N);
+  final double[] sightings = new double[Sightings.NUMBERS];
   double[] trust = new double[0]; // SourceTrust's numbers
   long micros;
   boolean isStarted;
@@ -77,6 +78,13 @@ final class FilterState {
   long gyroMicros; // of the newest inertial input
   long forceMicros;
   int gyroSource = NO_SOURCE;
+  int speedSource = NO_SOURCE; // whose speed drives the prediction, see MotionInput
+  int turnSource = NO_SOURCE;
+  double heldMps; // what it measured last
+  double heldRadPerS;
+  long heldMicros; // when the speed was measured
+  long speedUntilMicros; // unless it is renewed
+  long turnUntilMicros;
   long positionMicros; // newest measurement of each that was used
   long velocityMicros;
   long headingMicros;
@@ -95,6 +103,7 @@ final class FilterState {
   void copyFrom(FilterState o) {
     System.arraycopy(o.x, 0, x, 0, SIZE);
     System.arraycopy(o.p.data, 0, p.data, 0, N * N);
+    System.arraycopy(o.sightings, 0, sightings, 0, Sightings.NUMBERS);
     if (trust.length < o.trust.length) {
       trust = new double[o.trust.length];
     }
@@ -114,6 +123,13 @@ final class FilterState {
     gyroMicros = o.gyroMicros;
     forceMicros = o.forceMicros;
     gyroSource = o.gyroSource;
+    speedSource = o.speedSource;
+    turnSource = o.turnSource;
+    heldMps = o.heldMps;
+    heldRadPerS = o.heldRadPerS;
+    heldMicros = o.heldMicros;
+    speedUntilMicros = o.speedUntilMicros;
+    turnUntilMicros = o.turnUntilMicros;
     positionMicros = o.positionMicros;
     velocityMicros = o.velocityMicros;
     headingMicros = o.headingMicros;

@@ -18,6 +18,7 @@ final class Fuser {
   private final ProcessModel process;
   private final InertialVote vote;
   private final InertialInput inertial;
+  private final MotionInput motion;
   private final SourceJudge judge;
   private final QuantityStart starts;
   private final PersistentErrors persistent;
@@ -32,6 +33,7 @@ final class Fuser {
     this.process = process;
     vote = new InertialVote(tuning, trust);
     inertial = new InertialInput(tuning);
+    motion = new MotionInput(tuning, trust);
     judge = new SourceJudge(tuning, trust);
     starts = new QuantityStart(tuning);
     persistent = new PersistentErrors(tuning);
@@ -69,6 +71,7 @@ final class Fuser {
       inertial.take(s, m, source, process);
       count(s, trust.of(s, source, SensedQuantity.BODY_RATES), SourceTrust.USED);
     } else {
+      motion.meet(s, m, source);
       process.predict(s, m.micros());
       if (!isWhole) {
         vector(s, m, source, SensedQuantity.BODY_RATES);
@@ -119,7 +122,13 @@ final class Fuser {
     }
     PersistentErrors.look(s, m, quantity, model, slot);
     DelayErrors.look(s, m, quantity, model, delay);
-    double nis = update.prepare(s, model, SourceTrust.factor(s, at));
+    double factor = SourceTrust.factor(s, at);
+    double nis = update.prepare(s, model, factor);
+    boolean isInput = motion.takes(s, m, source, quantity, factor);
+    if (isInput) {
+      motion.expect(s, source, quantity, model.rows, update.expected);
+      nis = update.weigh(model, factor);
+    }
     if (judge.isFrozen(s, model, update.expected, source, quantity, at)) {
       s.trust[at + SourceTrust.GATED]++;
       return;
@@ -132,7 +141,13 @@ final class Fuser {
         DelayErrors.share(s, delay);
       }
     } else if (SourceJudge.passes(s, at)) {
-      correct(s, source, quantity, at, slot);
+      if (isInput) {
+        motion.take(s, m, source, quantity, model, factor);
+        count(s, at, SourceTrust.USED);
+        used(s, quantity);
+      } else {
+        correct(s, m, source, quantity, at, slot);
+      }
     }
   }
 
@@ -147,7 +162,8 @@ final class Fuser {
             > READABLE_SIGMAS * m.sigma(SensedQuantity.FLUID_VELOCITY, 0);
   }
 
-  private void correct(FilterState s, int source, SensedQuantity quantity, int at, int slot) {
+  private void correct(
+      FilterState s, Measurement m, int source, SensedQuantity quantity, int at, int slot) {
     boolean persists =
         quantity == SensedQuantity.PLACE && slot == PersistentErrors.NONE
             || quantity == SensedQuantity.ALTITUDE
@@ -157,6 +173,9 @@ final class Fuser {
       double interval = Math.max(1e-3, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
       double repeats = 1.0 + 2.0 * tuning.positionCorrelationS() / interval;
       update.weigh(model, SourceTrust.factor(s, at) * repeats);
+    }
+    if (quantity == SensedQuantity.LANDMARK) {
+      update.weigh(model, SourceTrust.factor(s, at) * Sightings.repeats(s, m));
     }
     update.apply(s, model);
     count(s, at, SourceTrust.USED);
@@ -205,7 +224,7 @@ final class Fuser {
    */
   private void constrain(FilterState s) {
     boolean isDue = (s.micros - s.constraintMicros) / MICROS >= tuning.constraintS();
-    if (tuning.constraintS() <= 0.0 || !isDue || !s.hasHeading) {
+    if (tuning.constraintS() <= 0.0 || !isDue || !s.hasHeading || MotionInput.drivesSpeed(s)) {
       return;
     }
     boolean isGround = tuning.domain() == MotionDomain.GROUND;

@@ -10,7 +10,7 @@ package org.u2sa.core.estimation.fusion;
 final class ProcessModel {
   private static final int N = FilterState.N;
   private static final double LONGEST_STEP_S = 0.05;
-  private static final double RATE_MEMORY_S = 1.0; // of a turn that nobody measures
+  static final double RATE_MEMORY_S = 1.0; // of a turn that nobody measures
   private static final double SCALE_NOISE = 1e-4; // wheel-speed scale, per √s
   private static final double FLOW_MEMORY_S = 600.0;
   private static final double EQUATOR_MPS2 = 9.7803253359; // WGS-84 normal gravity (Somigliana)
@@ -36,6 +36,7 @@ final class ProcessModel {
       int steps = (int) Math.ceil(leftS / LONGEST_STEP_S - 1e-9);
       long step = steps <= 1 ? micros - s.micros : (micros - s.micros) / steps;
       InertialInput.expire(s);
+      MotionInput.expire(s);
       advance(s, step * 1e-6);
       s.micros += step;
     }
@@ -145,7 +146,7 @@ final class ProcessModel {
     for (int i = 0; i < 3; i++) {
       if (s.isInertial) {
         x[FilterState.W + i] = w[i];
-      } else {
+      } else if (i < 2 || !MotionInput.drivesTurn(s)) {
         x[FilterState.W + i] *= left;
         f.set(FilterState.RATE + i, FilterState.RATE + i, left);
       }
@@ -174,16 +175,13 @@ final class ProcessModel {
     for (int i = 0; i < 3; i++) {
       double wander = i == 2 ? tuning.verticalNoise() : tuning.accelerationNoise();
       double q = s.isStrapdown ? x[FilterState.FORCE_DENSITY] : wander * wander;
-      int v = FilterState.VELOCITY + i;
-      int p = FilterState.POSITION + i;
-      s.p.data[p * N + p] += q * dt * dt * dt / 3.0;
-      s.p.data[p * N + v] += q * dt * dt / 2.0;
-      s.p.data[v * N + p] += q * dt * dt / 2.0;
-      s.p.data[v * N + v] += q * dt;
+      if (!MotionInput.drivesSpeed(s)) {
+        addVelocityNoise(s, i, q, dt);
+      }
       if (s.hasTilt || i == 2) {
         addTurnNoise(s, i, dt);
       }
-      if (s.isInertial) {
+      if (s.isInertial || i == 2 && s.variance(FilterState.GYRO_BIAS + i) > 0.0) {
         add(s, FilterState.GYRO_BIAS + i, tuning.gyroBiasNoise(), dt);
       }
       if (s.isStrapdown) {
@@ -201,6 +199,15 @@ final class ProcessModel {
     DelayErrors.wander(s, dt);
   }
 
+  private static void addVelocityNoise(FilterState s, int i, double q, double dt) {
+    int v = FilterState.VELOCITY + i;
+    int p = FilterState.POSITION + i;
+    s.p.data[p * N + p] += q * dt * dt * dt / 3.0;
+    s.p.data[p * N + v] += q * dt * dt / 2.0;
+    s.p.data[v * N + p] += q * dt * dt / 2.0;
+    s.p.data[v * N + v] += q * dt;
+  }
+
   private void addTurnNoise(FilterState s, int i, double dt) {
     int angle = FilterState.ATTITUDE + i;
     int rate = FilterState.RATE + i;
@@ -208,6 +215,9 @@ final class ProcessModel {
       double density = s.x[FilterState.GYRO_DENSITY];
       s.p.data[angle * N + angle] += density * dt;
       s.isolate(rate, density / Math.max(dt, s.x[FilterState.INPUT_INTERVAL]));
+      return;
+    }
+    if (i == 2 && MotionInput.drivesTurn(s)) {
       return;
     }
     // A rate that dies away with time constant τ and keeps σ is driven by 2 σ² / τ.

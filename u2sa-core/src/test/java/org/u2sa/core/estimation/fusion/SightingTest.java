@@ -127,9 +127,9 @@ class SightingTest {
         Point p = HOME.nedOf(new Geodetic(e.longitudeDeg(), e.latitudeDeg(), 0.0));
         apart = new double[] {p.x(), p.y()};
       }
-      assertThat(Math.hypot(apart[0], apart[1])).isLessThan(0.1);
-      assertThat(e.psi()).isCloseTo(0.5, within(0.02));
-      assertThat(e.positionSigmaM(0)).isLessThan(0.1);
+      assertThat(Math.hypot(apart[0], apart[1])).isLessThan(0.25);
+      assertThat(e.psi()).isCloseTo(0.5, within(0.04));
+      assertThat(e.positionSigmaM(0)).isBetween(0.05, 0.25);
     }
   }
 }
