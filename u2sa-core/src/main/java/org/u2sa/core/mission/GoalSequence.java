@@ -275,14 +275,17 @@ final class GoalSequence {
     pursuedMicros.keySet().retainAll(at.current);
   }
 
-  /** A current goal whose time limit has passed. */
+  /**
+   * A current goal whose time limit has passed. Whatever the limit, that takes some time: a loop of
+   * goals without any would never end.
+   */
   Optional<GoalInformation> timedOut() {
     return current().stream()
         .filter(goal -> goal.timeLimit().isPresent())
         .filter(
             goal ->
                 pursuedMicros.getOrDefault(goal.uid(), 0L)
-                    >= Clock.micros(goal.timeLimit().getAsDouble()))
+                    >= Math.max(1L, Clock.micros(goal.timeLimit().getAsDouble())))
         .findFirst();
   }
 }

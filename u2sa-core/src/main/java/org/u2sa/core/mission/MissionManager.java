@@ -66,6 +66,7 @@ public final class MissionManager extends PeriodicService {
   private final MissionFiles files;
   private final MissionOrders orders;
   private final TimeLimits limits = new TimeLimits(this);
+  private final RepeatedReports reports = new RepeatedReports();
   private final Resumable resumable;
   private Mission mission; // as its file has it
   private MissionProgress progress;
@@ -160,6 +161,7 @@ public final class MissionManager extends PeriodicService {
   private void beginAnew() {
     try {
       progress.begin(load());
+      reports.forget();
     } catch (BadInputException e) {
       log(LogLevelEnum.ERROR, e.getMessage() + ": mission unchanged");
       return;
@@ -296,9 +298,11 @@ public final class MissionManager extends PeriodicService {
   private void finish(GoalInformation goal) {
     String uid = goal.uid();
     GoalResult result = goal.completed() ? GoalResult.DONE : GoalResult.FAILED;
-    if (!progress.finish(uid, result, Optional.of(goal), "given up by the planner", micros())) {
+    boolean current = progress.pursued().currentNames().contains(uid);
+    if (reports.repeats(goal)
+        || !progress.finish(uid, result, Optional.of(goal), "given up by the planner", micros())) {
       boolean known = progress.pursued().knows(uid);
-      String what = known ? "is not current" : "is not known";
+      String what = current ? "came before" : known ? "is not current" : "is not known";
       log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" ignored: it " + what);
       if (known) {
         repeatGoals();

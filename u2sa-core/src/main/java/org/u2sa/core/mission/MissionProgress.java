@@ -27,6 +27,7 @@ final class MissionProgress {
   private GoalSequence left; // the mission, for a failsafe; null while it is pursued
   private FailsafeAction pursuedFor = FailsafeAction.CONTINUE;
   private Optional<Position> before = Optional.empty(); // where the mission was before a GOTO
+  private String commanded = ""; // the goal that the newest GOTO named
   private final Set<String> completed = new LinkedHashSet<>();
   private final Set<String> abandoned = new LinkedHashSet<>();
   private OptionalLong beganMicros = OptionalLong.empty();
@@ -112,6 +113,9 @@ final class MissionProgress {
     if (!pursued.finish(uid, result, report, reason, micros)) {
       return false;
     }
+    if (left == null && !uid.equals(commanded)) {
+      before = Optional.empty(); // the mission has gone on past the goal that GOTO named
+    }
     if (result == GoalResult.DONE) {
       completed.add(uid);
       abandoned.remove(uid);
@@ -177,17 +181,21 @@ final class MissionProgress {
 
   /**
    * Pursues another goal of the mission or failsafe, even if the mission is paused; it remembers
-   * where it was.
+   * where the mission was, until that goes on past the goal.
    */
   void changeTo(String uid) {
     paused = false;
     if (left == null && !pursued.isOver() && before.isEmpty()) {
       before = Optional.of(pursued.position());
     }
+    commanded = left == null ? uid : commanded;
     pursued.changeTo(uid);
   }
 
-  /** Goes back to where the mission was before the first {@link #changeTo}; false if nowhere. */
+  /**
+   * Goes back to where the mission was before {@link #changeTo}, the first of several in a row;
+   * false if nowhere.
+   */
   boolean goBack() {
     if (left != null || before.isEmpty()) {
       return false;
@@ -222,6 +230,7 @@ final class MissionProgress {
     before.ifPresent(position -> position.handOver(state, BEFORE));
     state
         .text("PURSUED FOR", pursuedFor.name())
+        .text("COMMANDED", commanded)
         .texts(COMPLETED, completed)
         .texts(ABANDONED, abandoned)
         .flag("HAS BEFORE", before.isPresent())
@@ -252,6 +261,7 @@ final class MissionProgress {
   private void takeOver(HandOver state) {
     pursuedFor =
         state.text("PURSUED FOR").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
+    commanded = state.text("COMMANDED").orElse("");
     completed.addAll(state.texts(COMPLETED));
     abandoned.addAll(state.texts(ABANDONED));
     if (state.flag("HAS BEFORE")) {

@@ -298,7 +298,11 @@ public class PathPlanner extends EventDrivenService {
   /** Tells the Mission Manager, and again after a while if it does not react. */
   private void report(GoalInformation done, Plan plan) {
     long now = clock().micros();
-    if (isFinished(done.uid()) && now - reportedMicros < settings.get().reportIntervalMicros()) {
+    if (isFinished(done.uid())) {
+      if (now - reportedMicros >= settings.get().reportIntervalMicros()) {
+        publish(Channels.GOAL_REPORTS, finished.get()); // of the same time: it counts once
+        reportedMicros = now;
+      }
       return;
     }
     GoalInformation report =

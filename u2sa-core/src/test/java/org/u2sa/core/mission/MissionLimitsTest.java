@@ -6,6 +6,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalResult;
@@ -58,6 +61,21 @@ class MissionLimitsTest extends ThreeWaypoints {
     assertThat(late.result()).contains(GoalResult.TIMED_OUT);
     assertThat(late.abandoned()).isTrue();
     assertThat(late.reason()).contains("not done within 10.0 s");
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.0, 1.0e-9})
+  @Timeout(20)
+  void update_noTimeAtAllForAGoalThatLoops_timesOutOnceAStep(double limitS) throws IOException {
+    write(goal("a", ""));
+    kit.with("LOOP", true).start(MissionManager::new);
+    kit.publish(
+        Channels.GOAL_UPDATES,
+        new Waypoint().uid("a").x(1.0).y(1.0).horizontalThreshold(5.0).timeLimit(limitS));
+    kit.advance(1.0);
+    assertThat(current()).containsExactly("a");
+    assertThat(kit.log("MissionManager").stream().filter(line -> line.contains("timed out")))
+        .hasSizeBetween(1, 10);
   }
 
   @Test

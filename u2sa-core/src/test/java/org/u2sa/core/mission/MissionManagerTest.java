@@ -67,6 +67,23 @@ class MissionManagerTest extends ThreeWaypoints {
   }
 
   @Test
+  void callback_sameReportAgainInALoopOfOneGoal_countsOneLap() throws IOException {
+    Files.writeString(
+        file,
+        "<mission><waypoint><name>a</name><x>1</x><repeat from='a' times='3'/></waypoint></mission>");
+    kit.start(MissionManager::new);
+    for (long micros : new long[] {100, 100, 200, 200}) {
+      Waypoint done = report("a");
+      done.completed(true).timestamp(micros);
+      kit.publish(Channels.GOAL_REPORTS, done);
+    }
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("a");
+    assertThat(kit.log("MissionManager").stream().filter(line -> line.contains("a\" completed")))
+        .hasSize(2);
+  }
+
+  @Test
   void callback_reportOfAGoalThatIsNotCurrent_isAnsweredWithTheCurrentGoals() {
     kit.start(MissionManager::new);
     kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));

@@ -78,6 +78,43 @@ class MissionOrdersTest extends ThreeWaypoints {
   }
 
   @Test
+  void goTo_thatGoalIsDone_resumeStillGoesBack() {
+    kit.start(MissionManager::new);
+    accepted(order(MissionAction.GOTO).uid("2"), "pursuing goal \"2\"");
+    run("2");
+    accepted(order(MissionAction.RESUME), "resumed at [1]");
+  }
+
+  @Test
+  void goTo_missionHasGoneOnSince_thereIsNothingToResume() {
+    kit.with("LOOP", true).start(MissionManager::new);
+    accepted(order(MissionAction.GOTO).uid("2"), "pursuing goal \"2\"");
+    run("2", "3");
+    assertThat(report().resumable()).isEmpty();
+    refused(order(MissionAction.RESUME), "there is nothing to resume: the mission was not left");
+  }
+
+  @Test
+  void goTo_againAfterTheMissionHasGoneOn_resumeGoesBackToBeforeTheSecond() {
+    kit.with("LOOP", true).start(MissionManager::new);
+    accepted(order(MissionAction.GOTO).uid("2"), "pursuing goal \"2\"");
+    run("2", "3", "1");
+    kit.advance(1.0); // no goal is reached twice at one moment
+    run("2");
+    accepted(order(MissionAction.GOTO).uid("1"), "pursuing goal \"1\"");
+    accepted(order(MissionAction.RESUME), "resumed at [3]");
+  }
+
+  @Test
+  void goTo_twiceInARow_resumeGoesBackToBeforeTheFirst() {
+    kit.start(MissionManager::new);
+    complete("1");
+    accepted(order(MissionAction.GOTO).uid("3"), "pursuing goal \"3\"");
+    accepted(order(MissionAction.GOTO).uid("1"), "pursuing goal \"1\"");
+    accepted(order(MissionAction.RESUME), "resumed at [2]");
+  }
+
+  @Test
   void goTo_unknownName_isRefusedWithTheNames() {
     kit.start(MissionManager::new);
     refused(order(MissionAction.GOTO).uid("4"), "no goal \"4\"; expected one of 1, 2, 3");

@@ -23,6 +23,7 @@ import org.u2sa.core.planning.seen.PlanarShape;
 public final class TangentGraph {
   private static final double FULL = 2.0 * Math.PI;
   private static final double ROUNDING_RAD = 1.0e-7;
+  private static final double TOUCHING = 1.0e-9; // of circles, as a share of the distance squared
   private static final int MOST_CIRCLES = 300;
   private static final int MOST_EXPANSIONS = 4000;
   private static final double ARC_SAMPLE_RAD = Math.toRadians(6.0);
@@ -63,13 +64,50 @@ public final class TangentGraph {
       rings.add(new Ring(round.northM(), round.eastM(), radius, 1));
       rings.add(new Ring(round.northM(), round.eastM(), radius, -1));
     }
+    List<Ring> goals = goals();
+    for (Ring first : List.copyOf(rings.subList(0, 2))) {
+      for (Ring last : goals) {
+        if (last.sense() != -first.sense()) {
+          addBetween(first, last);
+        }
+      }
+    }
     firstGoal = rings.size();
-    if (goalHeadingRad.isPresent()) {
-      Pose goal = new Pose(goalNorthM, goalEastM, goalHeadingRad.getAsDouble());
-      rings.add(beside(goal, 1));
-      rings.add(beside(goal, -1));
-    } else {
-      rings.add(new Ring(goalNorthM, goalEastM, 0.0, 0));
+    rings.addAll(goals);
+  }
+
+  private List<Ring> goals() {
+    if (goalHeadingRad.isEmpty()) {
+      return List.of(new Ring(goalNorthM, goalEastM, 0.0, 0));
+    }
+    Pose goal = new Pose(goalNorthM, goalEastM, goalHeadingRad.getAsDouble());
+    return List.of(beside(goal, 1), beside(goal, -1));
+  }
+
+  /**
+   * The circles flown in the other sense that touch the first circle and the last from outside: the
+   * middle ones of ways that turn three times (Dubins 1957), or twice to a point without a heading.
+   */
+  private void addBetween(Ring first, Ring last) {
+    double north = last.northM() - first.northM();
+    double east = last.eastM() - first.eastM();
+    double apart = Math.hypot(north, east);
+    double toFirst = first.radiusM() + radiusM;
+    double toLast = last.radiusM() + radiusM;
+    // The centres' triangle has these sides; its height over the line from first to last:
+    double along = (apart * apart + toFirst * toFirst - toLast * toLast) / (2.0 * apart);
+    double square = toFirst * toFirst - along * along;
+    if (!(square >= 0.0)) { // too far apart, or one inside the other
+      return;
+    }
+    double aside = Math.sqrt(square);
+    for (int side = -1; side <= 1; side += 2) {
+      rings.add(
+          new Ring(
+              first.northM() + (along * north - side * aside * east) / apart,
+              first.eastM() + (along * east + side * aside * north) / apart,
+              radiusM,
+              -first.sense()));
     }
   }
 
@@ -152,10 +190,11 @@ public final class TangentGraph {
     // centre to centre = length · ahead + k · right, k the difference of the signed radii
     double k = b.sense() * b.radiusM() - a.sense() * a.radiusM();
     double square = north * north + east * east - k * k;
-    if (square <= 0.0) {
+    double touching = TOUCHING * (north * north + east * east);
+    if (square < -touching || touching == 0.0) {
       return Optional.empty();
     }
-    double length = Math.sqrt(square);
+    double length = square <= touching ? 0.0 : Math.sqrt(square);
     double heading = Math.atan2(east, north) - Math.atan2(k, length);
     double turned = turn(node.headingRad(), heading, a.sense());
     double cost = node.cost() + turned * a.radiusM() + length;

@@ -11,6 +11,8 @@ import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.core.planning.curve.Curve;
 import org.u2sa.core.planning.curve.Dubins;
 import org.u2sa.core.planning.curve.Pose;
@@ -58,25 +60,49 @@ class TangentGraphProperties {
         });
   }
 
-  @Property(tries = 300)
-  void shortest_nothingInTheWay_isDubinssUnlessItTurnsThrice(@ForAll long seed) {
+  private static Optional<Curve> shortest(Pose start, Pose goal, OptionalDouble heading) {
+    return TangentGraph.shortest(
+        List.of(), List.of(), CLEARANCE, start, goal.northM(), goal.eastM(), heading, RADIUS);
+  }
+
+  @Property(tries = 1000)
+  void shortest_nothingInTheWay_isDubinss(@ForAll long seed) {
     Random random = new Random(seed);
     Pose start = new Pose(0.0, 0.0, 6.0 * random.nextDouble());
-    Pose goal = new Pose(900.0, 100.0 * random.nextDouble(), 6.0 * random.nextDouble());
+    double away = random.nextBoolean() ? 900.0 : 250.0 * random.nextDouble(); // or a close turn
+    Pose goal = new Pose(away, 100.0 * random.nextDouble(), 6.0 * random.nextDouble());
 
-    Optional<Curve> way =
-        TangentGraph.shortest(
-            List.of(),
-            List.of(),
-            CLEARANCE,
-            start,
-            goal.northM(),
-            goal.eastM(),
-            OptionalDouble.of(goal.headingRad()),
-            RADIUS);
+    Optional<Curve> way = shortest(start, goal, OptionalDouble.of(goal.headingRad()));
 
+    assertThat(way.orElseThrow().end(start).distanceM(goal.northM(), goal.eastM()))
+        .isLessThan(1.0e-3);
     assertThat(way.orElseThrow().lengthM())
-        .isCloseTo(Dubins.shortest(start, goal, RADIUS).lengthM(), within(1.0e-3));
+        .isCloseTo(Dubins.shortest(start, goal, RADIUS).lengthM(), within(1.0e-2));
+  }
+
+  @Property(tries = 100)
+  void shortest_anyHeadingAtTheGoal_isAsShortAsDubinssBest(@ForAll long seed) {
+    Random random = new Random(seed);
+    Pose start = new Pose(0.0, 0.0, 6.0 * random.nextDouble());
+    Pose goal = new Pose(150.0 * random.nextDouble(), 150.0 * random.nextDouble(), 0.0);
+    double best = Double.POSITIVE_INFINITY;
+    for (int degrees = 0; degrees < 360; degrees++) {
+      Pose to = new Pose(goal.northM(), goal.eastM(), Math.toRadians(degrees));
+      best = Math.min(best, Dubins.shortest(start, to, RADIUS).lengthM());
+    }
+
+    Curve way = shortest(start, goal, OptionalDouble.empty()).orElseThrow();
+
+    assertThat(way.end(start).distanceM(goal.northM(), goal.eastM())).isLessThan(1.0e-3);
+    assertThat(way.lengthM()).isLessThan(best + 1.0e-3);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {99.0, 99.99, 100.0, 100.01, 101.0})
+  void shortest_uTurnBetweenLegsATurningCircleApart_isHalfACircleOrLittleMore(double apartM) {
+    Pose goal = new Pose(0.0, apartM, Math.PI);
+    Curve way = shortest(new Pose(0.0, 0.0, 0.0), goal, OptionalDouble.of(Math.PI)).orElseThrow();
+    assertThat(way.lengthM()).isBetween(Math.PI * RADIUS - 1.0, 1.15 * Math.PI * RADIUS);
   }
 
   @Test

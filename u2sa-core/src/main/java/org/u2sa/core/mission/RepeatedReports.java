@@ -1,0 +1,28 @@
+package org.u2sa.core.mission;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.u2sa.messages.GoalInformation;
+
+/**
+ * Recognises reports that come again, as the network or a planner that waits for an answer may
+ * bring them: of the same goal and moment. In a loop each would count as another lap. Belongs to
+ * one thread.
+ */
+final class RepeatedReports {
+  private final Map<String, Long> newest = new HashMap<>(); // by goal [µs]
+
+  /** Whether the report came before; one without a time never did. */
+  boolean repeats(GoalInformation report) {
+    if (report.timestamp().isEmpty()) {
+      return false;
+    }
+    Long before = newest.put(report.uid(), report.timestamp().getAsLong());
+    return before != null && before == report.timestamp().getAsLong();
+  }
+
+  /** The goals are those of another mission. */
+  void forget() {
+    newest.clear();
+  }
+}
