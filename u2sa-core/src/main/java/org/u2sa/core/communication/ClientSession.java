@@ -382,6 +382,11 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   @Override
   public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
     ConnectionFault fault = ConnectionFault.of(cause);
-    putOut(ctx, fault.kind(), fault.words());
+    if (stage == Stage.IN && fault.isLoss()) {
+      stage = Stage.OUT; // its will says so, and what it was part of
+      ctx.close();
+    } else {
+      putOut(ctx, fault.kind(), fault.words());
+    }
   }
 }

@@ -10,8 +10,9 @@ import javax.net.ssl.SSLHandshakeException;
  *
  * @param kind the counter
  * @param words what the network code said, sanitised for a log line
+ * @param isLoss whether the other end is gone, as a process that was killed or interrupted
  */
-record ConnectionFault(String kind, String words) {
+record ConnectionFault(String kind, String words, boolean isLoss) {
   static final String MALFORMED = "malformed packet";
 
   static ConnectionFault of(Throwable error) {
@@ -25,10 +26,14 @@ record ConnectionFault(String kind, String words) {
     }
     return error instanceof IOException && error.getCause() != null // Moquette wraps the decoder's
         ? told(MALFORMED, error.getCause())
-        : told("connection failed", error);
+        : new ConnectionFault("connection failed", shown(error), error instanceof IOException);
   }
 
   private static ConnectionFault told(String kind, Throwable cause) {
-    return new ConnectionFault(kind, Refusals.shown(String.valueOf(cause.getMessage())));
+    return new ConnectionFault(kind, shown(cause), false);
+  }
+
+  private static String shown(Throwable cause) {
+    return Refusals.shown(String.valueOf(cause.getMessage()));
   }
 }

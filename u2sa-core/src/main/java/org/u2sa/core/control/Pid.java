@@ -63,9 +63,24 @@ public final class Pid {
     this.gains = gains;
   }
 
-  /** Goes on with other gains; the output does not jump by the integral. */
+  /**
+   * Goes on with other gains; the output does not jump by the integral. What is switched off is
+   * forgotten.
+   */
   public void gains(Gains newGains) {
     gains = newGains;
+    forgetSwitchedOff();
+  }
+
+  private void forgetSwitchedOff() {
+    boolean isOff = gains.gain == 0.0;
+    if (isOff || gains.integralS == 0.0) {
+      integral = 0.0;
+      pending = 0.0;
+    }
+    if (isOff || gains.derivativeS == 0.0) {
+      derivative = 0.0;
+    }
   }
 
   /**
@@ -82,8 +97,6 @@ public final class Pid {
       derivative =
           (filterS * derivative - gains.gain * gains.derivativeS * (measured - measuredBefore))
               / (filterS + stepS);
-    } else if (gains.derivativeS == 0.0) {
-      derivative = 0.0;
     }
     measuredBefore = measured;
     output = gains.gain * (gains.setpointWeight * setpoint - measured) + integral + derivative;
@@ -102,7 +115,7 @@ public final class Pid {
   public void attained(double attained, double stepS) {
     integral += pending;
     pending = 0.0;
-    if (gains.integralS > 0.0) {
+    if (gains.gain > 0.0 && gains.integralS > 0.0) {
       double trackingS =
           gains.derivativeS > 0.0
               ? Math.sqrt(gains.integralS * gains.derivativeS)
@@ -113,12 +126,16 @@ public final class Pid {
     }
   }
 
-  /** Chooses the integral so that the next output is this one: takes over without a bump. */
+  /**
+   * Chooses the integral so that the next output is this one: takes over without a bump. Without an
+   * integral, only the next output is.
+   */
   public void takeOver(double wantedOutput, double setpoint, double measured) {
     derivative = 0.0;
     pending = 0.0;
     measuredBefore = measured;
-    integral = wantedOutput - gains.gain * (gains.setpointWeight * setpoint - measured);
+    double proportional = gains.gain * (gains.setpointWeight * setpoint - measured);
+    integral = gains.gain > 0.0 ? wantedOutput - proportional : 0.0;
   }
 
   /** Forgets all. */
@@ -142,5 +159,6 @@ public final class Pid {
     integral = state.number(name + " INTEGRAL").orElse(0.0);
     derivative = state.number(name + " DERIVATIVE").orElse(0.0);
     measuredBefore = state.number(name + " MEASURED").orElse(Double.NaN);
+    forgetSwitchedOff();
   }
 }

@@ -23,6 +23,7 @@ public final class LaunchOptions {
   private Path logDirectory = Paths.get("out", "logs");
   private long seed = 1;
   private Consumer<String> console = line -> {};
+  private Optional<Path> changes = Optional.empty();
   private boolean oneOfSeveral;
   private boolean supervised;
   private boolean restart;
@@ -50,10 +51,32 @@ public final class LaunchOptions {
     return this;
   }
 
+  /**
+   * Leaves configuration files as they are: what is changed while the system runs goes to copies in
+   * this folder, which is made at the first change.
+   */
+  public LaunchOptions changesTo(Path folder) {
+    changes = Optional.of(folder);
+    return this;
+  }
+
   /** Sets what takes the launcher's and the Communication Manager's own words, a line each. */
   public LaunchOptions console(Consumer<String> value) {
     console = Objects.requireNonNull(value, "console");
     return this;
+  }
+
+  /** Reads a configuration file, whose changes go where these options say. */
+  XmlConfiguration load(Path file) {
+    return changes
+        .map(folder -> XmlConfiguration.load(file, copyOf(file.toAbsolutePath(), folder)))
+        .orElseGet(() -> XmlConfiguration.load(file));
+  }
+
+  /** Files of one name may come from several folders. */
+  private static Path copyOf(Path file, Path folder) {
+    Path parent = file.getParent().getFileName();
+    return folder.resolve(parent == null ? "root" : parent.toString()).resolve(file.getFileName());
   }
 
   /**

@@ -30,8 +30,7 @@ final class ServiceMaker {
   static XmlConfiguration configuration(
       LaunchOptions options, String service, Optional<Path> path) {
     XmlConfiguration configuration =
-        path.map(XmlConfiguration::load)
-            .orElseGet(() -> XmlConfiguration.inMemory(service, Map.of()));
+        path.map(options::load).orElseGet(() -> XmlConfiguration.inMemory(service, Map.of()));
     options.overridesOf(service).forEach(configuration::override);
     return configuration;
   }

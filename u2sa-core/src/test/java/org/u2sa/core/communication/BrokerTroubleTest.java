@@ -5,8 +5,10 @@ import static org.u2sa.core.communication.BrokerTraffic.command;
 import static org.u2sa.core.communication.BrokerTraffic.frozen;
 import static org.u2sa.core.communication.BrokerTraffic.soon;
 
+import java.io.IOException;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
@@ -34,6 +36,17 @@ class BrokerTroubleTest extends TwoClients {
 
     publishUntilReceived(command(2.0));
     assertThat(broker.log).first().asString().contains("functionality").contains("dropped");
+  }
+
+  @Test
+  void reset_ofAClientThatIsIn_isNoFaultToTell() throws IOException {
+    try (AttackedBroker other = new AttackedBroker(Map.of())) {
+      other.stranger().introduced("echo").reset();
+      other.stranger().introduced("echo").reset(); // the first one has left the broker by now
+      other.servesOn();
+
+      assertThat(other.log).noneMatch(line -> line.contains("connection failed"));
+    }
   }
 
   @Test

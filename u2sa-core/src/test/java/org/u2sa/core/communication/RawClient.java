@@ -78,6 +78,12 @@ final class RawClient implements AutoCloseable {
     return answer.length < 4 ? -1 : answer[3];
   }
 
+  /** Ends as a process that is killed: the broker's next read fails. */
+  void reset() throws IOException {
+    socket.setSoLinger(true, 0);
+    socket.close();
+  }
+
   private byte[] introduction(String clientId, String... userAndPassword) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     DataOutputStream out = new DataOutputStream(bytes);

@@ -8,6 +8,7 @@ import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.service.HandOver;
 
 class PidTest {
   private static final double STEP_S = 0.001;
@@ -36,6 +37,48 @@ class PidTest {
       settled = Math.abs(lag[2] - 1.0) > 0.02 ? t : settled;
     }
     return new Response(highest - 1.0, settled, lag[2], output);
+  }
+
+  private static Pid wound(Pid.Gains gains) {
+    Pid pid = new Pid(gains);
+    for (int i = 0; i < 1000; i++) {
+      pid.attained(pid.step(1.0, 0.001 * i, STEP_S), STEP_S);
+    }
+    return pid;
+  }
+
+  @Test
+  void gains_gainZero_switchesAllOffAtOnce() {
+    Pid pid = wound(Pid.Gains.of(2.0, 0.5, 0.1));
+
+    pid.gains(Pid.Gains.of(0.0, 0.5, 0.1));
+
+    assertThat(pid.step(1.0, 0.0, STEP_S)).isZero();
+    pid.attained(0.0, STEP_S);
+    pid.gains(Pid.Gains.of(2.0, 0.5, 0.1));
+    assertThat(pid.step(1.0, 1.0, 0.0)).isZero(); // nothing was kept meanwhile
+  }
+
+  @Test
+  void gains_integralTimeZero_switchesTheIntegralOffAtOnce() {
+    Pid pid = wound(Pid.Gains.of(2.0, 0.5, 0.0));
+
+    pid.gains(Pid.Gains.of(2.0, 0.0, 0.0));
+
+    assertThat(pid.step(1.0, 0.75, STEP_S)).isCloseTo(0.5, within(1e-12));
+  }
+
+  @Test
+  void takeOver_switchedOff_putsOutNothing() {
+    Pid before = wound(Pid.Gains.of(2.0, 0.5, 0.1));
+    HandOver state = new HandOver("test");
+    before.handOver(state, "SURGE");
+    Pid pid = new Pid(Pid.Gains.of(0.0, 0.5, 0.1));
+
+    pid.takeOver(state, "SURGE");
+    assertThat(pid.step(1.0, 0.0, STEP_S)).isZero();
+    pid.takeOver(3.0, 1.0, 0.0);
+    assertThat(pid.step(1.0, 0.0, STEP_S)).isZero();
   }
 
   /**

@@ -11,10 +11,19 @@ import java.util.Optional;
 final class ToolChecks {
   private final Programs programs;
   private final Map<String, String> environment;
+  private final Path gamesFolder;
 
   ToolChecks(Programs programs, Map<String, String> environment) {
+    this(programs, environment, Path.of("/usr/games"));
+  }
+
+  /**
+   * @param gamesFolder searched after the PATH, as scripts/flightgear/start does
+   */
+  ToolChecks(Programs programs, Map<String, String> environment, Path gamesFolder) {
     this.programs = programs;
     this.environment = environment;
+    this.gamesFolder = gamesFolder;
   }
 
   List<Finding> all() throws InterruptedException {
@@ -52,12 +61,17 @@ final class ToolChecks {
 
   private Finding tool(String subject, String program, String advice, String argument)
       throws InterruptedException {
-    Optional<Path> file = programs.find(program);
+    Optional<Path> file = programs.find(program).or(() -> games(program));
     if (file.isEmpty()) {
       return Finding.optional(subject, "no " + program + " on the PATH", advice);
     }
     String version = programs.firstLine(file.get(), argument).orElse("says no version");
     return Finding.ok(subject, file.get() + ", " + version);
+  }
+
+  /** Debian's folder of FlightGear, which not every account has on its PATH. */
+  private Optional<Path> games(String program) {
+    return Optional.of(gamesFolder.resolve(program)).filter(Files::isExecutable);
   }
 
   private Finding screen() {

@@ -53,6 +53,7 @@ public final class RemoteSystem {
   private CommandSpec command;
 
   private BrokerAddress broker = BrokerAddress.parse("localhost"); // null: to be looked for
+  private boolean isNamed; // the broker was
   private String systemId;
   private double timeoutS = 3.0;
 
@@ -60,8 +61,9 @@ public final class RemoteSystem {
       names = "--broker",
       paramLabel = "HOST[:PORT]",
       description =
-          "Address of the system's broker; auto: find it by mDNS. Default: localhost:1883.")
+          "Address of the system's broker; auto: find it by mDNS. Default: that of the system which runs on this machine, otherwise localhost:1883.")
   private void broker(String value) {
+    isNamed = true;
     try {
       broker = value.equals(BrokerSearch.AUTO) ? null : BrokerAddress.parse(value);
     } catch (IllegalArgumentException e) {
@@ -131,9 +133,7 @@ public final class RemoteSystem {
    */
   public MqttTransport transport() throws InterruptedException {
     Clock clock = new SystemClock();
-    if (broker == null) {
-      broker = search(clock);
-    }
+    findBroker(clock);
     return transportTo(systemId == null ? theOnlyOne(clock) : systemId);
   }
 
@@ -143,10 +143,17 @@ public final class RemoteSystem {
    * @param otherwise its ID if none was chosen
    */
   public MqttTransport transport(String otherwise) throws InterruptedException {
-    if (broker == null) {
-      broker = search(new SystemClock());
-    }
+    findBroker(new SystemClock());
     return transportTo(systemId == null ? otherwise : systemId);
+  }
+
+  private void findBroker(Clock clock) throws InterruptedException {
+    if (broker == null) {
+      broker = search(clock);
+    } else if (!isNamed) {
+      isNamed = true;
+      broker = LocalSystems.ofAccount().theOnly(Optional.ofNullable(systemId)).orElse(broker);
+    }
   }
 
   private BrokerAddress search(Clock clock) throws InterruptedException {

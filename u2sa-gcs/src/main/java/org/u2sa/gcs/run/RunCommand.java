@@ -5,11 +5,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.u2sa.core.communication.BrokerSearch;
+import org.u2sa.core.communication.ManagerSettings;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
@@ -18,6 +21,10 @@ import org.u2sa.gcs.command.Setting;
 import org.u2sa.gcs.record.RunFacts;
 import org.u2sa.gcs.record.RunRecording;
 import org.u2sa.gcs.remote.BrokerAddress;
+import org.u2sa.gcs.remote.LocalSystems;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.recorder.Recorder;
 import org.u2sa.service.U2SAService;
 import picocli.CommandLine.Command;
@@ -39,6 +46,7 @@ import picocli.CommandLine.Spec;
     })
 public final class RunCommand implements Callable<Integer> {
   private static final String MANAGER = "CommunicationManager";
+  private static final List<String> LOOPBACK = List.of("127.0.0.1", "::1", "localhost");
 
   @Spec private CommandSpec command;
 
@@ -119,9 +127,11 @@ public final class RunCommand implements Callable<Integer> {
     SystemFile system = whole;
     PrintWriter out = command.commandLine().getOut();
     LaunchOptions options = new LaunchOptions().logDirectory(logs).seed(seed).console(out::println);
+    settings = new ArrayList<>(settings);
     if (broker != null) {
-      settings = new ArrayList<>(settings);
       settings.addAll(settingsOfBroker());
+    } else if (host == null && only.isEmpty()) {
+      evadeTakenPort(system, out);
     }
     set(options, system);
     recording.check();
@@ -149,6 +159,58 @@ public final class RunCommand implements Callable<Integer> {
       options.oneOfSeveral(supervised).restart(restart);
     }
     return separate ? runSeparately(system.apart(), options, out) : run(system, options, out);
+  }
+
+  /**
+   * Has the broker listen on another port where a program has the configured one, if only this
+   * machine can reach it: those of other machines would look for it at the configured port.
+   */
+  private void evadeTakenPort(SystemFile system, PrintWriter out) {
+    XmlConfiguration configuration =
+        system
+            .communication()
+            .map(XmlConfiguration::load)
+            .orElseGet(() -> XmlConfiguration.inMemory(MANAGER, Map.of()));
+    List<Setting> ofManager;
+    try {
+      ofManager = Setting.parseAll(settings).stream().filter(RunCommand::isOfManager).toList();
+    } catch (IllegalArgumentException e) {
+      return; // refused later, with all others
+    }
+    if (ofManager.stream().anyMatch(each -> each.variable().equals(ManagerSettings.PORT))) {
+      return;
+    }
+    ofManager.forEach(each -> configuration.override(each.variable(), each.value()));
+    ManagerSettings manager = configuration.settings(ManagerSettings.class).get();
+    if (!manager.broker().equals("embedded") || !LOOPBACK.contains(manager.bindAddress())) {
+      return;
+    }
+    int port = manager.communicationManagerPort();
+    OptionalInt free = TakenPort.replacement(manager.bindAddress(), port);
+    if (free.isPresent()) {
+      refuseSecondRun(system);
+      settings.add(MANAGER + ":" + ManagerSettings.PORT + "=" + free.getAsInt());
+      out.println(
+          String.format(
+              "Port %s is taken by another program; the broker of this system listens on port %s.",
+              port, free.getAsInt()));
+    }
+  }
+
+  private static boolean isOfManager(Setting setting) {
+    return setting.service().equals(MANAGER);
+  }
+
+  /** Two runs of one vehicle would both command its devices. */
+  private static void refuseSecondRun(SystemFile system) {
+    LocalSystems.ofAccount().running().stream()
+        .filter(each -> each.systemId().equals(system.systemId()))
+        .findFirst()
+        .ifPresent(
+            each -> {
+              throw new BadInputException(
+                  "system " + each + " runs on this machine already; end it first");
+            });
   }
 
   private RunFacts facts(SystemFile system) {
@@ -206,11 +268,13 @@ public final class RunCommand implements Callable<Integer> {
     }
   }
 
-  @SuppressWarnings("try") // the hook is there to be closed, not called
+  @SuppressWarnings("try") // resources that are there to be closed, not called
   private Integer run(SystemFile file, LaunchOptions options, PrintWriter out)
       throws InterruptedException {
     Optional<ParentWatch> parent = parentWatch();
     try (RunningSystem system = RunningSystem.start(file, options);
+        TroubleLines troubles = troublesOf(system, out);
+        LocalSystems.Announcement announced = announced(file, system, out);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
       parent.ifPresent(watch -> watch.endingBy(system::close));
       out.println(
@@ -233,13 +297,15 @@ public final class RunCommand implements Callable<Integer> {
     }
   }
 
-  @SuppressWarnings("try") // hook and supervisor are there to be closed, not called
+  @SuppressWarnings("try") // resources that are there to be closed, not called
   private Integer runSeparately(SystemFile file, LaunchOptions options, PrintWriter out)
       throws InterruptedException {
     List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
     ServiceProcesses.ProcessCommand start =
         new ServiceProcesses.ProcessCommand(file.file(), logs, seed, settings);
     try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
+        TroubleLines troubles = troublesOf(manager, out);
+        LocalSystems.Announcement announced = announced(file, manager, out);
         ServiceProcesses processes = new ServiceProcesses(start, entries, out::println);
         Supervisor supervisor = new Supervisor(file, manager, processes, out::println);
         EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
@@ -255,6 +321,17 @@ public final class RunCommand implements Callable<Integer> {
       }
       return endedWell ? ExitCode.DONE : ExitCode.FAILED;
     }
+  }
+
+  private static TroubleLines troublesOf(RunningSystem system, PrintWriter out) {
+    return new TroubleLines(
+        system.communicationManager().transport(), new SystemClock(), out::println);
+  }
+
+  private static LocalSystems.Announcement announced(
+      SystemFile file, RunningSystem system, PrintWriter out) {
+    return LocalSystems.ofAccount()
+        .announce(file.systemId(), system.communicationManager().address(), out::println);
   }
 
   private static String names(List<U2SAService> services) {

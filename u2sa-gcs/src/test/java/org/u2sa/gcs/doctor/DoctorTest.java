@@ -51,12 +51,26 @@ class DoctorTest {
   }
 
   @Test
+  void tools_flightGearInTheGamesFolder_isFoundAsFlyFindsIt() throws Exception {
+    Path program = folder.resolve("fgfs");
+    Files.writeString(program, "#!/bin/sh\necho FlightGear 2020.3\n");
+    Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
+    Map<String, String> environment = Map.of("PATH", "");
+    assertThat(new ToolChecks(new Programs(environment), environment, folder).all())
+        .filteredOn(each -> each.subject().equals("FlightGear"))
+        .singleElement()
+        .satisfies(each -> assertThat(each.found()).endsWith("fgfs, FlightGear 2020.3"))
+        .satisfies(each -> assertThat(each.grade()).isEqualTo(Finding.Grade.OK));
+  }
+
+  @Test
   void tools_foundOnThePath_sayTheirVersion() throws Exception {
     Path program = folder.resolve("adb");
     Files.writeString(program, "#!/bin/sh\necho\necho adb 1.2.3\n");
     Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
     Map<String, String> environment = Map.of("PATH", folder.toString());
-    var findings = new ToolChecks(new Programs(environment), environment).all();
+    Path games = folder.resolve("none");
+    var findings = new ToolChecks(new Programs(environment), environment, games).all();
     assertThat(findings)
         .filteredOn(each -> each.subject().equals("adb"))
         .singleElement()

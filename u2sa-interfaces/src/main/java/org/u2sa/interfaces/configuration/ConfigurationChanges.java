@@ -2,6 +2,7 @@ package org.u2sa.interfaces.configuration;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -22,18 +23,37 @@ import java.util.stream.Collectors;
  */
 final class ConfigurationChanges {
   private final LiveValues live;
+  private final Optional<Path> original; // from which the file is copied; empty: it is the file
   private final Optional<Path> path;
   private final ChangeJournal journal;
   private volatile long revision; // written by one thread at a time
 
-  ConfigurationChanges(LiveValues live, Optional<Path> path) {
-    this(
-        live, path, path.isPresent() ? new AuditFile(path.get()) : new ChangeJournal.InMemory(), 0);
+  /**
+   * @param file that was read; empty: changes stay in memory
+   * @param copy that is changed in its place, and made at the first change; empty: the file is
+   */
+  ConfigurationChanges(LiveValues live, Optional<Path> file, Optional<Path> copy) {
+    this(live, copy.isPresent() ? file : Optional.empty(), copy.isPresent() ? copy : file, 0);
   }
 
   private ConfigurationChanges(
-      LiveValues live, Optional<Path> path, ChangeJournal journal, long revision) {
+      LiveValues live, Optional<Path> original, Optional<Path> path, long revision) {
+    this(
+        live,
+        original,
+        path,
+        path.isPresent() ? new AuditFile(path.get()) : new ChangeJournal.InMemory(),
+        revision);
+  }
+
+  private ConfigurationChanges(
+      LiveValues live,
+      Optional<Path> original,
+      Optional<Path> path,
+      ChangeJournal journal,
+      long revision) {
     this.live = live;
+    this.original = original;
     this.path = path;
     this.journal = journal;
     this.revision = revision;
@@ -41,7 +61,7 @@ final class ConfigurationChanges {
 
   /** The changes of a copy of the configuration, which go on where these are. */
   ConfigurationChanges forSuccessor(LiveValues copy) {
-    return new ConfigurationChanges(copy, path, journal, revision);
+    return new ConfigurationChanges(copy, original, path, journal, revision);
   }
 
   /** One attempt, while nobody else writes. */
@@ -102,6 +122,7 @@ final class ConfigurationChanges {
 
   private WrittenChange attempt(ChangeOrigin by, Map<String, String> wanted, Attempt attempt) {
     try {
+      copyOriginal();
       Closeable turn = journal.take();
       try {
         Optional<ConfigurationFile> file = path.map(ConfigurationFile::read);
@@ -114,6 +135,13 @@ final class ConfigurationChanges {
       }
     } catch (IOException e) {
       return refusal(place(wanted.keySet()) + e, wanted);
+    }
+  }
+
+  private void copyOriginal() throws IOException {
+    if (original.isPresent() && path.isPresent() && !Files.exists(path.get())) {
+      Files.createDirectories(path.get().toAbsolutePath().getParent());
+      Files.copy(original.get(), path.get());
     }
   }
 

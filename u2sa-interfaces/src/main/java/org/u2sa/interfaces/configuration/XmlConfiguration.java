@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.configuration;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
@@ -36,11 +37,12 @@ public final class XmlConfiguration implements Configurator {
   private XmlConfiguration(
       String origin,
       Optional<Path> file,
+      Optional<Path> copy,
       Map<String, FileVariable> stated,
       Optional<ConfigurationFile> content) {
     this.file = file;
     values = new LiveValues(new ConfigurationValues(origin, file.isPresent(), stated));
-    changes = new ConfigurationChanges(values, file);
+    changes = new ConfigurationChanges(values, file, copy);
     changes.begin(content);
   }
 
@@ -59,7 +61,27 @@ public final class XmlConfiguration implements Configurator {
   public static XmlConfiguration load(Path file) {
     ConfigurationFile content = ConfigurationFile.read(file);
     return new XmlConfiguration(
-        file.toString(), Optional.of(file), content.variables(), Optional.of(content));
+        file.toString(),
+        Optional.of(file),
+        Optional.empty(),
+        content.variables(),
+        Optional.of(content));
+  }
+
+  /**
+   * Reads a configuration file that is to stay as it is: changes go to a copy, which is made at the
+   * first change. A copy that exists is read in place of the file.
+   *
+   * @throws ConfigurationException like {@link #load(Path)}
+   */
+  public static XmlConfiguration load(Path file, Path copy) {
+    ConfigurationFile content = ConfigurationFile.read(Files.exists(copy) ? copy : file);
+    return new XmlConfiguration(
+        file.toString(),
+        Optional.of(file),
+        Optional.of(copy),
+        content.variables(),
+        Optional.of(content));
   }
 
   /**
@@ -73,7 +95,7 @@ public final class XmlConfiguration implements Configurator {
     Map<String, FileVariable> stated = new LinkedHashMap<>();
     values.forEach(
         (variable, value) -> stated.put(variable, FileVariable.inMemory(name, variable, value)));
-    return new XmlConfiguration(name, Optional.empty(), stated, Optional.empty());
+    return new XmlConfiguration(name, Optional.empty(), Optional.empty(), stated, Optional.empty());
   }
 
   /**

@@ -13,6 +13,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -49,6 +50,24 @@ class ConfigurationWritingTest {
 
     assertThat(text(file)).isEqualTo("<!-- by hand -->" + two(2, "by hand"));
     assertThat(configuration.getVariable("B")).isEqualTo("x");
+  }
+
+  @Test
+  void setVariable_changesGoToACopy_theFileStaysAndTheCopyIsReadNext() throws IOException {
+    Path file = write("X.xml", two(1, "x"));
+    Path copy = folder.resolve("run/changed/X.xml");
+    XmlConfiguration configuration = XmlConfiguration.load(file, copy);
+    assertThat(copy.getParent()).doesNotExist();
+
+    assertThat(configuration.setVariable("A", 2)).isTrue();
+
+    assertThat(text(file)).isEqualTo(two(1, "x"));
+    assertThat(text(copy)).isEqualTo(two(2, "x"));
+    assertThat(XmlConfiguration.load(file, copy).getVariable("A")).isEqualTo(2);
+    assertThat(configuration.resolve("other.xml")).isEqualTo(folder.resolve("other.xml"));
+    try (Stream<Path> beside = Files.list(folder)) {
+      assertThat(beside).containsExactlyInAnyOrder(file, folder.resolve("run")); // no audit log
+    }
   }
 
   @Test

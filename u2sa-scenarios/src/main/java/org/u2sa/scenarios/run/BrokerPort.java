@@ -1,14 +1,11 @@
 package org.u2sa.scenarios.run;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.util.Map;
+import java.util.OptionalInt;
 import org.u2sa.core.communication.ManagerSettings;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.gcs.run.TakenPort;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import picocli.CommandLine.Model.CommandSpec;
@@ -71,34 +68,20 @@ final class BrokerPort {
             .settings(ManagerSettings.class)
             .get();
     int port = configured.communicationManagerPort();
-    if (configured.broker().equals("embedded") && isTaken(configured.bindAddress(), port)) {
-      int free = freePort();
-      launch.override(MANAGER, ManagerSettings.PORT, free);
+    OptionalInt free =
+        configured.broker().equals("embedded")
+            ? TakenPort.replacement(configured.bindAddress(), port)
+            : OptionalInt.empty();
+    if (free.isPresent()) {
+      launch.override(MANAGER, ManagerSettings.PORT, free.getAsInt());
       terminal
           .out()
           .println(
               "Port "
                   + port
                   + " is taken by another program; MQTT clients find this flight on port "
-                  + free
+                  + free.getAsInt()
                   + " (--port chooses one).");
-    }
-  }
-
-  private static boolean isTaken(String address, int port) {
-    try (ServerSocket probe = new ServerSocket()) {
-      probe.bind(new InetSocketAddress(address, port));
-      return false;
-    } catch (IOException | IllegalArgumentException e) {
-      return true; // or the address is wrong, which the Communication Manager will say
-    }
-  }
-
-  private static int freePort() {
-    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return free.getLocalPort();
-    } catch (IOException e) {
-      throw new UncheckedIOException("no free TCP port for the broker", e);
     }
   }
 }

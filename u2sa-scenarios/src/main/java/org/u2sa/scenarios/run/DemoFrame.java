@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.run;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -91,10 +92,21 @@ public final class DemoFrame {
                       terminal(),
                       interruption,
                       changes.swaps());
-              LaunchOptions launch = launch(system, trial);
+              LaunchOptions launch = launch(system, trial).changesTo(changesOf(directory));
               record(launch, system, trial.mission(), demo.world(), run);
               return run(run, launch, trial, seed, realTime, patience);
             });
+  }
+
+  /**
+   * A new folder for what is changed while a demo runs: the files that it is made of are shared.
+   */
+  private static Path changesOf(Path run) {
+    Path folder = run.resolve("changed-config");
+    for (int k = 2; Files.exists(folder); k++) {
+      folder = run.resolve("changed-config-" + k);
+    }
+    return folder;
   }
 
   private void record(

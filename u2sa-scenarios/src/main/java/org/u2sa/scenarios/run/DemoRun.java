@@ -12,6 +12,7 @@ import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.gcs.remote.LocalSystems;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
@@ -108,6 +109,7 @@ record DemoRun(
     void until(RunObserver observer) throws InterruptedException;
   }
 
+  @SuppressWarnings("try") // resources that are there to be closed, not called
   private RunReport run(
       LaunchOptions options, Clock clock, long seed, Simulation simulation, Wait wait)
       throws InterruptedException {
@@ -116,7 +118,8 @@ record DemoRun(
     long began = STOPWATCH.micros();
     try (RunScreen screen = new RunScreen(plan, terminal, STOPWATCH);
         Simulation simulated = simulation; // ended last, so that neutral commands still reach it
-        RunningSystem running = RunningSystem.start(system, options)) {
+        RunningSystem running = RunningSystem.start(system, options);
+        LocalSystems.Announcement announced = announced(running)) {
       RunObserver observer =
           maker.make(
               running.contextFor(XmlConfiguration.inMemory("RunObserver", Map.of())), plan, screen);
@@ -139,6 +142,12 @@ record DemoRun(
           observer.record().track(),
           observer.outcome());
     }
+  }
+
+  private LocalSystems.Announcement announced(RunningSystem running) {
+    return LocalSystems.ofAccount()
+        .announce(
+            system.systemId(), running.communicationManager().address(), terminal.out()::println);
   }
 
   private static List<RunPlan.Corner> fence(RunningSystem running) {

@@ -11,22 +11,34 @@ import java.util.function.ToDoubleFunction;
  *
  * <p>min γ Σⱼ (wⱼ (B f − τ)ⱼ / sⱼ)² + Σᵢ cᵢ fᵢ²
  *
- * <p>with wanted wrench τ, shares f, effects B, weights w of degrees of freedom by what they could
- * have at most, s, and costs c of effectors (Johansen &amp; Fossen: Control allocation – a survey,
- * Automatica 49 (2013), section 2.2). Within the limits that is the weighted pseudo-inverse. No
- * allocation of memory per step. For one thread.
+ * <p>with wanted wrench τ, shares f, effects B, weights w of degrees of freedom by what the sound
+ * effectors could do at most, s, and costs c of effectors (Johansen &amp; Fossen: Control
+ * allocation – a survey, Automatica 49 (2013), section 2.2). Within the limits that is the weighted
+ * pseudo-inverse. No allocation of memory per step. For one thread.
+ *
+ * <p>An axis that has lost its effectors keeps the s of the sound vehicle: what is left there is
+ * not fought for at the expense of other axes. Nor is an axis that effectors reach only by being
+ * slightly misaligned.
  */
 public final class Allocator {
   /** How much more an error counts than effort: unwanted errors stay below a millionth. */
   private static final double ERROR_OVER_EFFORT = 1e6;
 
+  /** Share of an effector's force, or moment, below which its effect on an axis is incidental. */
+  private static final double INCIDENTAL = 0.05; // about 3 degrees
+
+  private static final int LINEAR_AXES = 3; // the other three are angular
+
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
 
   private final double[] weights;
   private List<Effector> effectors = List.of();
+  private List<Effector> sound = List.of();
   private double[] costs = {};
   private double[][] effects = {}; // [effector][axis], at the present speed
-  private double[] scales = new double[DegreeOfFreedom.COUNT];
+  private final double[] scales = new double[DegreeOfFreedom.COUNT];
+  private final double[] references = new double[DegreeOfFreedom.COUNT]; // scales of the sound ones
+  private double[][] soundReach = {}; // [effector][axis]
   private double[] percents = {};
   private double[] lowest = {};
   private double[] highest = {};
@@ -48,12 +60,21 @@ public final class Allocator {
     this.weights = weights.clone();
   }
 
+  /** {@link #use(List, List, ToDoubleFunction)} of effectors that are all sound. */
+  public void use(List<Effector> newEffectors, ToDoubleFunction<Effector> cost) {
+    use(newEffectors, newEffectors, cost);
+  }
+
   /**
    * Goes on with these effectors; what one that stays was commanded last is remembered.
    *
+   * @param soundEffectors all that the vehicle has where nothing is lost or weak
    * @param cost of an effector's effort, above 0; the dearer one does less
    */
-  public void use(List<Effector> newEffectors, ToDoubleFunction<Effector> cost) {
+  public void use(
+      List<Effector> newEffectors, List<Effector> soundEffectors, ToDoubleFunction<Effector> cost) {
+    sound = List.copyOf(soundEffectors);
+    soundReach = reach(sound);
     Map<String, Double> before = new LinkedHashMap<>();
     for (int i = 0; i < effectors.size(); i++) {
       before.put(effectors.get(i).name(), percents[i]);
@@ -122,7 +143,52 @@ public final class Allocator {
     }
   }
 
+  /** What an effector can do along each axis at most, either way, at its reference speed. */
+  private static double[][] reach(List<Effector> all) {
+    double[][] reach = new double[all.size()][DegreeOfFreedom.COUNT];
+    for (DegreeOfFreedom axis : AXES) {
+      boolean isMeant = all.stream().anyMatch(each -> !isIncidental(each, axis));
+      for (int i = 0; i < all.size(); i++) {
+        Effector each = all.get(i);
+        double effect = Math.abs(each.effect(axis));
+        boolean asIfAligned = !isMeant && effect > 0.0;
+        reach[i][axis.ordinal()] = most(each) * (asIfAligned ? norm(each, axis) : effect);
+      }
+    }
+    return reach;
+  }
+
+  private static boolean isIncidental(Effector effector, DegreeOfFreedom axis) {
+    return Math.abs(effector.effect(axis)) <= INCIDENTAL * norm(effector, axis);
+  }
+
+  private static double most(Effector effector) {
+    return Math.max(effector.highest(), -effector.lowest());
+  }
+
+  /** The length of an effector's force, if the axis is linear; otherwise of its moment. */
+  private static double norm(Effector effector, DegreeOfFreedom axis) {
+    int first = axis.ordinal() < LINEAR_AXES ? 0 : LINEAR_AXES;
+    double sum = 0.0;
+    for (int j = first; j < first + LINEAR_AXES; j++) {
+      double effect = effector.effect(AXES[j]);
+      sum += effect * effect;
+    }
+    return Math.sqrt(sum);
+  }
+
+  private void refer(double speedMps) {
+    Arrays.fill(references, 0.0);
+    for (int i = 0; i < soundReach.length; i++) {
+      double scale = sound.get(i).scaleAt(speedMps);
+      for (int j = 0; j < references.length; j++) {
+        references[j] += scale * soundReach[i][j];
+      }
+    }
+  }
+
   private void bound(double stepS, double speedMps) {
+    refer(speedMps);
     Arrays.fill(scales, 0.0);
     for (int i = 0; i < percents.length; i++) {
       Effector effector = effectors.get(i);
@@ -130,8 +196,7 @@ public final class Allocator {
       for (DegreeOfFreedom axis : AXES) {
         double effect = scale * effector.effect(axis);
         effects[i][axis.ordinal()] = effect;
-        scales[axis.ordinal()] +=
-            Math.abs(effect) * Math.max(effector.highest(), -effector.lowest());
+        scales[axis.ordinal()] += Math.abs(effect) * most(effector);
       }
       boolean isFree = !(stepS > 0.0);
       lowest[i] = isFree ? effector.lowest() : effector.lowestFrom(percents[i], stepS);
@@ -143,7 +208,7 @@ public final class Allocator {
     if (scales[axis] == 0.0) {
       return 0.0;
     }
-    double relative = weights[axis] / scales[axis];
+    double relative = weights[axis] / Math.max(references[axis], scales[axis]);
     return ERROR_OVER_EFFORT * relative * relative;
   }
 
@@ -185,6 +250,11 @@ public final class Allocator {
   /** What all effectors together could do along or about an axis at most [N or N m]. */
   public double scale(DegreeOfFreedom axis) {
     return scales[axis.ordinal()];
+  }
+
+  /** What errors along or about an axis are compared with [N or N m]. */
+  double reference(DegreeOfFreedom axis) {
+    return references[axis.ordinal()];
   }
 
   /** What the commands bring about along or about an axis [N or N m]. */

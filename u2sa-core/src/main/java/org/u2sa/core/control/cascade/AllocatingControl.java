@@ -269,7 +269,10 @@ public final class AllocatingControl extends ControlSystem {
     revision = newest;
     Map<String, Double> costs = Costs.parse(choices.get().costs());
     response.restart();
-    allocator.use(weaknesses.of(roster.present(now)), each -> costs.getOrDefault(each.name(), 1.0));
+    allocator.use(
+        weaknesses.of(roster.present(now)),
+        roster.sound(),
+        each -> costs.getOrDefault(each.name(), 1.0));
     Set<DegreeOfFreedom> controlled = tuning.controlled();
     sound = Authority.of(roster.sound(), controlled);
     left = Authority.of(allocator.effectors(), controlled);

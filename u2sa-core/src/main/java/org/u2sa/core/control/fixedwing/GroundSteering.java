@@ -213,7 +213,7 @@ final class GroundSteering {
             ? parameters.steeringIntegralGain() * perSpeed
             : parameters.rotationYawIntegralGain();
     double direct = rate * parameters.steeringLength() / speed + damping * error + vane;
-    double next = integral + gain * error * dtS;
+    double next = next(gain, error, dtS);
     double raw = direct + next;
     boolean deeper = (raw > 1.0 && error > 0.0) || (raw < -1.0 && error < 0.0);
     boolean rolling = ground > 1.0;
@@ -227,12 +227,18 @@ final class GroundSteering {
   double align(FlightState state, double dtS) {
     double rate = parameters.centrelineHeadingGain() * Limit.angle(headingRad - state.headingRad());
     double error = rate - state.yawRate();
-    double next = integral + parameters.rotationYawIntegralGain() * error * dtS;
+    double next = next(parameters.rotationYawIntegralGain(), error, dtS);
     double direct = parameters.rotationYawDamping() * error;
     if (Math.abs(direct + next) < 1.0 || error * next < 0.0) {
       integral = Limit.symmetric(next, 1.0);
     }
     return Limit.symmetric(direct + integral, 1.0);
+  }
+
+  /** The integral after a step; without a gain there is none. */
+  private double next(double gain, double error, double dtS) {
+    integral = gain > 0.0 ? integral : 0.0;
+    return integral + gain * error * dtS;
   }
 
   /** Aileron into the wind, −1…1: much when slow, less as the ailerons gain effect. */

@@ -10,7 +10,7 @@ final class RateLoop {
   /**
    * @param forward surface per demanded rate [s/rad] at the reference speed
    * @param proportional surface per rate error [s/rad]
-   * @param integral surface per integrated rate error [1/rad]
+   * @param integral surface per integrated rate error [1/rad]; 0: no integral
    * @param integralLimit most of the surface that the integral may hold, 0…1
    */
   record Gains(double forward, double proportional, double integral, double integralLimit) {}
@@ -46,6 +46,6 @@ final class RateLoop {
 
   /** Restarts with an integral, for a bumpless take-over. */
   void restart(double newIntegral) {
-    integral = Limit.symmetric(newIntegral, gains.integralLimit());
+    integral = gains.integral() > 0.0 ? Limit.symmetric(newIntegral, gains.integralLimit()) : 0.0;
   }
 }

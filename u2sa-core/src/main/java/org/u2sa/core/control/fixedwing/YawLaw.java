@@ -75,6 +75,7 @@ final class YawLaw {
 
   /** Starts bumplessly at a rudder position. */
   void restart(double rudder) {
-    integral = Limit.symmetric(rudder, parameters.rudderTrimLimit());
+    boolean isOn = parameters.sideslipIntegralGain() > 0.0;
+    integral = isOn ? Limit.symmetric(rudder, parameters.rudderTrimLimit()) : 0.0;
   }
 }

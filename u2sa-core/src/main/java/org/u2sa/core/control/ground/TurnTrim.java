@@ -47,7 +47,7 @@ final class TurnTrim {
       double most,
       double stepS) {
     boolean drives = demanded.speedMps() > 0.0;
-    if (demanded.isStanding() || drives != drove) {
+    if (demanded.isStanding() || drives != drove || gain == 0.0) {
       trim = 0.0;
     }
     drove = drives;

@@ -81,6 +81,7 @@ final class WheelBalance {
       smoothRadPerS = 0.0;
       return wanted;
     }
+    forgetSwitchedOff(settings);
     if (errorRadPerS.isPresent()) {
       double newer = stepS / (settings.smoothingS() + stepS);
       smoothRadPerS += newer * (errorRadPerS.getAsDouble() - smoothRadPerS);
@@ -100,6 +101,16 @@ final class WheelBalance {
     bias += settings.driving() * error * EQUAL_PARTS * EQUAL_PARTS / both;
     bias = bounded(bias, -1.0, 1.0);
     return balanced(wanted, bias + atOnce);
+  }
+
+  private void forgetSwitchedOff(Settings settings) {
+    if (settings.driving() == 0.0) {
+      mismatch = 0.0;
+      bias = 0.0;
+    }
+    if (settings.turning() == 0.0) {
+      push = 0.0;
+    }
   }
 
   private WheelShares balanced(WheelShares wanted, double turn) {

@@ -103,6 +103,46 @@ class AllocatorTest {
     }
   }
 
+  /** A thruster of 40 N each way, turned to the right of the bow [deg]. */
+  private static Effector thruster(String name, double newtons, double turnedDeg) {
+    double turned = Math.toRadians(turnedDeg);
+    Point force = Point.of(newtons * Math.cos(turned), newtons * Math.sin(turned), 0.0);
+    return Effector.of(
+            new ActuatorAnnouncement()
+                .actuatorName(name)
+                .minimum(-100.0)
+                .maximum(100.0)
+                .force(force)
+                .moment(Point.ORIGIN)
+                .renewal(0.25))
+        .orElseThrow();
+  }
+
+  private static final List<Effector> SIDE_THRUSTERS =
+      List.of(thruster("BOW", 40.0, 89.5), thruster("STERN", 40.0, 89.5));
+
+  @Test
+  void allocate_surgeLost_isNotFoughtForBySway() {
+    Allocator allocator = new Allocator(1.0, 1.0, 0.0, 0.0, 0.0, 0.0);
+    List<Effector> sound = new ArrayList<>(SIDE_THRUSTERS);
+    sound.add(thruster("MAIN", 100.0, 0.0));
+    allocator.use(SIDE_THRUSTERS, sound, each -> 1.0);
+
+    allocator.allocate(new double[] {5.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 0.0, Double.NaN);
+
+    assertThat(allocator.attained(DegreeOfFreedom.SWAY)).isCloseTo(0.0, within(0.1));
+  }
+
+  @Test
+  void allocate_surgeOnlyByMisalignedThrusters_isNotFoughtForBySway() {
+    Allocator allocator = new Allocator(1.0, 1.0, 0.0, 0.0, 0.0, 0.0);
+    allocator.use(SIDE_THRUSTERS, each -> 1.0); // nobody knows of a main thruster
+
+    allocator.allocate(new double[] {5.0, 30.0, 0.0, 0.0, 0.0, 0.0}, 0.0, Double.NaN);
+
+    assertThat(allocator.attained(DegreeOfFreedom.SWAY)).isCloseTo(30.0, within(0.1));
+  }
+
   @Test
   void allocate_astern_commandsMoreForTheSameForce() {
     Allocator allocator = of(SixThrusters.effectors());

@@ -48,6 +48,18 @@ class WheelBalanceTest {
   }
 
   @Test
+  void step_feedbackSwitchedOff_commandsByCalibrationAlone() {
+    drive(AHEAD, 0.5, 0.3, 0.0, 10.0);
+    drive(LEFT_TURN, 0.0, 0.3, 0.1, 5.0);
+    WheelBalance.Settings off =
+        new WheelBalance.Settings(0.0, 0.15, 0.0, 0.0, 0.8, SHARE_PER_RADPS);
+
+    assertThat(balance.step(AHEAD, 0.5, OptionalDouble.of(0.5), off, STEP_S)).isEqualTo(AHEAD);
+    assertThat(balance.step(LEFT_TURN, 0.0, OptionalDouble.of(0.5), off, STEP_S))
+        .isEqualTo(LEFT_TURN);
+  }
+
+  @Test
   void step_standingMeanwhile_keepsWhatItLearnedAndCommandsNothing() {
     WheelShares learned = drive(AHEAD, 0.5, 0.3, 0.0, 10.0);
 

@@ -1,0 +1,82 @@
+package org.u2sa.gcs.remote;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.BadInputException;
+
+class LocalSystemsTest {
+  @TempDir private Path directory;
+  private final List<String> told = new ArrayList<>();
+
+  private LocalSystems systems() {
+    return new LocalSystems(directory.resolve("systems"));
+  }
+
+  private LocalSystems.Announcement announce(String systemId, int port) {
+    return systems()
+        .announce(systemId, Optional.of(new InetSocketAddress("127.0.0.1", port)), told::add);
+  }
+
+  @Test
+  void theOnly_oneSystemAtAnotherPort_isFoundUntilItEnds() {
+    LocalSystems.Announcement boat = announce("boat", 40_001);
+
+    assertThat(systems().theOnly(Optional.empty()))
+        .hasValue(BrokerAddress.parse("localhost:40001"));
+    assertThat(systems().theOnly(Optional.of("cessna"))).isEmpty();
+
+    boat.close();
+    assertThat(systems().theOnly(Optional.empty())).isEmpty();
+    assertThat(told).isEmpty();
+  }
+
+  @Test
+  void theOnly_severalSystems_needsTheOneThatIsMeant() {
+    announce("boat", 40_001);
+    announce("cessna", 1883);
+
+    assertThatThrownBy(() -> systems().theOnly(Optional.empty()))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("boat at localhost:40001, cessna at localhost:1883")
+        .hasMessageContaining("--system");
+    assertThat(systems().theOnly(Optional.of("boat")))
+        .hasValue(BrokerAddress.parse("localhost:40001"));
+  }
+
+  @Test
+  void running_processThatEndedWithoutAWord_isForgotten() throws IOException {
+    announce("boat", 40_001).close();
+    Path left = directory.resolve("systems/999999999-1883"); // above any process's number
+    Files.writeString(left, "ghost localhost:1883");
+
+    assertThat(systems().running()).isEmpty();
+    assertThat(left).doesNotExist();
+  }
+
+  @Test
+  void announce_folderCannotBeMade_isToldAndTheSystemRunsOn() throws IOException {
+    Files.writeString(directory.resolve("systems"), "a file");
+
+    announce("boat", 40_001).close();
+
+    assertThat(told).singleElement().asString().contains("--broker localhost:40001");
+  }
+
+  @Test
+  void announce_noBroker_isNotAnnounced() {
+    systems().announce("boat", Optional.empty(), told::add).close();
+
+    assertThat(systems().running()).isEmpty();
+    assertThat(told).isEmpty();
+  }
+}
