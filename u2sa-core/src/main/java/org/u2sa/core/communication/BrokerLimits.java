@@ -95,12 +95,6 @@ record BrokerLimits(
   static final int DEEPEST_TOPIC = 32;
   static final int LONGEST_CLIENT_ID = 512;
 
-  /** Messages inside the broker: half of what its queues hold. */
-  static final int ON_THE_WAY = 400;
-
-  /** Bytes of those messages. */
-  static final long BYTES_ON_THE_WAY = 16 << 20;
-
   /** A client's will, which the broker keeps for as long as the client is there. */
   static final int LONGEST_WILL = 16 * 1_024;
 

@@ -1,15 +1,14 @@
 package org.u2sa.core.communication;
 
+import io.netty.buffer.Unpooled;
 import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.handler.codec.mqtt.MqttConnectMessage;
 import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
-import io.netty.handler.codec.mqtt.MqttFixedHeader;
 import io.netty.handler.codec.mqtt.MqttMessage;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttMessageType;
-import io.netty.handler.codec.mqtt.MqttQoS;
 import io.netty.util.ReferenceCountUtil;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -34,12 +33,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     OUT
   }
 
-  private static final MqttMessage FAREWELL =
-      new MqttMessage(
-          new MqttFixedHeader(MqttMessageType.DISCONNECT, false, MqttQoS.AT_MOST_ONCE, false, 0));
   private static final String TOO_SLOW = "client put out, it is too slow";
-  private static final long FAREWELL_WITHIN_S = 10;
-  private static final long LOOK_AGAIN_MS = 2;
 
   private final ConnectionFilter filter;
   private final Outflow outflow;
@@ -48,6 +42,8 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private Stage stage = Stage.STRANGER;
   private PacketFilter packets; // from its admission, as the rules
   private PacketRules rules;
+  private ClientSubscriptions subscriptions;
+  private ConnectRequest.Will will; // null: none, or it was said
   private boolean hasNews; // for Moquette, since it was told last that nothing more has come
   private String clientId = "";
   private volatile String name = ConnectionFilter.ANONYMOUS;
@@ -85,7 +81,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
 
   /** How many questions a packet counts as; 0 if it is none. */
   double questions(Object packet) {
-    return rules != null && packet instanceof MqttMessage message ? rules.questions(message) : 0.0;
+    return subscriptions != null && packet instanceof MqttMessage message
+        ? subscriptions.questions(message)
+        : 0.0;
   }
 
   /**
@@ -97,21 +95,10 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     execute(
         ctx.executor(),
         () -> {
-          if (stage == Stage.IN) {
-            stage = Stage.OUT;
-            sayFarewell(ctx);
-            ctx.executor().schedule(() -> ctx.close(), FAREWELL_WITHIN_S, TimeUnit.SECONDS);
-          }
+          will = null;
+          stage = Stage.OUT;
+          ctx.close();
         });
-  }
-
-  /** Moquette passes over a farewell that comes before it has finished connecting the client. */
-  private void sayFarewell(ChannelHandlerContext ctx) {
-    if (connected) {
-      ctx.fireChannelRead(FAREWELL);
-    } else if (ctx.channel().isActive()) {
-      ctx.executor().schedule(() -> sayFarewell(ctx), LOOK_AGAIN_MS, TimeUnit.MILLISECONDS);
-    }
   }
 
   /**
@@ -145,7 +132,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Sends a message that comes past Moquette. Called on the connection's thread.
+   * Sends a message. Called on the connection's thread.
    *
    * @param eachMatters whether the client is to acknowledge it
    * @return whether so much waits for the client that its publisher should slow down
@@ -167,9 +154,19 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     inflow.subscriberIsBehind(behind);
   }
 
-  /** Acknowledges a message of the client that went past Moquette. */
+  /** Acknowledges a message of the client. */
   void acknowledge(int packet) {
     outflow.acknowledge(context, packet);
+  }
+
+  /** The client has acknowledged a message. */
+  void acknowledged(int packet) {
+    outflow.acknowledged(packet);
+  }
+
+  /** Answers the client. */
+  void answer(MqttMessage answer) {
+    outflow.answer(context, answer);
   }
 
   /** Whether it has not identified itself yet. */
@@ -246,9 +243,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       } else {
         handedOn = packets.examine(ctx, packet);
         if (packet.fixedHeader().messageType() == MqttMessageType.DISCONNECT) {
-          // MQTT lets a server heed nothing after it (3.14.4): an acknowledgement that Moquette
-          // meets after it has cleared the session up would end its thread.
+          // MQTT lets a server heed nothing after it (3.14.4), and has it forget the will.
           stage = Stage.OUT;
+          will = null;
         }
       }
     } finally {
@@ -278,10 +275,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     }
     ConnectRequest said = ConnectRequest.of(connect, filter.pass());
     clientId = said.clientId();
-    Optional<String> fault = said.fault();
+    Optional<ConnectRequest.Fault> fault = said.fault();
     if (fault.isPresent()) {
-      refuse(
-          ctx, MqttConnectReturnCode.CONNECTION_REFUSED_UNACCEPTABLE_PROTOCOL_VERSION, fault.get());
+      refuse(ctx, fault.get().answer(), fault.get().reason());
     } else if (filter.users().isEmpty()) {
       admit(ctx, said);
     } else if (!filter.users().get().havePasswords()) {
@@ -335,8 +331,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   private void admit(ChannelHandlerContext ctx, ConnectRequest said) {
-    PacketRules its = new PacketRules(filter, user, clientId, connection);
-    Optional<String> foreign = said.willTopic().flatMap(its::refusalOfSystem);
+    PacketRules its = new PacketRules(filter, user, clientId);
+    Optional<ConnectRequest.Will> last = said.will();
+    Optional<String> foreign = last.flatMap(one -> its.refusalOfSystem(one.topic()));
     if (foreign.isPresent()) { // it means to act where it may not: better told at once
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, foreign.get());
       return;
@@ -348,14 +345,37 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     }
     stage = Stage.IN;
     rules = its;
-    packets = new PacketFilter(filter, its, who(), this);
+    subscriptions = new ClientSubscriptions(filter, its, name, connection);
+    packets = new PacketFilter(filter, its, subscriptions, who(), this);
     inflow.hold();
     filter.pending().remove(this);
     outflow.admitted(user, clientId);
     // Without its will a client may still come: every client of U2SA has one, also an observer's.
-    Optional<String> will = said.willTopic().flatMap(topic -> its.refusalOfWill(topic, said));
-    will.ifPresent(why -> filter.refusals().add("will refused, " + why, who()));
-    ctx.fireChannelRead(said.forMoquette(connection, name, will.isEmpty()));
+    Optional<String> refused = last.flatMap(its::refusalOfWill);
+    refused.ifPresent(this::willRefused);
+    will = refused.isPresent() ? null : last.orElse(null);
+    ctx.fireChannelRead(said.forMoquette(connection, name));
+  }
+
+  private void willRefused(String why) {
+    filter.refusals().add("will refused, " + why, who());
+  }
+
+  private void publishWill() {
+    ConnectRequest.Will last = will;
+    will = null;
+    if (last == null || filter.isEnding()) {
+      return;
+    }
+    if (last.isRetained()) {
+      rules.retain(last).ifPresent(this::willRefused); // who listens now gets it all the same
+    }
+    if (last.eachMatters()) {
+      filter.keep(last.payload().length);
+    }
+    filter
+        .router()
+        .route(last.topic(), Unpooled.wrappedBuffer(last.payload()), last.eachMatters(), this);
   }
 
   private void refuse(ChannelHandlerContext ctx, MqttConnectReturnCode code, String why) {
@@ -368,6 +388,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   @Override
   public void channelInactive(ChannelHandlerContext ctx) {
     stage = Stage.OUT;
+    publishWill();
     ctx.fireChannelInactive();
   }
 

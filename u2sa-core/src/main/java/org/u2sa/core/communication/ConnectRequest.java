@@ -2,6 +2,7 @@ package org.u2sa.core.communication;
 
 import io.netty.handler.codec.mqtt.MqttConnectMessage;
 import io.netty.handler.codec.mqtt.MqttConnectPayload;
+import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
 import io.netty.handler.codec.mqtt.MqttConnectVariableHeader;
 import io.netty.handler.codec.mqtt.MqttVersion;
 import java.nio.charset.StandardCharsets;
@@ -10,13 +11,51 @@ import java.util.UUID;
 
 /** The contents of a client's first packet. */
 final class ConnectRequest {
+  /** Why a request is refused, and what the client is told (MQTT 3.1.1, 3.2.2.3). */
+  enum Fault {
+    VERSION(
+        "it speaks another MQTT than 3.1 and 3.1.1",
+        MqttConnectReturnCode.CONNECTION_REFUSED_UNACCEPTABLE_PROTOCOL_VERSION),
+    LONG_ID(
+        "its client ID is too long", MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED),
+    NO_ID(
+        "it has no client ID and wants a session that lasts", // 3.1.3.1
+        MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED),
+    WILL("its will has QoS 2", MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED);
+
+    private final String reason;
+    private final MqttConnectReturnCode answer;
+
+    Fault(String reason, MqttConnectReturnCode answer) {
+      this.reason = reason;
+      this.answer = answer;
+    }
+
+    String reason() {
+      return reason;
+    }
+
+    MqttConnectReturnCode answer() {
+      return answer;
+    }
+  }
+
+  /**
+   * What the client wants to be published when its connection breaks.
+   *
+   * @param eachMatters whether it has QoS 1
+   */
+  record Will(String topic, byte[] payload, boolean eachMatters, boolean isRetained) {}
+
   private final MqttConnectMessage packet;
   private final String clientId;
+  private final boolean isNamed; // by the client
   private final String pass;
 
-  private ConnectRequest(MqttConnectMessage packet, String clientId, String pass) {
+  private ConnectRequest(MqttConnectMessage packet, String clientId, boolean isNamed, String pass) {
     this.packet = packet;
     this.clientId = clientId;
+    this.isNamed = isNamed;
     this.pass = pass;
   }
 
@@ -25,25 +64,26 @@ final class ConnectRequest {
    */
   static ConnectRequest of(MqttConnectMessage packet, String pass) {
     String said = packet.payload().clientIdentifier();
-    // mosquitto_sub leaves naming itself to the broker unless told otherwise
-    String id = said == null || said.isEmpty() ? "unnamed-" + UUID.randomUUID() : said;
-    return new ConnectRequest(packet, id, pass);
+    // mosquitto_sub and HiveMQ's client leave naming themselves to the broker unless told otherwise
+    boolean isNamed = said != null && !said.isEmpty();
+    String id = isNamed ? said : "unnamed-" + UUID.randomUUID();
+    return new ConnectRequest(packet, id, isNamed, pass);
   }
 
   /** Why it is refused, regardless of the user; empty if it is not. */
-  Optional<String> fault() {
+  Optional<Fault> fault() {
     int version = packet.variableHeader().version();
     if (version != MqttVersion.MQTT_3_1_1.protocolLevel()
         && version != MqttVersion.MQTT_3_1.protocolLevel()) {
-      return Optional.of("it speaks another MQTT than 3.1 and 3.1.1");
+      return Optional.of(Fault.VERSION);
     }
     if (clientId.length() > BrokerLimits.LONGEST_CLIENT_ID) {
-      return Optional.of("its client ID is too long");
+      return Optional.of(Fault.LONG_ID);
     }
-    if (packet.variableHeader().willQos() > 1) {
-      return Optional.of("its will has QoS 2");
+    if (!isNamed && !packet.variableHeader().isCleanSession()) {
+      return Optional.of(Fault.NO_ID);
     }
-    return Optional.empty();
+    return packet.variableHeader().willQos() > 1 ? Optional.of(Fault.WILL) : Optional.empty();
   }
 
   String clientId() {
@@ -61,35 +101,26 @@ final class ConnectRequest {
     return password == null ? new byte[0] : password;
   }
 
-  Optional<String> willTopic() {
-    return packet.variableHeader().isWillFlag()
-        ? Optional.ofNullable(packet.payload().willTopic())
+  Optional<Will> will() {
+    byte[] payload = packet.payload().willMessageInBytes();
+    return packet.variableHeader().isWillFlag() && packet.payload().willTopic() != null
+        ? Optional.of(
+            new Will(
+                packet.payload().willTopic(),
+                payload == null ? new byte[0] : payload,
+                packet.variableHeader().willQos() > 0,
+                packet.variableHeader().isWillRetain()))
         : Optional.empty();
   }
 
-  byte[] will() {
-    byte[] will = packet.payload().willMessageInBytes();
-    return will == null ? new byte[0] : will;
-  }
-
-  int willQuality() {
-    return packet.variableHeader().willQos();
-  }
-
-  boolean isWillRetained() {
-    return packet.variableHeader().isWillRetain();
-  }
-
   /**
-   * The packet as Moquette gets it: with the connection filter's pass for a password, and no
-   * session that would outlast the connection, as what queued in it would have no bound.
+   * The packet as Moquette gets it: with the connection filter's pass for a password, without the
+   * will, which the session publishes, and with no session that would outlast the connection.
    *
    * @param connection the connection's own ID, in place of the client's: Moquette takes two
-   *     connections of one client for one, and ends the newer's will and subscriptions with the
-   *     older
-   * @param withWill whether the client's will, if it has one, may be published
+   *     connections of one client for one, and ends the newer with the older
    */
-  MqttConnectMessage forMoquette(String connection, String name, boolean withWill) {
+  MqttConnectMessage forMoquette(String connection, String name) {
     MqttConnectVariableHeader said = packet.variableHeader();
     MqttConnectVariableHeader header =
         new MqttConnectVariableHeader(
@@ -97,18 +128,14 @@ final class ConnectRequest {
             said.version(),
             true,
             true,
-            withWill && said.isWillRetain(),
-            withWill ? said.willQos() : 0,
-            withWill && said.isWillFlag(),
+            false,
+            0,
+            false,
             true,
             said.keepAliveTimeSeconds());
     MqttConnectPayload payload =
         new MqttConnectPayload(
-            connection,
-            withWill ? packet.payload().willTopic() : null,
-            withWill ? packet.payload().willMessageInBytes() : null,
-            name,
-            pass.getBytes(StandardCharsets.US_ASCII));
+            connection, null, null, name, pass.getBytes(StandardCharsets.US_ASCII));
     return new MqttConnectMessage(packet.fixedHeader(), header, payload);
   }
 }

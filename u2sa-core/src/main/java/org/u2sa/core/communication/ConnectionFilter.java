@@ -52,7 +52,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final Users users; // null: everybody may do everything
   private final Authenticator authenticator; // null likewise
   private final byte[] pass = newPass();
-  private final Backlog backlog = new Backlog();
+  private final AtomicLong kept = new AtomicLong();
   private final PendingConnections<ClientSession> pending = new PendingConnections<>();
   private final AtomicInteger open = new AtomicInteger();
   private final AtomicLong unsent = new AtomicLong();
@@ -173,7 +173,6 @@ final class ConnectionFilter implements AutoCloseable {
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
       ctx.pipeline().addBefore("handler", "u2sa-session", session);
       ctx.pipeline().addBefore("handler", "u2sa-outflow", outflow);
-      ctx.pipeline().addBefore("handler", "u2sa-retain-flag", new RetainFlag(retained.topics()));
       ctx.fireChannelActive();
       ctx.pipeline().remove(this);
     }
@@ -255,7 +254,7 @@ final class ConnectionFilter implements AutoCloseable {
     subscriptions.remove(session.connection());
   }
 
-  /** Of which topics the broker holds a message. */
+  /** What the broker retains. */
   RetainedTable retained() {
     return retained;
   }
@@ -265,7 +264,7 @@ final class ConnectionFilter implements AutoCloseable {
     return subscriptions;
   }
 
-  /** The way of messages past Moquette. */
+  /** The way of messages. */
   MessageRouter router() {
     return router;
   }
@@ -308,8 +307,14 @@ final class ConnectionFilter implements AutoCloseable {
     return authenticator;
   }
 
-  Backlog backlog() {
-    return backlog;
+  /** Takes note of a message that is kept until each of its subscribers has acknowledged it. */
+  void keep(int bytes) {
+    kept.addAndGet(bytes);
+  }
+
+  /** Bytes of {@link #keep}, so far. */
+  long kept() {
+    return kept.get();
   }
 
   PendingConnections<ClientSession> pending() {
@@ -336,19 +341,13 @@ final class ConnectionFilter implements AutoCloseable {
     return new ShutdownDrain(clients.values(), clock).await();
   }
 
-  /** Messages dropped because a client was too slow, or that Moquette lost, so far. */
+  /** Messages dropped because a client was too slow, so far. */
   long dropped() {
-    return unsent.get() + refusals.of(LOST);
+    return unsent.get();
   }
-
-  private static final String LOST = "message lost in the broker";
 
   /** To be called about every second. */
   void tidy() {
-    long lost = backlog.settle();
-    for (long i = 0; i < lost; i++) {
-      refusals.add(LOST, "its queues were full");
-    }
     if (users != null) {
       users.refresh();
     }

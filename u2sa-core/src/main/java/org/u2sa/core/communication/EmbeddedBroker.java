@@ -7,18 +7,11 @@ import io.moquette.broker.config.MemoryConfig;
 import io.moquette.broker.security.PermitAllAuthorizatorPolicy;
 import io.moquette.interception.AbstractInterceptHandler;
 import io.moquette.interception.messages.InterceptConnectMessage;
-import io.moquette.interception.messages.InterceptConnectionLostMessage;
-import io.moquette.interception.messages.InterceptDisconnectMessage;
-import io.moquette.interception.messages.InterceptPublishMessage;
-import io.netty.buffer.ByteBuf;
-import io.netty.buffer.ByteBufUtil;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.util.List;
-import java.util.Map;
 import java.util.Properties;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.CommunicationException;
@@ -27,15 +20,14 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * Moquette in this process, joined to the direct path: what comes from elsewhere goes onto the bus,
- * and copies go out.
+ * The broker in this process, joined to the direct path: what comes from elsewhere goes onto the
+ * bus, and copies go out.
  */
 final class EmbeddedBroker implements AutoCloseable {
   private final LocalBus bus;
   private final Consumer<String> log;
   private final InetSocketAddress address;
   private final Server server = new Server();
-  private final Map<String, Will> wills = new ConcurrentHashMap<>();
   private final IncomingCopies incoming;
   private final AtomicLong notTaken = new AtomicLong(); // when the broker ended
   private final OutgoingCopies copies;
@@ -56,7 +48,7 @@ final class EmbeddedBroker implements AutoCloseable {
     incoming = new IncomingCopies(bus, codec, log);
     this.address = address;
     this.log = log;
-    copies = new OutgoingCopies(server, bus.systemId(), codec, filter, log);
+    copies = new OutgoingCopies(bus.systemId(), codec, filter, log);
   }
 
   /**
@@ -160,9 +152,6 @@ final class EmbeddedBroker implements AutoCloseable {
     filter.close();
   }
 
-  /** What a client wants to be said when its connection breaks. */
-  private record Will(String topic, byte[] payload) {}
-
   /**
    * Called by Moquette on a thread of its own, one call after the other. What Moquette calls a
    * client is one connection of it, {@link ClientSession#connection}: so nothing here is another's.
@@ -183,38 +172,8 @@ final class EmbeddedBroker implements AutoCloseable {
     }
 
     @Override
-    public void onPublish(InterceptPublishMessage message) {
-      ByteBuf payload = message.getPayload();
-      filter.backlog().out(payload.readableBytes());
-      try {
-        incoming.deliver(message.getTopicName(), ByteBufUtil.getBytes(payload));
-      } finally {
-        payload.release();
-      }
-    }
-
-    @Override
     public void onConnect(InterceptConnectMessage message) {
-      if (message.isWillFlag()) {
-        wills.put(
-            message.getClientID(), new Will(message.getWillTopic(), message.getWillMessage()));
-      } else {
-        wills.remove(message.getClientID());
-      }
       filter.connected(message.getClientID());
-    }
-
-    @Override
-    public void onDisconnect(InterceptDisconnectMessage message) {
-      wills.remove(message.getClientID());
-    }
-
-    @Override
-    public void onConnectionLost(InterceptConnectionLostMessage message) {
-      Will will = wills.remove(message.getClientID());
-      if (will != null) { // Moquette says it to its clients only
-        incoming.deliver(will.topic, will.payload);
-      }
     }
   }
 }

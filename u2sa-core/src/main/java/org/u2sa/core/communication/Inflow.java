@@ -87,8 +87,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
         && (isWithinShare || filter.beyondShares().isOpen(now))
         && messages.isOpen(now)
         && bytes.isOpen(now)
-        && (!isBehind || slowMessages.isOpen(now) && slowBytes.isOpen(now))
-        && !filter.backlog().isFull();
+        && (!isBehind || slowMessages.isOpen(now) && slowBytes.isOpen(now));
   }
 
   /** Every service answers a question: so they are counted for all connections of a user. */

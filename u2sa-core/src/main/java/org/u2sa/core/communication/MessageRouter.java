@@ -1,20 +1,21 @@
 package org.u2sa.core.communication;
 
+import io.moquette.broker.subscriptions.Topic;
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.Unpooled;
 import io.netty.channel.EventLoop;
-import io.netty.handler.codec.mqtt.MqttPublishMessage;
-import io.netty.handler.codec.mqtt.MqttQoS;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * Takes messages from publishers to subscribers past Moquette, in which each would change threads
- * twice or more and wait in queues that drop what does not fit. What is or was retained on its
- * topic goes through Moquette, which keeps it, and so do wills. Messages of one topic go one way,
- * so that their order stays.
+ * Takes messages from publishers to subscribers, and what is retained to new subscribers. All of it
+ * happens on the network's thread, past Moquette, in which each message would change threads twice
+ * or more and wait in queues that drop what does not fit. So a message reaches a subscriber either
+ * as a retained one, if it was published before the subscription, or as a new one: none is missed,
+ * and none is followed by an older one.
  */
 final class MessageRouter {
   /** Takes what remote clients publish to the services of this process. */
@@ -27,7 +28,8 @@ final class MessageRouter {
   }
 
   /** A message of this process on its way to the network's thread. */
-  private record Outgoing(TopicRoute route, boolean eachMatters, byte[] payload, Runnable sent) {}
+  private record Outgoing(
+      String topic, boolean eachMatters, boolean isRetained, byte[] payload, Runnable sent) {}
 
   private final RemoteSubscriptions subscriptions;
   private final RetainedTable retained;
@@ -60,42 +62,27 @@ final class MessageRouter {
   }
 
   /**
-   * Hands a client's message to all that listen. Called on the client's thread.
+   * Hands a client's message to all that listen. Called on the network's thread.
    *
    * @param publisher the client
-   * @return whether it was done; otherwise Moquette has to
    */
-  boolean route(MqttPublishMessage publish, ClientSession publisher) {
-    String topic = publish.variableHeader().topicName();
-    if (publish.fixedHeader().isRetain() || retained.topics().contains(topic)) {
-      return false;
-    }
-    TopicRoute route = subscriptions.route(topic);
-    if (route == null) {
-      return false;
-    }
+  void route(String topic, ByteBuf payload, boolean eachMatters, ClientSession publisher) {
     Reader services = reader;
     if (services != null && services.wants(topic)) {
-      services.read(topic, publish.content());
+      services.read(topic, payload);
     }
-    boolean eachMatters = publish.fixedHeader().qosLevel() != MqttQoS.AT_MOST_ONCE;
-    publisher.subscriberIsBehind(send(route, eachMatters, publish.content()));
-    return true;
-  }
-
-  /** Who listens to a topic of this process on which nothing is retained; null: ask Moquette. */
-  TopicRoute routeOf(String topic) {
-    return loop == null || retained.topics().contains(topic) ? null : subscriptions.route(topic);
+    publisher.subscriberIsBehind(send(subscriptions.route(topic), eachMatters, payload));
   }
 
   /**
    * Sends a message of this process. May be called on any thread; what one thread sends leaves in
    * its order.
    *
+   * @param isRetained whether it is also for those who subscribe later
    * @param sent called on the network's thread once it was handed to each listener's connection
    */
-  void send(TopicRoute route, boolean eachMatters, byte[] payload, Runnable sent) {
-    outgoing.add(new Outgoing(route, eachMatters, payload, sent));
+  void send(String topic, boolean eachMatters, boolean isRetained, byte[] payload, Runnable sent) {
+    outgoing.add(new Outgoing(topic, eachMatters, isRetained, payload, sent));
     if (!isSending.getAndSet(true)) {
       ClientSession.execute(loop, this::sendOutgoing);
     }
@@ -105,11 +92,41 @@ final class MessageRouter {
     isSending.set(false); // first: what is added from here on comes again
     for (Outgoing next = outgoing.poll(); next != null; next = outgoing.poll()) {
       try {
-        send(next.route, next.eachMatters, Unpooled.wrappedBuffer(next.payload));
+        if (next.isRetained) {
+          retained.enterLocal(next.topic, next.payload);
+        }
+        send(
+            subscriptions.route(next.topic),
+            next.eachMatters,
+            Unpooled.wrappedBuffer(next.payload));
       } finally {
         next.sent.run();
       }
     }
+  }
+
+  /**
+   * Sends a client what is retained on the topics that its new filters match, each once. Called on
+   * the network's thread.
+   *
+   * @param filters and for each whether each message matters
+   * @return how many messages that were
+   */
+  int sendRetained(Map<String, Boolean> filters, ClientSession subscriber) {
+    Map<RetainedTable.Retained, Boolean> wanted = new LinkedHashMap<>();
+    filters.forEach(
+        (filter, eachMatters) ->
+            retained
+                .matching(new Topic(filter))
+                .forEach(message -> wanted.merge(message, eachMatters, Boolean::logicalOr)));
+    wanted.forEach(
+        (message, eachMatters) -> {
+          ByteBuf payload = Unpooled.wrappedBuffer(message.payload());
+          Publication publication = new Publication(new TopicRoute(message.topic()), payload, true);
+          subscriber.deliver(publication, eachMatters);
+          publication.release();
+        });
+    return wanted.size();
   }
 
   /** Returns whether a listener is behind. */
@@ -118,7 +135,7 @@ final class MessageRouter {
       return false;
     }
     boolean isBehind = false;
-    Publication publication = new Publication(route, payload);
+    Publication publication = new Publication(route, payload, false);
     try {
       for (TopicRoute.Listener listener : route.listeners()) {
         ClientSession session = connections.get(listener.connection());

@@ -1,18 +1,12 @@
 package org.u2sa.core.communication;
 
 import io.netty.buffer.ByteBuf;
-import io.netty.channel.ChannelDuplexHandler;
 import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelOutboundHandlerAdapter;
 import io.netty.channel.ChannelPromise;
 import io.netty.handler.codec.mqtt.MqttEncoder;
-import io.netty.handler.codec.mqtt.MqttMessageBuilders;
-import io.netty.handler.codec.mqtt.MqttMessageType;
-import io.netty.handler.codec.mqtt.MqttPubAckMessage;
-import io.netty.handler.codec.mqtt.MqttPublishMessage;
-import io.netty.handler.codec.mqtt.MqttPublishVariableHeader;
-import io.netty.handler.codec.mqtt.MqttQoS;
-import io.netty.util.ReferenceCountUtil;
+import io.netty.handler.codec.mqtt.MqttMessage;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -22,14 +16,10 @@ import org.u2sa.core.security.User;
  * What goes out to one client: only of systems that it may listen to, and no more than it takes.
  * Belongs to its connection's thread.
  */
-final class Outflow extends ChannelDuplexHandler {
+final class Outflow extends ChannelOutboundHandlerAdapter {
   private static final String SYSTEMS = "u2sa/";
   private static final String TOO_MANY_BYTES = "too many bytes await its acknowledgement";
-  private static final int NOBODYS = 0;
   private static final int LAST_PACKET = 65_535;
-
-  /** So many numbers of packets stay free for Moquette, which has at most ten on the way. */
-  private static final int KEPT_FREE = 1_024;
 
   private static final int PUBACK = 0x4002; // its type and length
 
@@ -56,10 +46,8 @@ final class Outflow extends ChannelDuplexHandler {
    *
    * @param since when it was sent [µs]
    * @param keptBefore how much had been published then for acknowledgement by anybody
-   * @param moquettes the packet's number that Moquette gave it; {@link #NOBODYS} if it knows
-   *     nothing of it
    */
-  private record Unacknowledged(long since, long keptBefore, int moquettes) {}
+  private record Unacknowledged(long since, long keptBefore) {}
 
   Outflow(ConnectionFilter filter) {
     this.filter = filter;
@@ -71,71 +59,22 @@ final class Outflow extends ChannelDuplexHandler {
     client = clientId;
   }
 
+  /** What Moquette sends are answers. */
   @Override
   public void write(ChannelHandlerContext ctx, Object message, ChannelPromise promise) {
-    if (!(message instanceof MqttPublishMessage publish)) {
-      answer(ctx.write(message, promise.unvoid()));
-      return;
-    }
-    boolean acknowledged = publish.fixedHeader().qosLevel() != MqttQoS.AT_MOST_ONCE;
-    int packet = publish.variableHeader().packetId();
-    if (!mayHear(publish.variableHeader().topicName())) {
-      ReferenceCountUtil.release(message);
-      promise.trySuccess();
-      if (acknowledged) { // for Moquette it has arrived, or it would send it again and again
-        ctx.executor()
-            .execute(
-                () -> ctx.fireChannelRead(MqttMessageBuilders.pubAck().packetId(packet).build()));
-      }
-    } else if (!ctx.channel().isActive()) { // it has left: neither slow nor a loss
-      ctx.write(message, promise);
-    } else if (!acknowledged && unread(ctx) > BrokerLimits.UNREAD_BYTES) {
-      ReferenceCountUtil.release(message);
-      promise.trySuccess();
-      filter.unsent(Refusals.shown(client));
-    } else {
-      sentMicros = filter.nowMicros();
-      if (acknowledged) {
-        pass(ctx, numbered(publish, numberOf(packet)), promise);
-      } else {
-        onTheWay++;
-        pass(ctx, message, promise.unvoid().addListener(sent -> onTheWay--));
-      }
-    }
+    note(ctx.write(message, promise.unvoid()));
   }
 
-  private void pass(ChannelHandlerContext ctx, Object message, ChannelPromise promise) {
-    ctx.write(message, promise.unvoid().addListener(done -> taken++));
-  }
-
-  /** The number under which a packet of Moquette's goes out; the same when it is sent again. */
-  private int numberOf(int moquettes) {
-    for (Map.Entry<Integer, Unacknowledged> entry : unacknowledged.entrySet()) {
-      if (entry.getValue().moquettes == moquettes) {
-        return entry.getKey();
-      }
-    }
-    return number(moquettes);
-  }
-
-  private int number(int moquettes) {
+  private int newNumber() {
     do {
       lastPacket = lastPacket % LAST_PACKET + 1;
     } while (unacknowledged.containsKey(lastPacket));
-    unacknowledged.put(
-        lastPacket, new Unacknowledged(sentMicros, filter.backlog().kept(), moquettes));
+    unacknowledged.put(lastPacket, new Unacknowledged(sentMicros, filter.kept()));
     return lastPacket;
   }
 
-  private static MqttPublishMessage numbered(MqttPublishMessage publish, int packet) {
-    return new MqttPublishMessage(
-        publish.fixedHeader(),
-        new MqttPublishVariableHeader(publish.variableHeader().topicName(), packet),
-        publish.content());
-  }
-
   /**
-   * Sends a message that comes past Moquette.
+   * Sends a message.
    *
    * @param eachMatters whether the client is to acknowledge it
    * @return why to disconnect the client; null to keep it
@@ -145,19 +84,24 @@ final class Outflow extends ChannelDuplexHandler {
       return null;
     }
     long unread = unread(ctx);
-    if (!eachMatters && unread > BrokerLimits.UNREAD_BYTES) {
+    // What is retained comes all at once, and shares its payload with the table.
+    long limit =
+        publication.isRetained()
+            ? filter.limits().unacknowledgedBytesAtMost()
+            : BrokerLimits.UNREAD_BYTES;
+    if (!eachMatters && unread > limit) {
       filter.unsent(Refusals.shown(client));
       return null;
     }
     if (eachMatters && unread > filter.limits().unacknowledgedBytesAtMost()) {
       return TOO_MANY_BYTES;
     }
-    if (eachMatters && unacknowledged.size() > LAST_PACKET - KEPT_FREE) {
+    if (eachMatters && unacknowledged.size() == LAST_PACKET) {
       return "too many messages await its acknowledgement";
     }
     sentMicros = filter.nowMicros();
     if (eachMatters) {
-      int packet = number(NOBODYS);
+      int packet = newNumber();
       write(ctx, publication.packet(ctx.alloc(), packet)).addListener(done -> taken++);
     } else {
       onTheWay++;
@@ -173,12 +117,18 @@ final class Outflow extends ChannelDuplexHandler {
 
   /** Acknowledges what the client published. */
   void acknowledge(ChannelHandlerContext ctx, int packet) {
-    answer(write(ctx, ctx.alloc().ioBuffer(2 * Short.BYTES).writeShort(PUBACK).writeShort(packet)));
+    note(write(ctx, ctx.alloc().ioBuffer(2 * Short.BYTES).writeShort(PUBACK).writeShort(packet)));
   }
 
-  private void answer(ChannelFuture written) {
+  /** Sends an answer. */
+  void answer(ChannelHandlerContext ctx, MqttMessage answer) {
+    flushSoon(ctx);
+    note(ctx.write(answer));
+  }
+
+  private void note(ChannelFuture answer) {
     unsentAnswers++;
-    written.addListener(
+    answer.addListener(
         done -> {
           taken++;
           unsentAnswers--;
@@ -195,6 +145,11 @@ final class Outflow extends ChannelDuplexHandler {
 
   /** What is written while the network's thread reads goes out together. */
   private ChannelFuture write(ChannelHandlerContext ctx, ByteBuf packet) {
+    flushSoon(ctx);
+    return packets.write(packet);
+  }
+
+  private void flushSoon(ChannelHandlerContext ctx) {
     if (packets == null) {
       packets = ctx.pipeline().context(MqttEncoder.class);
     }
@@ -202,7 +157,6 @@ final class Outflow extends ChannelDuplexHandler {
       isFlushing = true;
       ctx.executor().execute(this::flush);
     }
-    return packets.write(packet);
   }
 
   private void flush() {
@@ -238,17 +192,9 @@ final class Outflow extends ChannelDuplexHandler {
             - ctx.channel().bytesBeforeUnwritable());
   }
 
-  @Override
-  public void channelRead(ChannelHandlerContext ctx, Object message) {
-    if (message instanceof MqttPubAckMessage answer
-        && answer.fixedHeader().messageType() == MqttMessageType.PUBACK) {
-      Unacknowledged answered = unacknowledged.remove(answer.variableHeader().messageId());
-      if (answered != null && answered.moquettes != NOBODYS) {
-        ctx.fireChannelRead(MqttMessageBuilders.pubAck().packetId(answered.moquettes).build());
-      } // Moquette does not know the others
-    } else {
-      ctx.fireChannelRead(message);
-    }
+  /** The client has taken a message; another number means nothing. */
+  void acknowledged(int packet) {
+    unacknowledged.remove(packet);
   }
 
   /** Whether so much waits for the client that those who publish to it should slow down. */
@@ -272,7 +218,7 @@ final class Outflow extends ChannelDuplexHandler {
     if (now - oldest.since > filter.limits().patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return filter.backlog().kept() - oldest.keptBefore > filter.limits().unacknowledgedBytesAtMost()
+    return filter.kept() - oldest.keptBefore > filter.limits().unacknowledgedBytesAtMost()
         ? Optional.of(TOO_MANY_BYTES)
         : Optional.empty();
   }

@@ -1,10 +1,5 @@
 package org.u2sa.core.communication;
 
-import io.moquette.broker.RoutingResults;
-import io.moquette.broker.Server;
-import io.netty.buffer.Unpooled;
-import io.netty.handler.codec.mqtt.MqttMessageBuilders;
-import io.netty.handler.codec.mqtt.MqttQoS;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Semaphore;
@@ -27,23 +22,19 @@ import org.u2sa.messages.schema.U2SAData;
 final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private static final int WAITING_AT_MOST = 8_192;
 
-  /** Half of what Moquette queues for one session: beyond it, it drops without a word. */
+  /** Copies that wait for the network's thread. */
   private static final int ON_THE_WAY_AT_MOST = 512;
 
-  private static final String SENDER = "CommunicationManager";
   private static final long LAST_WORDS_WITHIN_MS = 2_000;
   private static final long LOST_AFTER_MS = 1_000;
   private static final long LOOK_UP_EVERY_MS = 100; // for the end
 
   private record Copy(Channel<?> channel, String topic, U2SAData message, Origin origin) {}
 
-  private final Server server;
   private final String systemId;
   private final MessageCodec codec;
   private final RemoteInterest interest;
-  private final MessageRouter router;
-  private final RetainedTable retained;
-  private final Backlog backlog;
+  private final ConnectionFilter filter;
   private final Consumer<String> log;
   private final OriginNumbers numbers = OriginNumbers.ofNewSender();
   private final BlockingQueue<Copy> waiting = new ArrayBlockingQueue<>(WAITING_AT_MOST);
@@ -54,18 +45,11 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   /** Takes the messages of one system to the clients of a broker. */
   OutgoingCopies(
-      Server server,
-      String systemId,
-      MessageCodec codec,
-      ConnectionFilter filter,
-      Consumer<String> log) {
-    this.server = server;
+      String systemId, MessageCodec codec, ConnectionFilter filter, Consumer<String> log) {
     this.systemId = systemId;
     this.codec = codec;
     interest = new RemoteInterest(systemId, filter.subscriptions(), numbers);
-    router = filter.router();
-    retained = filter.retained();
-    backlog = filter.backlog();
+    this.filter = filter;
     this.log = log;
     sender.setDaemon(true);
   }
@@ -131,7 +115,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private void send(Copy copy) throws InterruptedException {
     if (!onTheWay.tryAcquire(LOST_AFTER_MS, TimeUnit.MILLISECONDS)) {
-      // Moquette never completes what failed within it; to wait for that would be for ever.
+      // A network's thread that has ended completes nothing; to wait for it would be for ever.
       onTheWay = new Semaphore(ON_THE_WAY_AT_MOST);
       onTheWay.acquire();
     }
@@ -151,30 +135,10 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
             || copy.channel.isRetained()
             || closing; // the last words are to be confirmed, whatever they are
     byte[] payload = codec.encode(copy.message, copy.origin);
-    TopicRoute route = copy.channel.isRetained() ? null : router.routeOf(copy.topic);
-    if (copy.channel.isRetained()) {
-      retained.enterLocal(copy.topic, payload.length);
-    }
     if (eachMatters) {
-      backlog.keep(payload.length);
+      filter.keep(payload.length);
     }
-    if (route != null) {
-      router.send(route, eachMatters, payload, sent);
-      return;
-    }
-    RoutingResults results =
-        server.internalPublish(
-            MqttMessageBuilders.publish()
-                .topicName(copy.topic)
-                .qos(eachMatters ? MqttQoS.AT_LEAST_ONCE : MqttQoS.AT_MOST_ONCE)
-                .retained(copy.channel.isRetained())
-                .payload(Unpooled.wrappedBuffer(payload))
-                .build(),
-            SENDER);
-    if (!results.isAllSuccess()) {
-      drop("a subscriber's queue is full");
-    }
-    results.completableFuture().whenComplete((done, error) -> sent.run());
+    filter.router().send(copy.topic, eachMatters, copy.channel.isRetained(), payload, sent);
   }
 
   private void drop(String why) {

@@ -11,6 +11,7 @@ import io.netty.buffer.Unpooled;
 final class Publication {
   private static final int PUBLISH = 0x30;
   private static final int AT_LEAST_ONCE = 0x02;
+  private static final int RETAIN = 0x01;
   private static final int LENGTH_BITS = 7; // of each byte of a packet's length
   private static final int MORE = 0x80;
   private static final int LONGEST_HEADER = 9; // type, length, the topic's length, packet
@@ -18,14 +19,22 @@ final class Publication {
 
   private final TopicRoute route;
   private final ByteBuf payload;
+  private final boolean isRetained;
   private ByteBuf unconfirmed; // null until somebody wants it
 
   /**
    * @param payload stays the caller's
+   * @param isRetained whether it was retained before its receiver subscribed
    */
-  Publication(TopicRoute route, ByteBuf payload) {
+  Publication(TopicRoute route, ByteBuf payload, boolean isRetained) {
     this.route = route;
     this.payload = payload;
+    this.isRetained = isRetained;
+  }
+
+  /** Whether it was retained before its receiver subscribed. */
+  boolean isRetained() {
+    return isRetained;
   }
 
   String topic() {
@@ -58,7 +67,7 @@ final class Publication {
     int bytes = payload.readableBytes();
     boolean isCopied = bytes <= COPIED_AT_MOST;
     ByteBuf packet = memory.ioBuffer(LONGEST_HEADER + topic.length + (isCopied ? bytes : 0));
-    packet.writeByte(packetId == 0 ? PUBLISH : PUBLISH | AT_LEAST_ONCE);
+    packet.writeByte(PUBLISH | (packetId == 0 ? 0 : AT_LEAST_ONCE) | (isRetained ? RETAIN : 0));
     int left = Short.BYTES + topic.length + (packetId == 0 ? 0 : Short.BYTES) + bytes;
     for (; left >= MORE; left >>>= LENGTH_BITS) {
       packet.writeByte(left % MORE | MORE);

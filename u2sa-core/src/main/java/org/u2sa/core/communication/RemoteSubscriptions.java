@@ -1,25 +1,24 @@
 package org.u2sa.core.communication;
 
 import io.moquette.broker.subscriptions.Topic;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiPredicate;
+import java.util.function.Consumer;
 
 /**
  * The subscriptions of remote clients, by connection, so that nothing is encoded without a
- * subscriber, and messages find theirs at once. A filter is entered before Moquette sees it: when
- * its client has the answer, it misses nothing any more. A change is compared with the topics on
- * the thread of the client that changed it, so that no number of filters costs the services'
- * threads anything. Safe for several threads.
+ * subscriber, and messages find theirs at once. A change is compared with the topics on the thread
+ * of the client that changed it, so that no number of filters costs the services' threads anything.
+ * Safe for several threads.
  */
 final class RemoteSubscriptions {
   private static final int TOPICS_REMEMBERED = 4_096;
-
-  /** Opens filters whose subscribers take turns, which only Moquette arranges. */
-  private static final String SHARED = "$share/";
 
   /** One connection's filters, and whether each message matters to it there. */
   private record Client(String user, Map<String, Boolean> filters) {}
@@ -31,9 +30,11 @@ final class RemoteSubscriptions {
   private final Map<String, Client> clients = new HashMap<>(); // by connection; guarded by this
   private final Map<String, Integer> byUser = new HashMap<>(); // filters; guarded by this
   private final Map<String, Filter> filters = new HashMap<>(); // each once; guarded by this
-  private final Map<String, TopicRoute> routes = new ConcurrentHashMap<>(); // by topic
+  private final Map<String, TopicRoute> interests =
+      new ConcurrentHashMap<>(); // asked for, by topic
+  private final Map<String, TopicRoute> routes = // by topic; guarded by this
+      new RecentlyUsed<>(TOPICS_REMEMBERED);
   private final AtomicInteger version = new AtomicInteger();
-  private final AtomicInteger shared = new AtomicInteger(); // filters
 
   RemoteSubscriptions() {
     this(Topic::match);
@@ -65,18 +66,11 @@ final class RemoteSubscriptions {
     }
     client.filters.put(filter, eachMatters);
     byUser.merge(user, 1, Integer::sum);
-    if (filter.startsWith(SHARED)) {
-      shared.incrementAndGet();
-    }
     filters
         .computeIfAbsent(filter, text -> new Filter(parsed, new LinkedHashMap<>()))
         .clients
         .put(connection, eachMatters);
-    for (TopicRoute route : routes.values()) {
-      if (matches.test(route.topic(), parsed)) {
-        route.add(connection, eachMatters);
-      }
-    }
+    matching(parsed, route -> route.add(connection, eachMatters));
     version.incrementAndGet();
   }
 
@@ -93,15 +87,13 @@ final class RemoteSubscriptions {
     if (client != null) {
       client.filters.keySet().forEach(filter -> entryWithout(connection, client, filter));
       routes.values().forEach(route -> route.remove(connection));
+      interests.values().forEach(route -> route.remove(connection));
       version.incrementAndGet();
     }
   }
 
   private Filter entryWithout(String connection, Client client, String filter) {
     byUser.computeIfPresent(client.user, (name, count) -> count > 1 ? count - 1 : null);
-    if (filter.startsWith(SHARED)) {
-      shared.decrementAndGet();
-    }
     Filter entry = filters.get(filter);
     entry.clients.remove(connection);
     if (entry.clients.isEmpty()) {
@@ -112,11 +104,7 @@ final class RemoteSubscriptions {
 
   private void removed(String connection, Client client, String filter, boolean eachMatters) {
     Filter entry = entryWithout(connection, client, filter);
-    for (TopicRoute route : routes.values()) {
-      if (matches.test(route.topic(), entry.parsed)) {
-        route.remove(connection, eachMatters);
-      }
-    }
+    matching(entry.parsed, route -> route.remove(connection, eachMatters));
     version.incrementAndGet();
   }
 
@@ -125,50 +113,65 @@ final class RemoteSubscriptions {
     return byUser.getOrDefault(user, 0);
   }
 
-  /** Topics with which each new filter is compared. */
-  int topics() {
-    return routes.size();
-  }
-
   /** Changes with every change, so that answers of {@link #wants} may be remembered. */
   int version() {
     return version.get();
   }
 
-  /** Whether any client listens to the topic. */
-  boolean wants(String topic) {
-    TopicRoute known = routes.get(topic);
-    return known != null ? known.isWanted() : newRoute(topic).isWanted();
+  private void matching(Topic filter, Consumer<TopicRoute> change) {
+    for (Collection<TopicRoute> all : List.of(routes.values(), interests.values())) {
+      for (TopicRoute route : all) {
+        if (matches.test(route.topic(), filter)) {
+          change.accept(route);
+        }
+      }
+    }
+  }
+
+  /** Topics with which each new filter is compared. */
+  synchronized int topics() {
+    return routes.size() + interests.size();
+  }
+
+  /** Filters with which each new topic is compared. */
+  synchronized int filters() {
+    return filters.size();
   }
 
   /**
-   * Who listens to a topic; null if Moquette has to find out, as there are too many topics, or
-   * subscribers that take turns.
+   * Whether any client listens to the topic. The answer is kept at hand from then on: for the
+   * topics of this process, whose number no client determines.
    */
-  TopicRoute route(String topic) {
-    if (shared.get() > 0) {
-      return null;
-    }
+  boolean wants(String topic) {
+    TopicRoute known = interests.get(topic);
+    return known != null ? known.isWanted() : newInterest(topic).isWanted();
+  }
+
+  private synchronized TopicRoute newInterest(String topic) {
+    return interests.computeIfAbsent(topic, this::newRoute);
+  }
+
+  /** Whether {@link #route} need not compare the topic with any filter. */
+  synchronized boolean isRemembered(String topic) {
+    return routes.containsKey(topic);
+  }
+
+  /** Who listens to a topic. Topics not used for long are forgotten, then compared again. */
+  synchronized TopicRoute route(String topic) {
     TopicRoute known = routes.get(topic);
-    if (known == null && routes.size() < TOPICS_REMEMBERED) {
+    if (known == null) {
       known = newRoute(topic);
+      routes.put(topic, known);
     }
     return known;
   }
 
-  private synchronized TopicRoute newRoute(String topic) {
-    TopicRoute known = routes.get(topic);
-    if (known != null) {
-      return known;
-    }
+  private TopicRoute newRoute(String topic) {
     TopicRoute route = new TopicRoute(topic);
     for (Filter filter : filters.values()) {
       if (matches.test(route.topic(), filter.parsed)) {
         filter.clients.forEach(route::add);
       }
-    }
-    if (routes.size() < TOPICS_REMEMBERED) {
-      routes.put(topic, route);
     }
     return route;
   }

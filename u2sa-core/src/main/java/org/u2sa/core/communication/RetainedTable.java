@@ -1,15 +1,18 @@
 package org.u2sa.core.communication;
 
+import io.moquette.broker.subscriptions.Topic;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Of which topics the broker holds a message, how long it is and whose it is. Bounded by number and
- * bytes, of one client and of all; what is urgent, such as an emergency stop, has room of its own,
- * which nobody else can take. Safe for several threads.
+ * The last message of each topic that retains it, and whose it is. Bounded by number and bytes, of
+ * one client and of all; what is urgent, such as an emergency stop, has room of its own, which
+ * nobody else can take. Safe for several threads.
  */
 final class RetainedTable {
   /** Its owner: services of this process, whose own these limits are not. */
@@ -18,7 +21,10 @@ final class RetainedTable {
   private static final int URGENT_TOPICS = 256; // three of each of many systems
   private static final int URGENT_BYTES = 16 * 1_024; // of one message
 
-  private record Entry(String owner, int bytes, boolean urgent) {}
+  /** A message that is retained. */
+  record Retained(String topic, byte[] payload) {}
+
+  private record Entry(String owner, byte[] payload, boolean urgent, Topic topic) {}
 
   private static final class Sum {
     private int topics;
@@ -40,20 +46,22 @@ final class RetainedTable {
   }
 
   /**
-   * Enters a message that is about to be retained; of no length, one that is deleted.
+   * Retains a message, or with an empty one deletes what was retained.
    *
    * @param owner the client's user, or the client where there are no users
-   * @return why it may not be; empty if it was entered
+   * @param payload not to be changed any more
+   * @return why it may not be retained; empty if it was
    */
-  synchronized Optional<String> enter(String topic, String owner, int bytes, boolean isUrgent) {
+  synchronized Optional<String> enter(
+      String topic, String owner, byte[] payload, boolean isUrgent) {
     Entry before = entries.get(topic);
     if (before != null) {
       count(before, -1);
     }
-    Entry entry = new Entry(owner, bytes, isUrgent);
-    Optional<String> refusal = bytes == 0 ? Optional.empty() : refusal(entry);
+    Entry entry = entry(topic, owner, payload, isUrgent, before);
+    Optional<String> refusal = payload.length == 0 ? Optional.empty() : refusal(entry);
     Entry stays = refusal.isPresent() ? before : entry;
-    if (stays == null || stays.bytes == 0) {
+    if (stays == null || stays.payload.length == 0) {
       entries.remove(topic);
     } else {
       entries.put(topic, stays);
@@ -62,9 +70,14 @@ final class RetainedTable {
     return refusal;
   }
 
+  private static Entry entry(
+      String topic, String owner, byte[] payload, boolean isUrgent, Entry before) {
+    return new Entry(owner, payload, isUrgent, before == null ? new Topic(topic) : before.topic);
+  }
+
   private Optional<String> refusal(Entry entry) {
     if (entry.urgent) {
-      return entry.bytes > URGENT_BYTES || urgent.topics >= URGENT_TOPICS
+      return entry.payload.length > URGENT_BYTES || urgent.topics >= URGENT_TOPICS
           ? Optional.of("too much urgent is retained")
           : Optional.empty();
     }
@@ -75,10 +88,10 @@ final class RetainedTable {
     if (own.topics >= Math.max(1, topicsAtMost / 2)) {
       return Optional.of("too many retained topics of one client");
     }
-    if (own.bytes + entry.bytes > bytesOfOneAtMost) {
+    if (own.bytes + entry.payload.length > bytesOfOneAtMost) {
       return Optional.of("too many retained bytes of one client");
     }
-    return ordinary.bytes + entry.bytes > bytesAtMost
+    return ordinary.bytes + entry.payload.length > bytesAtMost
         ? Optional.of("too many retained bytes")
         : Optional.empty();
   }
@@ -99,15 +112,28 @@ final class RetainedTable {
 
   private static void count(Sum sum, Entry entry, int sign) {
     sum.topics += sign;
-    sum.bytes += (long) sign * entry.bytes;
+    sum.bytes += (long) sign * entry.payload.length;
   }
 
-  /** Enters a message of this process. */
-  synchronized void enterLocal(String topic, int bytes) {
-    Entry before = entries.put(topic, new Entry(LOCAL, bytes, false));
+  /** Retains a message of this process. */
+  synchronized void enterLocal(String topic, byte[] payload) {
+    Entry before = entries.get(topic);
+    entries.put(topic, entry(topic, LOCAL, payload, false, before));
     if (before != null) {
       count(before, -1);
     }
+  }
+
+  /** What is retained on the topics that a filter matches. */
+  List<Retained> matching(Topic filter) {
+    List<Retained> matching = new ArrayList<>();
+    entries.forEach(
+        (topic, entry) -> {
+          if (entry.topic.match(filter)) {
+            matching.add(new Retained(topic, entry.payload));
+          }
+        });
+    return matching;
   }
 
   /** The topics; may change while they are looked at. */

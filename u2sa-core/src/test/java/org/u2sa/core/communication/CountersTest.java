@@ -6,105 +6,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What the broker counts: messages inside it, what it refuses, and what each user may ask. */
+/** What the broker counts: what it refuses, and what each user may ask. */
 class CountersTest {
   private static final long SECOND = 1_000_000L;
 
-  private final Backlog backlog = new Backlog();
   private final List<String> log = new ArrayList<>();
   private final Refusals refusals = new Refusals(log::add);
-
-  private void letIn(int messages) {
-    for (int i = 0; i < messages; i++) {
-      backlog.in(1);
-    }
-  }
-
-  @Test
-  void backlog_asManyMessagesAsItHolds_isFullUntilOneComesOut() {
-    letIn(BrokerLimits.ON_THE_WAY - 1);
-    assertThat(backlog.isFull()).isFalse();
-    letIn(1);
-    assertThat(backlog.isFull()).isTrue();
-    backlog.out(1);
-    assertThat(backlog.isFull()).isFalse();
-  }
-
-  @Test
-  void backlog_asManyBytesAsItHolds_isFullUntilTheyComeOut() {
-    backlog.in((int) BrokerLimits.BYTES_ON_THE_WAY - 1);
-    assertThat(backlog.isFull()).isFalse();
-    backlog.in(1);
-    assertThat(backlog.isFull()).isTrue();
-    backlog.out(1);
-    assertThat(backlog.isFull()).isFalse();
-  }
-
-  @Test
-  void settle_nothingMovedSince_whatIsInsideIsLostAndMakesRoom() {
-    letIn(BrokerLimits.ON_THE_WAY);
-    assertThat(backlog.settle()).as("it moved").isZero();
-    assertThat(backlog.isFull()).isTrue();
-
-    assertThat(backlog.settle()).isEqualTo(BrokerLimits.ON_THE_WAY);
-
-    assertThat(backlog.isFull()).isFalse();
-    assertThat(backlog.settle()).as("told once").isZero();
-    letIn(BrokerLimits.ON_THE_WAY - 1);
-    assertThat(backlog.isFull()).isFalse();
-    letIn(1);
-    assertThat(backlog.isFull()).isTrue();
-  }
-
-  @Test
-  void settle_oneCameOutMeanwhile_nothingIsLostYet() {
-    letIn(2);
-    backlog.settle();
-    backlog.out(1);
-
-    assertThat(backlog.settle()).isZero();
-    assertThat(backlog.settle()).isOne();
-  }
-
-  @Test
-  void settle_bytesOfWhatIsLost_areForgotten() {
-    backlog.in((int) BrokerLimits.BYTES_ON_THE_WAY);
-    backlog.settle();
-    assertThat(backlog.isFull()).isTrue();
-
-    backlog.settle();
-
-    assertThat(backlog.isFull()).isFalse();
-  }
-
-  @Test
-  void settle_bytesThatNeverComeOutThoughTheirMessageDid_areForgotten() {
-    backlog.in((int) BrokerLimits.BYTES_ON_THE_WAY + 1);
-    backlog.out(1);
-    backlog.settle();
-
-    assertThat(backlog.settle()).isZero();
-
-    assertThat(backlog.isFull()).isFalse();
-  }
-
-  @Test
-  void settle_moreCameOutThanWentIn_isNoLossAndLeavesNoExtraRoom() {
-    backlog.out(1); // a will, which Moquette publishes by itself
-    backlog.settle();
-    assertThat(backlog.settle()).isZero();
-
-    letIn(BrokerLimits.ON_THE_WAY);
-    assertThat(backlog.isFull()).isTrue();
-  }
-
-  @Test
-  void kept_bytes_areSummed() {
-    backlog.keep(3);
-    backlog.keep(4);
-
-    assertThat(backlog.kept()).isEqualTo(7);
-  }
 
   @Test
   void refusals_ofOneKind_areToldAtPowersOfTwo() {

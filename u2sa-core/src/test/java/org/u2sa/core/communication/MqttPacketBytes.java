@@ -58,6 +58,31 @@ final class MqttPacketBytes {
         });
   }
 
+  /**
+   * CONNECT as a protocol version has it.
+   *
+   * @param version 4: MQTT 3.1.1; 5: MQTT 5, without properties
+   * @param flags 0x02 clean session; with 0x04 there is a will
+   */
+  static byte[] connect(String clientId, int version, int flags) {
+    return packet(
+        0x10,
+        out -> {
+          out.writeUTF("MQTT");
+          out.write(version);
+          out.write(flags);
+          out.writeShort(60);
+          if (version == 5) {
+            out.write(0);
+          }
+          out.writeUTF(clientId);
+          if ((flags & 0x04) != 0) {
+            out.writeUTF(PacketPipeline.TOPIC);
+            out.writeUTF("will");
+          }
+        });
+  }
+
   /** PUBLISH of zeros at QoS 0. */
   static byte[] publish(String topic, int payloadBytes) {
     return packet(
@@ -76,6 +101,28 @@ final class MqttPacketBytes {
           out.writeUTF(topic);
           out.writeShort(packetId);
           out.write(new byte[payloadBytes]);
+        });
+  }
+
+  /** PUBLISH at QoS 1, to be retained, with a byte for each letter. */
+  static byte[] retained(String topic, String payload) {
+    return packet(
+        0x33,
+        out -> {
+          out.writeUTF(topic);
+          out.writeShort(1);
+          out.write(payload.getBytes(StandardCharsets.ISO_8859_1));
+        });
+  }
+
+  /** SUBSCRIBE at QoS 1. */
+  static byte[] subscribeToEach(String filter) {
+    return packet(
+        0x82,
+        out -> {
+          out.writeShort(1);
+          out.writeUTF(filter);
+          out.write(1);
         });
   }
 

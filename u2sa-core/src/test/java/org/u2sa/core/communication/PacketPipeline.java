@@ -13,6 +13,7 @@ import io.netty.handler.codec.mqtt.MqttMessage;
 import io.netty.util.ReferenceCountUtil;
 import java.net.InetSocketAddress;
 import java.net.SocketAddress;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -31,6 +32,9 @@ import org.u2sa.messages.schema.MessageCodec;
  */
 final class PacketPipeline implements AutoCloseable {
   static final String TOPIC = "u2sa/cessna/state/StateInformation";
+
+  private static final int CONNACK = 0x20;
+  private static final int PUBLISH = 3;
 
   final List<String> log = new CopyOnWriteArrayList<>();
   final ConnectionFilter filter;
@@ -60,6 +64,7 @@ final class PacketPipeline implements AutoCloseable {
     channel.freezeTime();
     inflow = new Inflow(filter, session);
     session.inflow(inflow);
+    filter.router().runOn(channel.eventLoop());
     channel
         .pipeline()
         .addLast(
@@ -171,6 +176,33 @@ final class PacketPipeline implements AutoCloseable {
       ReferenceCountUtil.release(message);
     }
     return types;
+  }
+
+  /**
+   * What the client was sent since the last call: the first byte of each packet as two hexadecimal
+   * digits, of messages also the payload, a letter for each byte, and of CONNACK the code.
+   */
+  List<String> sent() {
+    ByteBuf all = Unpooled.buffer();
+    for (ByteBuf part = channel.readOutbound(); part != null; part = channel.readOutbound()) {
+      all.writeBytes(part);
+      part.release();
+    }
+    List<String> packets = new ArrayList<>();
+    while (all.isReadable()) {
+      int first = all.readUnsignedByte();
+      ByteBuf content = all.readSlice(all.readByte()); // short ones
+      String payload = "";
+      if (first == CONNACK) {
+        payload = " " + content.getByte(1);
+      } else if (first >> 4 == PUBLISH) {
+        content.skipBytes(content.readUnsignedShort() + ((first & 0x06) == 0 ? 0 : Short.BYTES));
+        payload = " " + content.toString(StandardCharsets.ISO_8859_1);
+      }
+      packets.add(Integer.toHexString(first) + payload);
+    }
+    all.release();
+    return packets;
   }
 
   @Override

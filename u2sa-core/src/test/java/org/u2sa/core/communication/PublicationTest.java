@@ -27,7 +27,7 @@ class PublicationTest {
     byte[] payload = new byte[bytes];
     new Random(bytes).nextBytes(payload);
     ByteBuf content = Unpooled.copiedBuffer(payload);
-    Publication publication = new Publication(new TopicRoute(TOPIC), content);
+    Publication publication = new Publication(new TopicRoute(TOPIC), content, false);
 
     check(publication.packet(memory), payload, MqttQoS.AT_MOST_ONCE, -1);
     check(publication.packet(memory), payload, MqttQoS.AT_MOST_ONCE, -1);

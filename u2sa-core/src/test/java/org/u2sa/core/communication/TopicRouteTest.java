@@ -41,19 +41,21 @@ class TopicRouteTest {
   }
 
   @Test
-  void route_whileSubscribersTakeTurns_isLeftToMoquette() {
-    subscriptions.add("1", "screen", "$share/group/u2sa/#", false);
-    assertThat(subscriptions.route(TOPIC)).isNull();
-    subscriptions.remove("1");
-    assertThat(subscriptions.route(TOPIC)).isNotNull();
-  }
-
-  @Test
-  void route_ofMoreTopicsThanAreRemembered_isLeftToMoquette() {
-    for (int i = 0; i < 4_096; i++) {
-      assertThat(subscriptions.route(TOPIC + i)).isNotNull();
+  void route_ofMoreTopicsThanAreRemembered_theLeastRecentlyUsedIsComparedAgain() {
+    subscriptions.add("1", "screen", "u2sa/#", false);
+    TopicRoute first = subscriptions.route(TOPIC);
+    for (int i = 1; i < 4_096; i++) {
+      subscriptions.route(TOPIC + i);
     }
-    assertThat(subscriptions.route(TOPIC)).isNull();
-    assertThat(subscriptions.route(TOPIC + 1)).isNotNull();
+    assertThat(subscriptions.route(TOPIC)).isSameAs(first);
+    assertThat(subscriptions.isRemembered(TOPIC + 1)).isTrue();
+
+    subscriptions.route("u2sa/one/more");
+
+    assertThat(subscriptions.isRemembered(TOPIC)).isTrue();
+    assertThat(subscriptions.isRemembered(TOPIC + 1)).isFalse();
+    assertThat(subscriptions.route(TOPIC + 1).listeners())
+        .containsExactly(new TopicRoute.Listener("1", false));
+    assertThat(subscriptions.topics()).isEqualTo(4_096);
   }
 }

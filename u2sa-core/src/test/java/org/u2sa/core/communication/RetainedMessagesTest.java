@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.u2sa.core.communication.BrokerTraffic.frozen;
 
 import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -17,9 +21,11 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** What is retained comes with the flag to who asks later, and without it to who was there. */
 @Timeout(60)
-class RetainFlagTest {
+class RetainedMessagesTest {
   private static final String GOALS = "u2sa/cessna/goals/#";
   private static final String ANNOUNCED = "u2sa/cessna/actuators/#";
+  private static final int PUBACK = 0x40;
+  private static final int SUBACK = 0x90;
   private static final int LIVE = 0x32; // PUBLISH, QoS 1
   private static final int RETAINED = 0x33;
 
@@ -66,6 +72,33 @@ class RetainFlagTest {
       late.subscribe(GOALS, 1);
 
       assertThat(late.next()).isEqualTo(RETAINED);
+    }
+  }
+
+  /**
+   * A message published in the moment of the subscription comes either as a new or as an old one.
+   */
+  @Test
+  void subscription_inTheMomentOfTheFirstMessage_neverMissesIt() throws Exception {
+    int topics = 250; // as many as a client may have filters
+    ExecutorService publishing = Executors.newSingleThreadExecutor();
+    try (RawClient publisher = new RawClient(broker.port).introduced("publisher");
+        RawClient subscriber = new RawClient(broker.port).introduced("subscriber")) {
+      for (int i = 0; i < topics; i++) {
+        String topic = "u2sa/cessna/own-" + i + "/Tide";
+        Future<Integer> acknowledged =
+            publishing.submit(
+                () -> {
+                  publisher.publishRetained(topic, new byte[] {(byte) 0xa0});
+                  return publisher.next();
+                });
+        subscriber.send(MqttPacketBytes.subscribeToEach(topic));
+        List<Integer> heard = List.of(subscriber.next(), subscriber.next());
+        assertThat(acknowledged.get()).isEqualTo(PUBACK);
+        assertThat(heard).as(topic).containsAnyOf(LIVE, RETAINED).contains(SUBACK);
+      }
+    } finally {
+      publishing.shutdown();
     }
   }
 

@@ -14,16 +14,21 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Subscriptions of one client, and how many questions they count as. */
-class PacketRulesTest {
+class ClientSubscriptionsTest {
   private static final String TOPIC = PacketPipeline.TOPIC;
 
   private final PacketPipeline pipeline = new PacketPipeline();
   private final ConnectionFilter filter = pipeline.filter;
-  private final PacketRules rules = new PacketRules(filter, null, "client", "connection");
+  private final ClientSubscriptions subscriptions = of("connection");
 
   @AfterEach
   void close() {
     pipeline.close();
+  }
+
+  private ClientSubscriptions of(String connection) {
+    PacketRules rules = new PacketRules(filter, null, "client");
+    return new ClientSubscriptions(filter, rules, ConnectionFilter.ANONYMOUS, connection);
   }
 
   private static MqttSubscribeMessage subscribe(MqttQoS quality, List<String> filters) {
@@ -45,19 +50,20 @@ class PacketRulesTest {
   @Test
   void refusalOf_asManyFiltersAsAllowed_entersThemAllAndNoneMore() {
     int most = BrokerLimits.FILTERS_PER_CLIENT;
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, different("a", most)))).isEmpty();
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, different("a", most))))
+        .isEmpty();
     assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(most);
 
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("b"))))
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("b"))))
         .contains("it has too many filters");
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a0")))).isEmpty();
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a0")))).isEmpty();
     assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(most);
   }
 
   @Test
   void refusalOf_oneTooManyInAPacket_entersNone() {
     List<String> tooMany = different("a", BrokerLimits.FILTERS_PER_CLIENT + 1);
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, tooMany))).isPresent();
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, tooMany))).isPresent();
     assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isZero();
   }
 
@@ -66,25 +72,24 @@ class PacketRulesTest {
     int clients = BrokerLimits.FILTERS_PER_USER / BrokerLimits.FILTERS_PER_CLIENT;
     for (int i = 0; i < clients; i++) {
       List<String> filters = different(i + "/", BrokerLimits.FILTERS_PER_CLIENT);
-      assertThat(
-              new PacketRules(filter, null, "client", "connection " + i)
-                  .refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, filters)))
+      assertThat(of("connection " + i).refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, filters)))
           .isEmpty();
     }
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a"))))
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a"))))
         .contains("its user has too many filters");
   }
 
   @Test
   void refusalOf_filterThatIsNoneOrTooLong_isRefused() {
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a", "a/#/b"))))
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a", "a/#/b"))))
         .contains("a filter is none");
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("x".repeat(1_025)))))
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("x".repeat(1_025)))))
         .contains("a filter is too long");
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("/".repeat(32)))))
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("/".repeat(32)))))
         .contains("a filter is too long");
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("/".repeat(31))))).isEmpty();
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("x".repeat(1_024)))))
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("/".repeat(31)))))
+        .isEmpty();
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("x".repeat(1_024)))))
         .isEmpty();
   }
 
@@ -98,7 +103,7 @@ class PacketRulesTest {
     }
     int version = filter.subscriptions().version();
 
-    assertThat(rules.refusalOf(packet.build())).isEmpty();
+    assertThat(subscriptions.refusalOf(packet.build())).isEmpty();
 
     assertThat(filter.subscriptions().version()).isEqualTo(version + 1);
     assertThat(filter.subscriptions().route(TOPIC).listeners())
@@ -106,57 +111,55 @@ class PacketRulesTest {
   }
 
   @Test
-  void unsubscribed_knownAndUnknownFilters_moquetteGetsTheKnownOnesOnly() {
+  void unsubscribe_knownAndUnknownFilters_endsTheKnownOnesOnly() {
     filter.subscriptions().wants(TOPIC);
-    rules.refusalOf(subscribe(MqttQoS.AT_LEAST_ONCE, List.of("u2sa/#", "u2sa/+/state/#")));
+    subscriptions.refusalOf(subscribe(MqttQoS.AT_LEAST_ONCE, List.of("u2sa/#", "u2sa/+/state/#")));
 
-    MqttUnsubscribeMessage known =
-        rules.unsubscribed(unsubscribe("x", "u2sa/#", "y", "u2sa/#")).orElseThrow();
-
-    assertThat(known.payload().topics()).containsExactly("u2sa/#");
-    assertThat(known.variableHeader().messageId()).isEqualTo(7);
+    subscriptions.unsubscribe(unsubscribe("x", "u2sa/#", "u2sa/cessna/#", "u2sa/#"));
     assertThat(filter.subscriptions().wants(TOPIC)).isTrue();
-    assertThat(rules.unsubscribed(unsubscribe("u2sa/+/state/#"))).isPresent();
+    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(1);
+
+    subscriptions.unsubscribe(unsubscribe("u2sa/+/state/#"));
     assertThat(filter.subscriptions().wants(TOPIC)).isFalse();
     assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isZero();
   }
 
   @Test
-  void unsubscribed_nothingKnown_isEmptyAndTheRestStays() {
-    rules.refusalOf(subscribe(MqttQoS.AT_LEAST_ONCE, List.of("u2sa/#")));
+  void unsubscribe_makesRoomForOthers() {
+    int most = BrokerLimits.FILTERS_PER_CLIENT;
+    subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, different("a", most)));
+    subscriptions.unsubscribe(unsubscribe("a0"));
 
-    assertThat(rules.unsubscribed(unsubscribe("u2sa/cessna/#"))).isEmpty();
-
-    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(1);
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("b")))).isEmpty();
   }
 
+  /** One client's shared subscription must not change the way of everybody's messages. */
   @Test
-  void unsubscribed_makesRoomForOthers() {
-    int most = BrokerLimits.FILTERS_PER_CLIENT;
-    rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, different("a", most)));
-    assertThat(rules.unsubscribed(unsubscribe("a0"))).isPresent();
-
-    assertThat(rules.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("b")))).isEmpty();
+  void refusalOf_sharedFilter_isRefused() {
+    assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("$share/x/u2sa/#"))))
+        .contains("a filter is shared");
   }
 
   @Test
   void questions_countByFiltersAndTheTopicsTheyAreComparedWith() {
     List<String> filters = Collections.nCopies(101, "a");
-    assertThat(rules.questions(subscribe(MqttQoS.AT_MOST_ONCE, filters))).isEqualTo(1.0);
+    assertThat(subscriptions.questions(subscribe(MqttQoS.AT_MOST_ONCE, filters))).isEqualTo(1.0);
     for (int i = 0; i < 2_048; i++) {
       filter.subscriptions().wants("u2sa/cessna/state/Type" + i);
     }
-    assertThat(rules.questions(subscribe(MqttQoS.AT_MOST_ONCE, filters))).isEqualTo(51.0);
-    assertThat(rules.questions(unsubscribe("a", "b", "c"))).isEqualTo(2.0);
-    assertThat(rules.questions(unsubscribe("a"))).isEqualTo(1.0);
+    assertThat(subscriptions.questions(subscribe(MqttQoS.AT_MOST_ONCE, filters))).isEqualTo(51.0);
+    assertThat(subscriptions.questions(unsubscribe("a", "b", "c"))).isEqualTo(2.0);
+    assertThat(subscriptions.questions(unsubscribe("a"))).isEqualTo(1.0);
   }
 
   @Test
   void questions_messages_countIfEveryServiceAnswersThem() {
     MqttMessageBuilders.PublishBuilder publish =
         MqttMessageBuilders.publish().qos(MqttQoS.AT_MOST_ONCE).payload(Unpooled.EMPTY_BUFFER);
-    assertThat(rules.questions(publish.topicName(TOPIC).build())).isZero();
-    assertThat(rules.questions(publish.topicName("u2sa/cessna/discovery/DiscoveryRequest").build()))
+    assertThat(subscriptions.questions(publish.topicName(TOPIC).build())).isZero();
+    assertThat(
+            subscriptions.questions(
+                publish.topicName("u2sa/cessna/discovery/DiscoveryRequest").build()))
         .isEqualTo(1.0);
   }
 }

@@ -1,0 +1,144 @@
+package org.u2sa.core.communication;
+
+import io.netty.handler.codec.mqtt.MqttMessage;
+import io.netty.handler.codec.mqtt.MqttMessageBuilders;
+import io.netty.handler.codec.mqtt.MqttPublishMessage;
+import io.netty.handler.codec.mqtt.MqttQoS;
+import io.netty.handler.codec.mqtt.MqttSubAckMessage;
+import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
+import io.netty.handler.codec.mqtt.MqttSubscribePayload;
+import io.netty.handler.codec.mqtt.MqttTopicSubscription;
+import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
+import io.netty.handler.codec.mqtt.MqttUnsubscribePayload;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * One client's subscriptions, and what its packets cost the broker, in questions. Belongs to its
+ * connection's thread.
+ */
+final class ClientSubscriptions {
+  private static final double TOPICS_OF_A_QUESTION = 4_096.0;
+  private static final double FILTERS_OF_A_QUESTION = 1_024.0;
+  private static final double RETAINED_OF_A_QUESTION = 64.0;
+  private static final String SHARED = "$share/";
+
+  private final ConnectionFilter filter;
+  private final PacketRules rules;
+  private final String name;
+  private final String connection;
+  private final Set<String> filters = new HashSet<>();
+
+  /**
+   * @param name the user's, whose filters are counted together
+   */
+  ClientSubscriptions(ConnectionFilter filter, PacketRules rules, String name, String connection) {
+    this.filter = filter;
+    this.rules = rules;
+    this.name = name;
+    this.connection = connection;
+  }
+
+  /**
+   * How many questions a packet counts as: one if it is a query to every service or changes
+   * subscriptions. Each further filter counts the more, the more topics it is compared with, and a
+   * message on a new topic the more, the more filters that is compared with.
+   */
+  double questions(MqttMessage packet) {
+    if (packet.payload() instanceof MqttSubscribePayload wanted) {
+      return questions(wanted.topicSubscriptions().size());
+    }
+    if (packet.payload() instanceof MqttUnsubscribePayload unwanted) {
+      return questions(unwanted.topics().size());
+    }
+    if (packet instanceof MqttPublishMessage publish) {
+      String topic = publish.variableHeader().topicName();
+      return rules.isQuestion(topic) ? 1.0 : costOf(topic);
+    }
+    return 0.0;
+  }
+
+  /** A topic that is new to the broker is compared with the filters of all clients. */
+  private double costOf(String topic) {
+    return filter.subscriptions().isRemembered(topic)
+        ? 0.0
+        : filter.subscriptions().filters() / FILTERS_OF_A_QUESTION;
+  }
+
+  private double questions(int filters) {
+    int topics = filter.subscriptions().topics() + filter.retained().topics().size();
+    return 1.0 + (filters - 1) * topics / TOPICS_OF_A_QUESTION;
+  }
+
+  /**
+   * Enters subscriptions, all or none; what the client hears is looked at again message by message.
+   *
+   * @return why it may not subscribe to them; empty if it may
+   */
+  Optional<String> refusalOf(MqttSubscribeMessage subscribe) {
+    Map<String, Boolean> eachMatters = filtersOf(subscribe);
+    for (String wanted : eachMatters.keySet()) {
+      if (BrokerLimits.isTooLong(wanted)) {
+        return Optional.of("a filter is too long");
+      }
+      if (!TopicFilter.isValid(wanted)) {
+        return Optional.of("a filter is none");
+      }
+      if (wanted.startsWith(SHARED)) { // of MQTT 5
+        return Optional.of("a filter is shared");
+      }
+    }
+    Set<String> added = new HashSet<>(eachMatters.keySet());
+    added.removeAll(filters);
+    if (filters.size() + added.size() > BrokerLimits.FILTERS_PER_CLIENT) {
+      return Optional.of("it has too many filters");
+    }
+    if (!added.isEmpty()
+        && filter.subscriptions().ofUser(name) + added.size() > BrokerLimits.FILTERS_PER_USER) {
+      return Optional.of("its user has too many filters");
+    }
+    filters.addAll(added);
+    eachMatters.forEach(
+        (wanted, each) -> filter.subscriptions().add(connection, name, wanted, each));
+    return Optional.empty();
+  }
+
+  /** The filters, and for each whether each message matters; the last of equal ones counts. */
+  private static Map<String, Boolean> filtersOf(MqttSubscribeMessage subscribe) {
+    Map<String, Boolean> eachMatters = new LinkedHashMap<>();
+    for (MqttTopicSubscription one : subscribe.payload().topicSubscriptions()) {
+      eachMatters.put(one.topicFilter(), one.qualityOfService() != MqttQoS.AT_MOST_ONCE);
+    }
+    return eachMatters;
+  }
+
+  /** Sends what is retained to a client that has subscribed. */
+  void sendRetained(MqttSubscribeMessage subscribe, ClientSession subscriber) {
+    int sent = filter.router().sendRetained(filtersOf(subscribe), subscriber);
+    filter.questions().charge(name, sent / RETAINED_OF_A_QUESTION, filter.nowMicros());
+  }
+
+  /** The answer to SUBSCRIBE. No channel uses QoS 2, so 1 is the most that is granted. */
+  static MqttSubAckMessage answerTo(MqttSubscribeMessage subscribe, boolean isRefused) {
+    MqttMessageBuilders.SubAckBuilder answer =
+        MqttMessageBuilders.subAck().packetId(subscribe.variableHeader().messageId());
+    for (MqttTopicSubscription one : subscribe.payload().topicSubscriptions()) {
+      boolean eachMatters = one.qualityOfService() != MqttQoS.AT_MOST_ONCE;
+      answer.addGrantedQos(
+          isRefused ? MqttQoS.FAILURE : eachMatters ? MqttQoS.AT_LEAST_ONCE : MqttQoS.AT_MOST_ONCE);
+    }
+    return answer.build();
+  }
+
+  /** Ends subscriptions; filters that the client has not subscribed are passed over. */
+  void unsubscribe(MqttUnsubscribeMessage packet) {
+    for (String unwanted : packet.payload().topics()) {
+      if (filters.remove(unwanted)) {
+        filter.subscriptions().remove(connection, unwanted);
+      }
+    }
+  }
+}
