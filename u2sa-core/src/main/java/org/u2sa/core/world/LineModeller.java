@@ -1,14 +1,12 @@
 package org.u2sa.core.world;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
-import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
@@ -20,179 +18,43 @@ import org.u2sa.messages.shape.PolyLine;
 /**
  * Keeps painted lines (thesis 4.1.1.2): puts together what a camera sees of them piece by piece,
  * and closes the gaps of dashed and worn paint, so that a lane is a lane for the planner. Publishes
- * PolyLines; those that close a gap, or were seen from one place only, have a confidence of 0.5.
+ * PolyLines. Their confidence says how they are known: 1 seen from several places; 0.8 inferred
+ * side of the lane that the vehicle has driven in; 0.7 gap between two lines of confidence 1, or
+ * less well known, but a lane's width beside another line; 0.5 what else was seen from one place,
+ * closes a gap, or goes on beyond an end.
  */
 final class LineModeller implements Modeller {
-  private static final double GAP_CONFIDENCE = 0.5;
+  private static final double GUESS_CONFIDENCE = 0.5; // may lie across a lane
+  private static final double SIDE_CONFIDENCE = 0.7; // along a lane, or between two certain lines
+  private static final double LANE_CONFIDENCE = 0.8; // beside the vehicle's own way
   private static final int POINTS_A_PIECE = 14; // short pieces are found and drawn faster
-
-  record Tuning(
-      @Variable(
-              ifAbsentText = "white line",
-              text = "LINES: types of objects that are painted lines, separated by commas.")
-          String lineTypes,
-      @Variable(
-              unit = "m",
-              min = 0.01,
-              max = 5,
-              ifAbsent = 0.35,
-              text = "LINES: distance up to which a sighting beside a known line is that line.")
-          double lineGate,
-      @Variable(
-              min = 1,
-              max = 20,
-              ifAbsent = 3,
-              text = "LINES: sightings that make a line certain.")
-          int lineHits,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 0,
-              text =
-                  "LINES: longest gap in a line that is closed, between two ends that face each"
-                      + " other; 0: none.")
-          double joinGap,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 0,
-              text = "LINES: how far a line is taken to go on beyond the end that was seen.")
-          double lineExtension,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 0,
-              text =
-                  "LINES: how far a line is taken to go on beside the other line of its lane,"
-                      + " beyond the end that was seen; 0: as LINE EXTENSION.")
-          double laneExtension,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 6.1,
-              text = "LINES: greatest width of a lane, for LANE EXTENSION.")
-          double widestLane,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 10,
-              ifAbsent = 0,
-              text =
-                  "LINES: how far the vehicle's place wanders against the ground in a second; in"
-                      + " other times it grows with their root. Lines that were not seen for a"
-                      + " while are looked for so much farther away.")
-          double lineWander,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 1.5,
-              text =
-                  "LINES: how near to other lines such an extension comes at most: the least width"
-                      + " of a lane.")
-          double laneWidth,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 2.5,
-              text =
-                  "LINES: reach ahead within which a line that is there is seen; one that is not"
-                      + " seen there is doubted.")
-          double doubtReach,
-      @Variable(
-              unit = "deg",
-              min = 0,
-              max = 360,
-              ifAbsent = 50,
-              text = "LINES: width of the sector ahead in which lines are doubted.")
-          double doubtAngle,
-      @Variable(
-              unit = "m",
-              min = 1,
-              max = 1000,
-              ifAbsent = 15,
-              text = "LINES: distance from the vehicle up to which lines are published.")
-          double lineReach,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 10,
-              ifAbsent = 0,
-              text =
-                  "LINES: nothing that closes a gap comes nearer to the vehicle's reference point,"
-                      + " as it would not stand there: about half its width.")
-          double clearOfVehicle,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 1000,
-              ifAbsent = 0,
-              text =
-                  "LINES: how far behind what a scanner sees a camera does not see the ground: what"
-                      + " looks like a line there is part of what stands before it.")
-          double hiddenBehind,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 0,
-              text =
-                  "LINES: reach within which a camera sees all paint; where a line ends, and the"
-                      + " ground beyond was looked at as far as JOIN GAP, it is not taken to go on;"
-                      + " 0: always is.")
-          double lookReach,
-      @Variable(
-              unit = "deg",
-              min = 0,
-              max = 360,
-              ifAbsent = 80,
-              text = "LINES: width of the sector ahead for LOOK REACH.")
-          double lookAngle,
-      @Variable(
-              unit = "rad/s",
-              min = 0,
-              max = 100,
-              ifAbsent = 100,
-              text =
-                  "LINES: pictures taken while the vehicle turns faster are not entered: rolling"
-                      + " shutters bend lines.")
-          double steadyTurn) {
-    Set<String> types() {
-      Set<String> types = new HashSet<>();
-      Arrays.stream(lineTypes.split(",")).map(String::trim).forEach(types::add);
-      return types;
-    }
-  }
 
   private static final double FORGET = 3.0; // of LINE REACH: farther lines are dropped
   private static final long UNSURE_MICROS = 3 * Clock.MICROS_PER_SECOND;
 
-  private final Settings<Tuning> settings;
+  private final Settings<LineModelSettings> settings;
   private final LineBeads beads = new LineBeads();
   private final HiddenGround hidden = new HiddenGround();
   private final LookedGround looked = new LookedGround();
   private final DrivenWay driven = new DrivenWay();
+  private final DrivenLane lane = new DrivenLane();
   private final Set<String> sensors = new HashSet<>();
   private MapFrame frame = MapFrame.BODY;
   private long sightings;
   private int published;
 
   LineModeller(Configurator configuration) {
-    settings = configuration.settings(Tuning.class);
+    settings = configuration.settings(LineModelSettings.class);
   }
 
   @Override
   public void objects(List<ObjectDescription> seen, Sighting sighting) {
-    Tuning tuning = settings.get();
+    LineModelSettings tuning = settings.get();
     Set<String> types = tuning.types();
     if (sighting.vehicle().isEmpty()) {
       looked.clear();
       driven.clear();
+      lane.clear();
       beads.clear(); // of one moment only: nothing says how the vehicle has moved since
     }
     double turning = sighting.vehicle().map(state -> state.psiDot().orElse(0.0)).orElse(0.0);
@@ -202,6 +64,7 @@ final class LineModeller implements Modeller {
     beads.begin(sighting.micros(), tuning.lineWander() * tuning.lineWander());
     Point at = sighting.frame().vehicle(sighting.vehicle());
     driven.at(at);
+    lane.at(at);
     beads.from(at.x(), at.y());
     hidden.lookFrom(at.x(), at.y(), sighting.micros());
     boolean isPicture = false;
@@ -242,7 +105,7 @@ final class LineModeller implements Modeller {
   }
 
   /** What should have been seen just now and was not. */
-  private void doubt(Sighting sighting, Tuning tuning) {
+  private void doubt(Sighting sighting, LineModelSettings tuning) {
     MapFrame map = sighting.frame();
     Point at = map.vehicle(sighting.vehicle());
     Point ahead = map.mapFromFrd(sighting.vehicle()).times(Point.of(1.0, 0.0, 0.0));
@@ -276,34 +139,60 @@ final class LineModeller implements Modeller {
     beads.clear();
     looked.clear();
     driven.clear();
+    lane.clear();
   }
 
   @Override
   public List<ObjectDescription> objects(Sighting now) {
-    Tuning tuning = settings.get();
+    LineModelSettings tuning = settings.get();
     Point at = frame.vehicle(now.vehicle());
     int hits = frame.frame().isBody() ? 1 : tuning.lineHits();
-    LineChains chains =
-        LineChains.of(beads.certain(at.x(), at.y(), tuning.lineReach(), hits), tuning.laneWidth());
+    LineChains chains = LineChains.of(beads.certain(at.x(), at.y(), tuning.lineReach(), hits));
     List<ObjectDescription> lines = new ArrayList<>();
     String type = tuning.types().iterator().next();
+    LineGaps gaps =
+        new LineGaps(chains.lines(), tuning.reach(), looked::isKnown, driven::passesBetween);
     for (List<Point> line : chains.lines()) {
-      pieces(line, type, chains.isSure(line) ? 1.0 : GAP_CONFIDENCE, lines);
+      pieces(line, type, chains.isSure(line) ? 1.0 : confidence(line, line, gaps), lines);
     }
     if (tuning.joinGap() > 0.0 || tuning.lineExtension() > 0.0) {
-      LineChains.Reach reach =
-          new LineChains.Reach(
-              tuning.joinGap(),
-              tuning.lineExtension(),
-              Math.max(tuning.laneExtension(), tuning.lineExtension()),
-              tuning.widestLane());
-      for (List<Point> gap : chains.gaps(reach, looked::isKnown, driven::passesBetween)) {
-        clear(gap, at, tuning.clearOfVehicle())
-            .forEach(part -> pieces(part, type, GAP_CONFIDENCE, lines));
+      double clear = tuning.clearOfVehicle();
+      for (LineGaps.Joint joint : gaps.joined()) {
+        boolean sure = chains.isSure(joint.one()) && chains.isSure(joint.other());
+        double confidence = sure ? SIDE_CONFIDENCE : confidence(joint.points(), joint.one(), gaps);
+        publish(joint.points(), at, clear, type, confidence, lines);
       }
+      for (LineGaps.Extension each : gaps.extended()) {
+        double confidence = confidence(each.points(), each.line(), gaps);
+        publish(each.points(), at, clear, type, confidence, lines);
+      }
+      sides(chains, gaps, tuning)
+          .forEach(side -> publish(side, at, clear, type, LANE_CONFIDENCE, lines));
     }
     published = lines.size();
     return lines;
+  }
+
+  /** The sides of the driven lane; joins are lines for that, extensions are not. */
+  private List<List<Point>> sides(LineChains chains, LineGaps gaps, LineModelSettings tuning) {
+    List<DrivenLane.Known> known = new ArrayList<>();
+    chains.lines().forEach(line -> known.add(new DrivenLane.Known(line, chains.isSure(line))));
+    gaps.joined().forEach(joint -> known.add(new DrivenLane.Known(joint.points(), false)));
+    return lane.sides(known, tuning.reach());
+  }
+
+  private static double confidence(List<Point> points, List<Point> line, LineGaps gaps) {
+    return gaps.isLaneSide(points, line) ? SIDE_CONFIDENCE : GUESS_CONFIDENCE;
+  }
+
+  private void publish(
+      List<Point> guessed,
+      Point vehicle,
+      double clearM,
+      String type,
+      double confidence,
+      List<ObjectDescription> into) {
+    clear(guessed, vehicle, clearM).forEach(part -> pieces(part, type, confidence, into));
   }
 
   /** The parts of a line that are so far from a place. */

@@ -1,0 +1,243 @@
+package org.u2sa.core.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Sides of the lane that the vehicle has driven in, also where no line was seen beside it. At each
+ * driven place the lines to the left and to the right are looked for square to the way. Where one
+ * is missing, the lane goes on as wide as it was: between two places where both lines are known,
+ * and as far as the other line leads. Metres from the map's anchor.
+ */
+final class DrivenLane {
+  private static final double STEP_M = 0.3; // from one place to the next
+  private static final double BACK_M = 0.29; // nearer to an earlier place it is that place again
+  private static final int MAX_PLACES = 300; // 90 m
+  private static final int LOOKED_AT = 80; // newest places, whose sides are still looked for
+  private static final int CHORD = 3; // places to either side that give the direction of the way
+  private static final int LANE_PLACES = 4; // in a row with both lines make a lane
+  private static final double STRAND_M = 0.9; // a farther place belongs to another piece of the way
+  private static final double JUMP_M = 0.6; // by which a side may move from place to place
+  private static final double SPREAD = 0.15; // more for each metre without that side
+  private static final double OWN_SHARE = 0.75; // of its distance: nothing stands nearer to the way
+  private static final double BRIDGE_GAPS = 2.0; // gaps of paint, one after the other
+  private static final double HOLE_M = 1.5; // longest step along an inferred side
+
+  /** A place where the vehicle was, and its lane there. */
+  private static final class Place {
+    final Point at;
+    final boolean begins; // not reached from the place before
+    final Side left = new Side();
+    final Side right = new Side();
+    boolean isLane; // both lines are seen, as far apart as a lane is wide
+
+    Place(Point at, boolean begins) {
+      this.at = at;
+      this.begins = begins;
+    }
+
+    /** The side to the left (1) or right (−1). */
+    Side side(double sign) {
+      return sign > 0.0 ? left : right;
+    }
+
+    /** What is not seen is where the lane's width puts it, or as far away as before. */
+    void set(double widthM, Place before) {
+      boolean inLane = !Double.isNaN(widthM) && before != null;
+      for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
+        Side side = side(sign);
+        double otherM = side(-sign).seenM;
+        double heldM = inLane ? before.side(sign).awayM : Double.NaN;
+        double inferredM = Double.isNaN(otherM) ? heldM : widthM - otherM;
+        side.awayM = isLane || inLane && !Double.isNaN(side.seenM) ? side.seenM : inferredM;
+      }
+    }
+
+    /** The same between two places where both lines are seen. */
+    void between(Place one, Place other, double share) {
+      double widthM = 0.0;
+      for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
+        Side side = side(sign);
+        double fromM = one.side(sign).seenM;
+        side.awayM = fromM + share * (other.side(sign).seenM - fromM);
+        widthM += side.awayM;
+      }
+      double leftM = left.seenM;
+      double rightM = right.seenM;
+      if (!Double.isNaN(leftM) && Double.isNaN(rightM)) {
+        left.awayM = leftM;
+        right.awayM = widthM - leftM;
+      } else if (Double.isNaN(leftM) && !Double.isNaN(rightM)) {
+        left.awayM = widthM - rightM;
+        right.awayM = rightM;
+      }
+    }
+  }
+
+  /** One side of the lane at a place. */
+  private static final class Side {
+    double seenM = Double.NaN; // distance of a line
+    boolean sure; // and it is certain
+    double awayM = Double.NaN; // distance of the side, seen or inferred
+  }
+
+  /** A line to look for, and whether it is certain. */
+  record Known(List<Point> line, boolean sure) {}
+
+  private final List<Place> places = new ArrayList<>();
+
+  void clear() {
+    places.clear();
+  }
+
+  /** The vehicle is there now. */
+  void at(Point at) {
+    Place last = places.isEmpty() ? null : places.get(places.size() - 1);
+    double gone = last == null ? STRAND_M : LineGeometry.metres(last.at, at);
+    if (gone < STEP_M) {
+      return;
+    }
+    boolean again = places.stream().anyMatch(place -> LineGeometry.metres(place.at, at) < BACK_M);
+    if (!again) {
+      places.add(new Place(at, gone >= STRAND_M));
+      if (places.size() > MAX_PLACES) {
+        places.remove(0);
+      }
+    }
+  }
+
+  /**
+   * The sides of the lane where no certain line is.
+   *
+   * @param known what is known of lines
+   */
+  List<List<Point>> sides(List<Known> known, LineGaps.Reach reach) {
+    int from = Math.max(0, places.size() - LOOKED_AT);
+    follow(from, known, reach);
+    bridge(from, reach);
+    List<List<Point>> sides = new ArrayList<>();
+    side(1.0, sides);
+    side(-1.0, sides);
+    return sides;
+  }
+
+  /** Looks for the lines beside the newest places, and follows the lane where one is missing. */
+  private void follow(int from, List<Known> known, LineGaps.Reach reach) {
+    double widthM = Double.NaN; // of the lane; NaN: the vehicle is in none
+    double missedM = 0.0; // since both lines were seen
+    double blindM = 0.0; // since any was seen
+    int inRow = 0;
+    for (int i = from; i < places.size(); i++) {
+      Place place = places.get(i);
+      widthM = place.begins ? Double.NaN : widthM;
+      boolean inLane = !Double.isNaN(widthM);
+      double gateM = inLane ? JUMP_M + SPREAD * missedM : Double.POSITIVE_INFINITY;
+      look(i, inLane ? places.get(i - 1) : null, gateM, known, reach);
+      place.isLane = reach.isLane(place.left.seenM + place.right.seenM); // false for NaN
+      inRow = place.isLane ? inRow + 1 : 0;
+      missedM = place.isLane ? 0.0 : missedM + STEP_M;
+      boolean blind = Double.isNaN(place.left.seenM) && Double.isNaN(place.right.seenM);
+      blindM = blind ? blindM + STEP_M : 0.0;
+      if (missedM > BRIDGE_GAPS * reach.gapM() || blindM > reach.aloneM()) {
+        widthM = Double.NaN;
+      } else if (place.isLane && (inRow >= LANE_PLACES || inLane)) {
+        widthM = place.left.seenM + place.right.seenM;
+      }
+      place.set(widthM, !Double.isNaN(widthM) && i > 0 ? places.get(i - 1) : null);
+    }
+  }
+
+  private void look(int i, Place before, double gateM, List<Known> known, LineGaps.Reach reach) {
+    double[] along = direction(i);
+    for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
+      Side side = places.get(i).side(sign);
+      double expectedM = before == null ? 0.0 : before.side(sign).awayM;
+      LineRay ray =
+          new LineRay(places.get(i).at, -sign * along[1], sign * along[0], reach.widestM());
+      Known line = ray.nearest(known, expectedM);
+      boolean isSide = line != null && Math.abs(ray.metres() - expectedM) <= gateM;
+      side.seenM = isSide ? ray.metres() : Double.NaN;
+      side.sure = isSide && line.sure();
+    }
+  }
+
+  /** Between two places where both lines are known the lane changes evenly. */
+  private void bridge(int from, LineGaps.Reach reach) {
+    int before = -1;
+    for (int i = from; i < places.size(); i++) {
+      before = places.get(i).begins ? -1 : before;
+      if (places.get(i).isLane) {
+        boolean bridged = before >= 0 && (i - before) * STEP_M <= BRIDGE_GAPS * reach.gapM();
+        for (int k = before + 1; bridged && k < i; k++) {
+          double share = (k - before) / (double) (i - before);
+          places.get(k).between(places.get(before), places.get(i), share);
+        }
+        before = i;
+      }
+    }
+  }
+
+  /** Strings one side (1: left) where no certain line is. */
+  private void side(double sign, List<List<Point>> sides) {
+    List<Point> string = new ArrayList<>();
+    for (int i = 0; i < places.size(); i++) {
+      Place place = places.get(i);
+      Side side = place.side(sign);
+      boolean isSide = !Double.isNaN(side.awayM) && !side.sure;
+      Point at = isSide ? beside(i, sign * side.awayM) : place.at;
+      isSide &= isClear(i, at, side.awayM);
+      boolean goesOn =
+          isSide
+              && !string.isEmpty()
+              && LineGeometry.metres(string.get(string.size() - 1), at) <= HOLE_M;
+      if (!goesOn) {
+        add(string, sides);
+        string = new ArrayList<>();
+      }
+      if (isSide) {
+        string.add(at);
+      }
+    }
+    add(string, sides);
+  }
+
+  private Point beside(int i, double leftM) {
+    double[] along = direction(i);
+    Point at = places.get(i).at;
+    return Point.of(at.x() - leftM * along[1], at.y() + leftM * along[0], 0.0);
+  }
+
+  private static void add(List<Point> string, List<List<Point>> sides) {
+    if (string.size() > 1) {
+      sides.add(string);
+    }
+  }
+
+  /** Whether a side lies beside all of the way there, not across it as in a tight turn. */
+  private boolean isClear(int i, Point side, double awayM) {
+    int span = (int) Math.ceil(2.0 * awayM / STEP_M);
+    for (int k = Math.max(0, i - span); k < Math.min(places.size(), i + span); k++) {
+      if (LineGeometry.metres(side, places.get(k).at) < OWN_SHARE * awayM) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Direction of the way at a place, as a unit vector. */
+  private double[] direction(int i) {
+    int first = i;
+    int last = i;
+    while (first > 0 && i - first < CHORD && !places.get(first).begins) {
+      first--;
+    }
+    while (last < places.size() - 1 && last - i < CHORD && !places.get(last + 1).begins) {
+      last++;
+    }
+    Point a = places.get(first).at;
+    Point b = places.get(last).at;
+    double length = Math.max(1.0e-9, LineGeometry.metres(a, b));
+    return new double[] {(b.x() - a.x()) / length, (b.y() - a.y()) / length};
+  }
+}
