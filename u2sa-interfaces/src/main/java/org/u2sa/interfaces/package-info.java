@@ -1,6 +1,6 @@
 /**
- * The root of the contract that every service fulfils (thesis 3.2.1); here is only what reports bad
- * input. Configuration, logging, time, communication and XML have a package each; anything that
- * knows a vehicle belongs elsewhere.
+ * Root of the service contract (thesis 3.2.1); contains only input error reporting and text
+ * helpers. Configuration, logging, time, communication and XML have their own packages;
+ * vehicle-specific code belongs elsewhere.
  */
 package org.u2sa.interfaces;

@@ -13,10 +13,10 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * Changes a configuration: all variables of a change or none. In this order, while other writers of
- * the file wait: the file is read anew, everything is checked, the audit log says what is about to
- * be done, the file is replaced; the memory follows when the {@link WrittenChange} takes effect. If
- * the power fails between log and file, the next change finds that out and the log says so.
+ * Changes a configuration atomically. While other writers are locked out: the file is re-read,
+ * everything is validated, the audit log records the intent, and the file is replaced; memory
+ * follows when the {@link WrittenChange} takes effect. If power fails between log and file, the
+ * next change detects and logs it.
  *
  * <p>One thread at a time writes; what is in memory is {@link LiveValues}' concern, which nobody
  * holds while the disk is at work.
@@ -59,30 +59,30 @@ final class ConfigurationChanges {
     this.revision = revision;
   }
 
-  /** The changes of a copy of the configuration, which go on where these are. */
+  /** Changes for a copy of the configuration, starting from this state. */
   ConfigurationChanges forSuccessor(LiveValues copy) {
     return new ConfigurationChanges(copy, original, path, journal, revision);
   }
 
-  /** One attempt, while nobody else writes. */
+  /** One attempt under the write lock. */
   private interface Attempt {
     WrittenChange make(
         ConfigurationValues memory, ChangeHistory history, Optional<ConfigurationFile> file)
         throws IOException;
   }
 
-  /** Takes note of the revision of the file, which was just read. */
+  /** Reads the revision of the file just loaded. */
   void begin(Optional<ConfigurationFile> file) {
     try {
       ChangeHistory history = new ChangeHistory(journal.recent());
       boolean lost = lost(live.written(), history, file).isPresent();
       revision = history.revision() - (lost ? 1 : 0);
     } catch (IOException e) {
-      revision = 0; // no reason not to start; a change is refused, and the answer says why
+      revision = 0; // must not prevent startup; a later change is rejected with the reason
     }
   }
 
-  /** Counts the changes that this object knows of. */
+  /** Latest revision known to this object. */
   long revision() {
     return revision;
   }
@@ -231,7 +231,7 @@ final class ConfigurationChanges {
       try {
         journal.append(entry.failed(e.toString()));
       } catch (IOException second) {
-        e.addSuppressed(second); // the next change finds out by the file that nothing came of it
+        e.addSuppressed(second); // the next change detects from the file that it was not written
       }
       throw e;
     }

@@ -3,14 +3,14 @@ package org.u2sa.interfaces.configuration;
 import java.util.Map;
 import java.util.Optional;
 
-/** Judges values that are each allowed, but perhaps not together. */
+/** Validates a combination of individually valid values. */
 @FunctionalInterface
 public interface ConfigurationCheck {
-  /** Refuses nothing. */
+  /** Accepts everything. */
   ConfigurationCheck NONE = values -> Optional.empty();
 
   /**
-   * Why the values are refused; empty if they are not.
+   * Reason for rejection; empty if accepted.
    *
    * @param values every variable of the configuration as it would be, in the declared units
    */

@@ -3,8 +3,8 @@ package org.u2sa.interfaces.configuration;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A configuration that cannot be used. The message names file, line, variable, value and what was
- * expected, as far as each exists.
+ * An invalid configuration. The message names file, line, variable, value and expectation, as far
+ * as they exist.
  */
 public class ConfigurationException extends BadInputException {
   private static final long serialVersionUID = 1L;

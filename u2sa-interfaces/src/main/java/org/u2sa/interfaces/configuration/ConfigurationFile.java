@@ -9,10 +9,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlText;
 
-/**
- * The configuration file of one service as it stands on the disk at one moment, or is to stand.
- * Immutable.
- */
+/** Content of a service's configuration file, current or planned. Immutable. */
 final class ConfigurationFile {
   private static final String ROOT = "configuration";
 
@@ -40,9 +37,9 @@ final class ConfigurationFile {
   }
 
   /**
-   * Reads the file.
+   * * Reads a file.
    *
-   * @throws ConfigurationException if it cannot be used; names file, line and what was expected
+   * @throws ConfigurationException if it is invalid; names file, line and expectation
    */
   static ConfigurationFile read(Path path) {
     try {
@@ -54,21 +51,20 @@ final class ConfigurationFile {
     }
   }
 
-  /** Its variables in the order of the file. */
+  /** Variables in file order. */
   Map<String, FileVariable> variables() {
     return variables;
   }
 
-  /** What it says about a variable; empty if nothing. */
+  /** Entry of a variable; empty if absent. */
   Optional<FileVariable> variable(String name) {
     return Optional.ofNullable(variables.get(name));
   }
 
   /**
-   * The file with the value of {@code variable}, which is added if it is not there; nothing else
-   * changes.
+   * Copy with the value of {@code variable} set or added; everything else is unchanged.
    *
-   * @throws IllegalArgumentException if XML cannot hold the value
+   * @throws IllegalArgumentException if the value is not representable in XML
    */
   ConfigurationFile with(FileVariable variable) {
     XmlElement element = elements.get(variable.name());
@@ -79,15 +75,15 @@ final class ConfigurationFile {
             : text.withLastChild(root, FileVariable.ELEMENT, attributes(variable)));
   }
 
-  /** The file without a variable that it has. */
+  /** Copy without an existing variable. */
   ConfigurationFile without(String name) {
     return new ConfigurationFile(path, text.without(elements.get(name)));
   }
 
   /**
-   * Puts this in the place of the file on the disk.
+   * Replaces the file on disk with this content.
    *
-   * @throws IOException if it could not be written: then the old file stands
+   * @throws IOException if writing fails; the old file is kept
    */
   void write() throws IOException {
     WholeFile.replace(path, text.bytes());

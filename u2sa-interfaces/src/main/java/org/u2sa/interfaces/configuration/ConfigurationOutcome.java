@@ -6,19 +6,19 @@ import java.util.Set;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 
 /**
- * What came of an attempt to change a configuration.
+ * Outcome of a configuration change.
  *
- * @param refusal why nothing was changed; empty if all was
- * @param assignments the variables with their new and previous values; as asked for, if refused
- * @param changed names of the variables that have another value than before
- * @param revision the configuration's revision now
+ * @param refusal reason for rejection; empty if accepted
+ * @param assignments variables with new and previous values; as requested if rejected
+ * @param changed names of variables whose value changed
+ * @param revision current revision of the configuration
  */
 public record ConfigurationOutcome(
     Optional<String> refusal,
     List<ConfigurationAssignment> assignments,
     Set<String> changed,
     long revision) {
-  /** Whether all variables have the values that were asked for. */
+  /** Whether all requested values are set. */
   public boolean accepted() {
     return !refusal.isPresent();
   }

@@ -14,16 +14,16 @@ import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
- * The variables of one configuration in memory: what the file said, what the service declared, the
- * values that follow. Guarded by the {@link LiveValues} that own it.
+ * Variables of a configuration in memory: file entries, declarations, and resulting values. Guarded
+ * by the owning {@link LiveValues}.
  */
 final class ConfigurationValues {
   private final String origin;
-  private final boolean typed; // a file states types, which must be right; a program may say 1
+  private final boolean typed; // files state types, which must match; programs may pass 1 for 1.0
   private final Map<String, FileVariable> stated;
   private final Set<String> overridden = new LinkedHashSet<>();
   private final Set<String> tolerated = new HashSet<>();
-  private final Set<String> readByName = new HashSet<>(); // used, though not declared
+  private final Set<String> readByName = new HashSet<>(); // read by name without a declaration
   private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
   private final List<RecordBinding<?>> records = new ArrayList<>();
   private final Map<String, Object> values = new LinkedHashMap<>();
@@ -35,7 +35,7 @@ final class ConfigurationValues {
     stated.forEach((name, variable) -> values.put(name, variable.value()));
   }
 
-  /** The file, or the name of a configuration without one. */
+  /** The file, or the name of a configuration without a file. */
   String origin() {
     return origin;
   }
@@ -47,14 +47,14 @@ final class ConfigurationValues {
     values.put(name, statement.value());
   }
 
-  /** What was overridden, with the values of now. */
+  /** Overridden variables with their current values. */
   Map<String, Object> overrides() {
     Map<String, Object> all = new LinkedHashMap<>();
     overridden.forEach(name -> all.put(name, values.get(name)));
     return all;
   }
 
-  /** Whether the value is a program's word, not the file's. */
+  /** Whether the value was set by the program rather than the file. */
   boolean isOverridden(String name) {
     return overridden.contains(name);
   }
@@ -62,7 +62,7 @@ final class ConfigurationValues {
   /**
    * The value of a variable.
    *
-   * @throws ConfigurationException if there is no such variable
+   * @throws ConfigurationException if the variable is unknown
    */
   Object value(String name) {
     Object value = values.get(name);
@@ -76,12 +76,12 @@ final class ConfigurationValues {
     return value;
   }
 
-  /** Every variable with its value. */
+  /** All variables with their values. */
   Map<String, Object> all() {
     return new LinkedHashMap<>(values);
   }
 
-  /** What the file said of a variable when its value was taken; empty if nothing. */
+  /** File entry of a variable when its value was read; empty if absent. */
   Optional<FileVariable> stated(String name) {
     return Optional.ofNullable(stated.get(name));
   }
@@ -110,9 +110,9 @@ final class ConfigurationValues {
   }
 
   /**
-   * The record of the present values.
+   * Record of the current values.
    *
-   * @throws ConfigurationException if it refuses them together
+   * @throws ConfigurationException if the record rejects the combination
    */
   <T> T bind(RecordBinding<T> binding) {
     try {
@@ -122,7 +122,7 @@ final class ConfigurationValues {
     }
   }
 
-  /** Why a declared record refuses these values together; empty if none does. */
+  /** Reason for which a declared record rejects this combination; empty if none does. */
   Optional<String> refusal(Map<String, Object> proposed) {
     for (RecordBinding<?> binding : records) {
       try {
@@ -134,7 +134,7 @@ final class ConfigurationValues {
     return Optional.empty();
   }
 
-  /** The refusal, and the variables that it names with their values and lines; else all. */
+  /** The rejection, with values and lines of the variables it names, or of all. */
   private String told(
       RecordBinding<?> binding, Map<String, Object> refused, IllegalArgumentException refusal) {
     String why = String.valueOf(refusal.getMessage());
@@ -170,7 +170,7 @@ final class ConfigurationValues {
     return declared.containsKey(name) || readByName.contains(name);
   }
 
-  /** All of it, changed by nobody else. */
+  /** An independent copy. */
   ConfigurationValues copy() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
     copy.overridden.addAll(overridden);
@@ -183,7 +183,7 @@ final class ConfigurationValues {
     return copy;
   }
 
-  /** What is stated now, without what is declared, which need not be declared again. */
+  /** A copy of the entries without declarations, whose variables need not be declared again. */
   ConfigurationValues forSuccessor() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
     copy.overridden.addAll(overridden);
@@ -208,7 +208,7 @@ final class ConfigurationValues {
     return names;
   }
 
-  /** The declaration of a variable together with a file's statement of it. */
+  /** Combines a variable's declaration with its file entry. */
   BoundVariable bound(String name, Optional<FileVariable> statement) {
     Optional<VariableDeclaration<?>> declaration = Optional.ofNullable(declared.get(name));
     if (!declaration.isPresent() && !statement.isPresent()) {
@@ -218,7 +218,7 @@ final class ConfigurationValues {
     return new BoundVariable(origin, name, declaration, statement);
   }
 
-  /** Takes over what the file says now. */
+  /** Adopts the current file content. */
   void adopt(ChangePlanner.PlannedChange change) {
     if (change.after().isPresent()) {
       stated.put(change.name(), change.after().get());

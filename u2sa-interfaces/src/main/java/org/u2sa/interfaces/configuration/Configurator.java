@@ -10,10 +10,9 @@ import java.util.Map;
  */
 public interface Configurator {
   /**
-   * The value of a variable, in its declared unit if a service declared it, otherwise in the
-   * file's.
+   * Value of a variable, in the declared unit if declared, otherwise in the file's.
    *
-   * @throws ConfigurationException if there is no such variable
+   * @throws ConfigurationException if the variable is unknown
    */
   Object getVariable(String variableName);
 
@@ -29,31 +28,31 @@ public interface Configurator {
   /**
    * Declares and reads the variables of a record ({@link Variable}), which stay live.
    *
-   * @throws ConfigurationException as {@link #getVariable(VariableDeclaration)} says, and if the
-   *     record refuses the values together
-   * @throws IllegalArgumentException if it is no such record
+   * @throws ConfigurationException as for {@link #getVariable(VariableDeclaration)}, and if the
+   *     record rejects the combination
+   * @throws IllegalArgumentException if it is not a variables record
    */
   default <T> Settings<T> settings(Class<T> record) {
     return settings(record, "");
   }
 
   /**
-   * {@link #settings(Class)} where a service has several of a kind.
+   * {@link #settings(Class)} for a service with several instances of a record.
    *
-   * @param prefix before each variable's name, such as {@code "LEFT MOTOR "}
+   * @param prefix prefix of each variable's name, such as {@code "LEFT MOTOR "}
    */
   <T> Settings<T> settings(Class<T> record, String prefix);
 
   /**
-   * Changes a variable and writes it to the configuration file; a power cut leaves the old or the
-   * new file, whole.
+   * Changes a variable and writes it to the configuration file atomically: a power cut leaves the
+   * old or the new file.
    *
-   * @param value in the declared unit; a value of the variable's type or its text
-   * @return false if the value was refused or could not be written: then the old value stays, in
-   *     memory and on file, and the service writes the reason to its log
+   * @param value value of the variable's type or its text, in the declared unit
+   * @return false if the value was rejected or could not be written; the old value is then kept in
+   *     memory and file, and the reason is logged
    */
   boolean setVariable(String variableName, Object value);
 
-  /** Every variable that may be set, with its present value; the list is the caller's own. */
+  /** All settable variables with their current values; the list belongs to the caller. */
   ArrayList<Map.Entry<String, Object>> enumerateFields();
 }

@@ -7,17 +7,17 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.xml.XmlElement;
 
 /**
- * What a configuration file says about one variable, checked as far as the file alone allows. Value
- * and limits are in the file's own unit. Immutable.
+ * A variable's entry in a configuration file, validated as far as the file alone allows. Value and
+ * limits are in the file's unit. Immutable.
  *
  * @param place file and line, for messages
- * @param name name of the variable
+ * @param name variable name
  * @param type type of its value
- * @param text value as written
+ * @param text value text as written
  * @param value value of that type
- * @param unit unit of value and limits; empty if the file names none
+ * @param unit unit of value and limits; empty if none is given
  * @param limits min and max
- * @param description what it does; empty if the file does not say
+ * @param description description; empty if none
  */
 record FileVariable(
     String place,
@@ -28,7 +28,7 @@ record FileVariable(
     Optional<String> unit,
     Range limits,
     String description) {
-  /** The element's name. */
+  /** XML element name. */
   static final String ELEMENT = "variable";
 
   static FileVariable of(XmlElement element) {
@@ -62,7 +62,7 @@ record FileVariable(
         element.optionalAttribute("description").orElse(""));
   }
 
-  /** A variable that no file holds. */
+  /** Creates a variable without a file. */
   static FileVariable inMemory(String origin, String name, Object value) {
     VariableType type =
         VariableType.of(value)
@@ -76,15 +76,15 @@ record FileVariable(
         origin, name, type, String.valueOf(value), value, Optional.empty(), Range.any(), "");
   }
 
-  /** This statement with another value, which its type can parse. */
+  /** Copy with another value of its type. */
   FileVariable withText(String newText) {
     return new FileVariable(
         place, name, type, newText, type.parse(newText), unit, limits, description);
   }
 
   /**
-   * This statement with a whole number, or a text of a number and its unit, read as a decimal
-   * number, where that is asked for.
+   * Copy with an integer, or a text of number and unit, converted to a decimal number where one is
+   * declared.
    */
   FileVariable withType(VariableType wanted) {
     if (wanted != VariableType.DOUBLE) {
@@ -108,7 +108,7 @@ record FileVariable(
         .orElse(this);
   }
 
-  /** The exception for this variable: {@code <file>, line N, variable "NAME": what}. */
+  /** Creates an exception for this variable: {@code <file>, line N, variable "NAME": what}. */
   ConfigurationException error(String what) {
     return error(place, name, what);
   }

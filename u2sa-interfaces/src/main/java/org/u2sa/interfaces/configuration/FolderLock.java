@@ -12,14 +12,14 @@ import java.nio.file.StandardOpenOption;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Keeps the writers of a folder's configuration files apart, in this process and in others. The
- * operating system frees it when its holder dies. The empty file that it locks stays: to delete it
- * would let two writers hold two locks of one name.
+ * Lock for writers of a folder's configuration files, within and across processes. The operating
+ * system releases it when its holder dies. The lock file is never deleted, because two writers
+ * could then hold locks on different files of the same name.
  */
 final class FolderLock implements Closeable {
   private static final String NAME = ".configuration.lock";
   private static final long PAUSE_NANOS = 1_000_000L;
-  private static final int ATTEMPTS = 2_000; // a holder needs some ms; 2 s are a fault
+  private static final int ATTEMPTS = 2_000; // a holder needs milliseconds; 2 s means a fault
 
   private final FileChannel channel;
   private final FileLock lock;
@@ -30,13 +30,13 @@ final class FolderLock implements Closeable {
   }
 
   /**
-   * Waits for the lock.
+   * Acquires the lock.
    *
-   * @throws IOException if another writer holds it for 2 s, the thread is interrupted meanwhile, or
-   *     the folder does not allow the lock's file
+   * @throws IOException if another writer holds it for 2 s, the thread is interrupted, or the lock
+   *     file cannot be created
    */
   static FolderLock take(Path folder) throws IOException {
-    boolean interrupted = Thread.interrupted(); // before: would end the wait before it began
+    boolean interrupted = Thread.interrupted(); // an earlier interrupt must not end the wait
     try {
       return open(folder);
     } finally {
@@ -51,7 +51,7 @@ final class FolderLock implements Closeable {
     if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)
         && !Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
       throw new IOException(
-          file + " is not a regular file; remove it"); // a pipe would be waited on
+          file + " is not a regular file; remove it"); // opening a pipe would block
     }
     FileChannel channel =
         FileChannel.open(
@@ -80,7 +80,8 @@ final class FolderLock implements Closeable {
         folder.resolve(NAME) + " is locked: another writer has held it for 2 s; try again");
   }
 
-  // Of a lock that another process holds, tryLock says null; of one of this process, it throws.
+  // tryLock returns null for a lock held by another process, and throws for one held by this
+  // process.
   private static FileLock attempt(FileChannel channel) throws IOException {
     try {
       return channel.tryLock();

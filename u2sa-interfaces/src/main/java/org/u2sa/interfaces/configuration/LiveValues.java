@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * The values that hold now, and the changes that are on file and wait to take effect. Safe from any
- * thread; nobody holds it while the disk is at work.
+ * Current values, and changes that are written but not yet in effect. Thread-safe; never locked
+ * during disk access.
  */
 final class LiveValues {
   private final ConfigurationValues values;
@@ -33,17 +33,17 @@ final class LiveValues {
     version++;
   }
 
-  /** Another number whenever a value may have become another. */
+  /** Changes whenever any value may have changed. */
   long version() {
     return version;
   }
 
-  /** A copy with the values that the file has: as they will be when all that waits took effect. */
+  /** A copy with the values on file, as if all pending changes had taken effect. */
   synchronized ConfigurationValues written() {
     return withWaiting(values.copy());
   }
 
-  /** As {@link #written}, for a service of another class, which declares anew. */
+  /** As {@link #written}, for a service of another class with its own declarations. */
   synchronized LiveValues forSuccessor() {
     return new LiveValues(withWaiting(values.forSuccessor()));
   }
@@ -53,14 +53,15 @@ final class LiveValues {
     return copy;
   }
 
-  /** Takes note of changes that are on file. */
+  /** Adds written changes. */
   synchronized void await(List<ChangePlanner.PlannedChange> changes) {
     waiting.add(changes);
   }
 
-  /** Adopts these changes and those before them, unless that has happened. */
+  /** Applies these and earlier changes, if still pending. */
   synchronized void takeEffect(List<ChangePlanner.PlannedChange> changes) {
-    boolean isWaiting = waiting.stream().anyMatch(each -> each == changes); // equal ones may be
+    boolean isWaiting =
+        waiting.stream().anyMatch(each -> each == changes); // by identity: equal ones may exist
     while (isWaiting) {
       List<ChangePlanner.PlannedChange> next = waiting.remove();
       next.forEach(values::adopt);

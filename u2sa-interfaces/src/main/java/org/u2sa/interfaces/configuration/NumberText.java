@@ -3,9 +3,9 @@ package org.u2sa.interfaces.configuration;
 import java.math.BigDecimal;
 import java.math.MathContext;
 
-/** Numbers as people read them in messages and tables: no needless digits. */
+/** Human-readable number formatting without superfluous digits. */
 final class NumberText {
-  /** Enough to tell limits apart, few enough to hide the rounding of a unit's conversion. */
+  /** Enough digits to distinguish limits, few enough to hide rounding of unit conversions. */
   private static final MathContext DIGITS = new MathContext(10);
 
   private static final double PLAIN_BELOW = 1.0e15;
@@ -29,13 +29,14 @@ final class NumberText {
   }
 
   /**
-   * A value of a variable's type: numbers as {@link #of(double)}, integers whole, text as it is.
+   * Formats a value of a variable's type: decimals as {@link #of(double)}, integers and texts
+   * as-is.
    */
   static String ofValue(Object value) {
     return value instanceof Double number ? of(number) : String.valueOf(value);
   }
 
-  /** {@link #ofValue(Object)} with the unit behind it, if there is one. */
+  /** {@link #ofValue(Object)} followed by the unit, if any. */
   static String withUnit(Object value, String unit) {
     return unit.isEmpty() ? ofValue(value) : ofValue(value) + " " + unit;
   }

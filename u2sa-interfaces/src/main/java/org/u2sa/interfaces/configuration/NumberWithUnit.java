@@ -5,18 +5,18 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A number with a unit, as people type it: {@code 25 deg}.
+ * A number with a unit, as typed by users: {@code 25 deg}.
  *
- * @param number as typed, which {@link Double#parseDouble} reads
- * @param unit as typed; {@link Units} knows whether there is such a one
+ * @param number number as typed, parsable by {@link Double#parseDouble}
+ * @param unit unit as typed, not validated
  */
 public record NumberWithUnit(String number, String unit) {
-  /** Possessive, or the end of a number without a unit would be taken for one. */
+  /** Possessive quantifiers, so that the end of a bare number is not mistaken for a unit. */
   private static final Pattern FORM =
       Pattern.compile(
           "\\s*([+-]?+(?:\\d++\\.?+\\d*+|\\.\\d++)(?:[eE][+-]?+\\d++)?+)\\s*+([^\\s\\d].*?)\\s*");
 
-  /** What the text holds; empty if it is no number, or one without a unit. */
+  /** Parses a text; empty unless it is a number with a unit. */
   public static Optional<NumberWithUnit> of(String text) {
     Matcher form = FORM.matcher(text);
     return form.matches()
@@ -29,9 +29,9 @@ public record NumberWithUnit(String number, String unit) {
   }
 
   /**
-   * The number in another unit.
+   * Converts the number to another unit.
    *
-   * @throws IllegalArgumentException if the unit is none, or of something else
+   * @throws IllegalArgumentException if a unit is unknown or measures a different quantity
    */
   public double in(String other) {
     return Units.convert(value(), unit, other);

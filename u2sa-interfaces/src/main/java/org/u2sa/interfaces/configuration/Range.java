@@ -1,18 +1,18 @@
 package org.u2sa.interfaces.configuration;
 
 /**
- * The numbers that a variable may take, both ends included unless said otherwise.
+ * Allowed range of a variable, inclusive unless stated otherwise.
  *
- * @param min the lower end; negative infinity if there is none
- * @param max the upper end; positive infinity if there is none
- * @param minExcluded whether {@code min} itself is outside
+ * @param min lower bound; negative infinity if none
+ * @param max upper bound; positive infinity if none
+ * @param minExcluded whether {@code min} is exclusive
  */
 public record Range(double min, double max, boolean minExcluded) {
   private static final Range ANY =
       new Range(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, false);
 
   /**
-   * @throws IllegalArgumentException if an end is NaN or nothing lies between them
+   * @throws IllegalArgumentException if a bound is NaN or the range is empty
    */
   public Range {
     if (!(min < max || min == max && !minExcluded)) {
@@ -22,49 +22,49 @@ public record Range(double min, double max, boolean minExcluded) {
   }
 
   /**
-   * {@code min} to {@code max}, both included; infinite ends are open ends.
+   * Inclusive range from {@code min} to {@code max}; infinite bounds mean unbounded.
    *
-   * @throws IllegalArgumentException if an end is NaN or {@code min} is above {@code max}
+   * @throws IllegalArgumentException if a bound is NaN or {@code min} is above {@code max}
    */
   public static Range of(double min, double max) {
     return new Range(min, max, false);
   }
 
   /**
-   * {@link #of}, without {@code min} itself.
+   * {@link #of} with exclusive {@code min}.
    *
-   * @throws IllegalArgumentException if nothing lies between them
+   * @throws IllegalArgumentException if the range is empty
    */
   public static Range above(double min, double max) {
     return new Range(min, max, true);
   }
 
-  /** Above zero. */
+  /** Greater than zero. */
   public static Range positive() {
     return above(0.0, Double.POSITIVE_INFINITY);
   }
 
-  /** Zero and above. */
+  /** Zero or greater. */
   public static Range nonNegative() {
     return of(0.0, Double.POSITIVE_INFINITY);
   }
 
-  /** Every finite number. */
+  /** All finite numbers. */
   public static Range any() {
     return ANY;
   }
 
-  /** Whether there is neither a lower nor an upper end. */
+  /** Whether the range is unbounded. */
   public boolean isAny() {
     return min == Double.NEGATIVE_INFINITY && max == Double.POSITIVE_INFINITY;
   }
 
-  /** Whether the finite {@code value} lies in this range; NaN and infinity never do. */
+  /** Whether {@code value} is in this range; NaN and infinity never are. */
   public boolean contains(double value) {
     return Double.isFinite(value) && (minExcluded ? value > min : value >= min) && value <= max;
   }
 
-  /** This range between other ends: an end that stays keeps being excluded if it was. */
+  /** Copy with other bounds; an unchanged lower bound keeps its exclusivity. */
   Range between(double newMin, double newMax) {
     return new Range(newMin, newMax, minExcluded && newMin == min);
   }
@@ -78,7 +78,7 @@ public record Range(double min, double max, boolean minExcluded) {
   }
 
   /**
-   * Why this range does not take {@code value}, which is in words: {@code 95 deg is outside 0…60
+   * Reason for which this range excludes a formatted {@code value}: {@code 95 deg is outside 0…60
    * deg}, {@code -3 m is not above 0 m}.
    */
   String refusal(String value, String unit) {
@@ -89,7 +89,7 @@ public record Range(double min, double max, boolean minExcluded) {
     return value + " is outside " + of(min, max).withUnit(unit) + without;
   }
 
-  /** {@link #toString()} with the unit behind it: {@code 0…60 deg}. */
+  /** {@link #toString()} followed by the unit: {@code 0…60 deg}. */
   String withUnit(String unit) {
     String behind = unit.isEmpty() ? "" : " " + unit;
     if (isAny()) {

@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The variables that a record's components declare by {@link Variable}, and how to make a record of
- * their values. Reads the canonical constructor, since Android knows no record components.
+ * Binds a record's {@link Variable} components to configuration variables. Uses the canonical
+ * constructor, because Android lacks record components.
  */
 final class RecordBinding<T> {
   private final Constructor<T> constructor;
@@ -27,9 +27,9 @@ final class RecordBinding<T> {
   }
 
   /**
-   * @param prefix before each variable's name
-   * @throws IllegalArgumentException if it is no record whose components are all variables, or one
-   *     is declared wrongly; names it
+   * @param prefix prefix of each variable's name
+   * @throws IllegalArgumentException if it is not a record whose components are all variables, or
+   *     one is declared incorrectly; names it
    */
   static <T> RecordBinding<T> of(Class<T> type, String prefix) {
     return in(type, prefix)
@@ -41,12 +41,12 @@ final class RecordBinding<T> {
                         + Variable.class.getSimpleName()));
   }
 
-  /** {@link #of} without a prefix; empty if it is no such record. */
+  /** {@link #of} without a prefix; empty if it is not a variables record. */
   static <T> Optional<RecordBinding<T>> in(Class<T> type) {
     return in(type, "");
   }
 
-  @SuppressWarnings("unchecked") // a class's constructors make objects of the class
+  @SuppressWarnings("unchecked") // constructors of a class create its instances
   private static <T> Optional<RecordBinding<T>> in(Class<T> type, String prefix) {
     return Arrays.stream(type.getDeclaredConstructors())
         .filter(each -> each.getParameterCount() > 0)
@@ -63,9 +63,9 @@ final class RecordBinding<T> {
   }
 
   /**
-   * The record of these values, each of which its variable allows.
+   * Creates the record from individually valid values.
    *
-   * @throws IllegalArgumentException if the record refuses them together
+   * @throws IllegalArgumentException if the record rejects the combination
    */
   T bind(Map<String, Object> values) {
     Parameter[] parameters = constructor.getParameters();
@@ -91,7 +91,7 @@ final class RecordBinding<T> {
     return Arrays.stream(type.getEnumConstants())
         .filter(each -> ((Enum<?>) each).name().equals(name))
         .findFirst()
-        .orElseThrow(); // the choices are these
+        .orElseThrow(); // choices are the enum's constants
   }
 
   private VariableDeclaration<?> declaration(Parameter parameter, String prefix) {

@@ -3,13 +3,12 @@ package org.u2sa.interfaces.configuration;
 import java.util.function.Supplier;
 
 /**
- * The variables of a record ({@link Variable}) as they are at the moment: checked once, when this
- * is made, and live. Any thread may ask.
+ * Live values of a variables record ({@link Variable}), validated on creation. Thread-safe.
  *
  * @param <T> the record
  */
 public final class Settings<T> implements Supplier<T> {
-  /** The values of one version of the configuration. */
+  /** Values of one configuration version. */
   private record Bound<T>(long version, T values) {}
 
   private final LiveValues live;
@@ -17,8 +16,8 @@ public final class Settings<T> implements Supplier<T> {
   private volatile Bound<T> bound;
 
   /**
-   * @throws ConfigurationException if a value is refused; names file, line, variable, value and
-   *     what was expected
+   * @throws ConfigurationException if a value is invalid; names file, line, variable, value and
+   *     expectation
    */
   Settings(LiveValues live, RecordBinding<T> binding) {
     this.live = live;
@@ -27,7 +26,7 @@ public final class Settings<T> implements Supplier<T> {
     bound = bind();
   }
 
-  /** The newest values, all of the same moment. Costs next to nothing while none changes. */
+  /** Latest consistent values. Cheap while nothing changes. */
   @Override
   public T get() {
     Bound<T> now = bound;

@@ -9,9 +9,9 @@ import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.frame.Gravity;
 
 /**
- * The units that files may use and the framework converts at its edge; inside it is SI and radians.
- * A quotient of two known units ({@code %/deg}) is known too. Factors: NIST SP 811 (2008), appendix
- * B.8; the knot and nautical mile are exact (1852 m).
+ * Units allowed in files, converted at the edge; SI and radians inside. Quotients of known units
+ * ({@code %/deg}) are supported. Factors: NIST SP 811 (2008), appendix B.8; the knot and nautical
+ * mile are exact (1852 m).
  */
 public final class Units {
   private static final double FOOT_M = 0.3048;
@@ -90,10 +90,10 @@ public final class Units {
   }
 
   /**
-   * {@code value}, given in {@code from}, in {@code to}. A unit converts to itself even if unknown.
+   * Converts {@code value} from one unit to another. A unit converts to itself even if unknown.
    *
-   * @throws IllegalArgumentException if a unit is unknown or the two measure different things;
-   *     lists the units that would do
+   * @throws IllegalArgumentException if a unit is unknown or the two measure different quantities;
+   *     lists valid units
    */
   public static double convert(double value, String from, String to) {
     if (from.equals(to)) {

@@ -6,7 +6,8 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Says that a record's component is a configuration variable. All components of the record say so:
+ * Marks a record component as a configuration variable. Every component of the record must be
+ * annotated:
  *
  * <pre>{@code
  * record Tuning(
@@ -18,41 +19,40 @@ import java.lang.annotation.Target;
  * private final Settings<Tuning> tuning = settings(Tuning.class); // in the service
  * }</pre>
  *
- * <p>Components are double, int, boolean, String or an enum, whose choices are its constants. The
- * record's compact constructor may check values against each other: an {@link
- * IllegalArgumentException}, which names the variables, refuses the configuration at the start, and
- * a change that leads there.
+ * <p>Components are double, int, boolean, String or an enum, whose constants are the choices. The
+ * record's compact constructor may check combinations: an {@link IllegalArgumentException} naming
+ * the variables rejects the configuration at startup and any such change.
  */
 @Retention(RetentionPolicy.RUNTIME)
-@Target(ElementType.PARAMETER) // of the canonical constructor, where Android can read it too
+@Target(ElementType.PARAMETER) // on the canonical constructor's parameters, readable on Android
 public @interface Variable {
-  /** Default of {@link #ifAbsentText}: there is none. */
+  /** Sentinel: no default. */
   String REQUIRED = "\0";
 
-  /** The name in the file; without it the component's: {@code cruiseSpeed} is CRUISE SPEED. */
+  /** Name in the file; defaults to the component name: {@code cruiseSpeed} is CRUISE SPEED. */
   String name() default "";
 
-  /** The unit in which the service gets it, for example {@code m/s}; empty: none. */
+  /** Unit delivered to the service, for example {@code m/s}; empty for none. */
   String unit() default "";
 
-  /** The lowest value of a number. */
+  /** Minimum of a number. */
   double min() default Double.NEGATIVE_INFINITY;
 
-  /** Excludes {@link #min} itself: the values are above it. */
+  /** Makes {@link #min} exclusive. */
   boolean minExcluded() default false;
 
-  /** The highest value of a number. */
+  /** Maximum of a number. */
   double max() default Double.POSITIVE_INFINITY;
 
-  /** A number's value if the file has none; without it the file must have one. */
+  /** Numeric default; if unset, the variable is required. */
   double ifAbsent() default Double.NaN;
 
-  /** The same of a text, a boolean ({@code "false"}) or an enum (a constant's name). */
+  /** Default for a text, boolean ({@code "false"}) or enum (constant name). */
   String ifAbsentText() default REQUIRED;
 
-  /** The only texts allowed, in exactly this case; empty: all are. */
+  /** Allowed texts, case-sensitive; empty for any. */
   String[] oneOf() default {};
 
-  /** What it does, in a sentence for the user who sets it. */
+  /** Description for the user who sets it, as a sentence. */
   String text();
 }

@@ -8,10 +8,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * What a service says about one of its configuration variables: name, type, unit, range, default
- * and meaning. A record with {@link Variable}s says it shorter; this is for what is known only when
- * the service runs, such as a default that a subclass gives. Immutable: each call returns a new
- * one.
+ * Declaration of a configuration variable: name, type, unit, range, default and description. A
+ * record with {@link Variable}s is shorter; use this for properties known only at run time, such as
+ * a subclass's default. Immutable: each call returns a copy.
  *
  * <pre>{@code
  * static final VariableDeclaration<Double> GAIN =
@@ -20,14 +19,14 @@ import java.util.stream.Collectors;
  * }</pre>
  *
  * @param <T> {@link Double}, {@link Integer}, {@link String} or {@link Boolean}
- * @param name the name in the file, unique in its service
- * @param type the type that the file must give it
- * @param javaType the same
- * @param unit the unit in which the service gets it; empty text if none
- * @param range the numbers that it may take
- * @param ifAbsent the value if the file has none; empty if the file must have one
- * @param choices the only values that it may take; empty if there is no such list
- * @param description what it does; empty text if nobody said
+ * @param name name in the file, unique within the service
+ * @param type type required in the file
+ * @param javaType corresponding Java type
+ * @param unit unit delivered to the service; empty if none
+ * @param range allowed range
+ * @param ifAbsent default; empty if the variable is required
+ * @param choices allowed values; empty for any
+ * @param description description; empty if none
  */
 public record VariableDeclaration<T>(
     String name,
@@ -39,7 +38,8 @@ public record VariableDeclaration<T>(
     List<T> choices,
     String description) {
   /**
-   * @throws IllegalArgumentException without a name, or if range or choices exclude the default
+   * @throws IllegalArgumentException if the name is missing, or range or choices exclude the
+   *     default
    */
   public VariableDeclaration {
     if (name.trim().isEmpty()) {
@@ -65,35 +65,38 @@ public record VariableDeclaration<T>(
         name, type, javaType, unit, Range.any(), Optional.empty(), Collections.emptyList(), "");
   }
 
-  /** A decimal number in {@code unit}, for example {@code "m/s"}; empty text for a bare number. */
+  /**
+   * Declares a decimal number in {@code unit}, for example {@code "m/s"}; empty for a dimensionless
+   * number.
+   */
   public static VariableDeclaration<Double> number(String name, String unit) {
     return of(name, VariableType.DOUBLE, Double.class, unit);
   }
 
-  /** A whole number without a unit: a count, a port. */
+  /** Declares an integer without a unit, such as a count or port. */
   public static VariableDeclaration<Integer> integer(String name) {
     return integer(name, "");
   }
 
-  /** A whole number in {@code unit}; a file may not give it in another one. */
+  /** Declares an integer in {@code unit}; files must use the same unit. */
   public static VariableDeclaration<Integer> integer(String name, String unit) {
     return of(name, VariableType.INTEGER, Integer.class, unit);
   }
 
-  /** A text: an address, a path, a name. */
+  /** Declares a text, such as an address, path or name. */
   public static VariableDeclaration<String> text(String name) {
     return of(name, VariableType.STRING, String.class, "");
   }
 
-  /** A yes or no. */
+  /** Declares a boolean. */
   public static VariableDeclaration<Boolean> flag(String name) {
     return of(name, VariableType.BOOLEAN, Boolean.class, "");
   }
 
   /**
-   * The numbers that the variable may take, in its own unit.
+   * Sets the allowed range, in the variable's unit.
    *
-   * @throws IllegalArgumentException if it is not a number, or its default lies outside
+   * @throws IllegalArgumentException if it is not numeric, or the default lies outside
    */
   public VariableDeclaration<T> range(Range newRange) {
     if (!type.isNumber()) {
@@ -104,22 +107,22 @@ public record VariableDeclaration<T>(
   }
 
   /**
-   * The value if the file has none; without it the variable is required.
+   * Sets the default; without it the variable is required.
    *
-   * @throws IllegalArgumentException if the range or the choices exclude it
+   * @throws IllegalArgumentException if range or choices exclude it
    */
   public VariableDeclaration<T> ifAbsent(T value) {
     return new VariableDeclaration<>(
         name, type, javaType, unit, range, Optional.of(value), choices, description);
   }
 
-  /** What the variable does, in a sentence for the user who sets it. */
+  /** Sets the description for the user, as a sentence. */
   public VariableDeclaration<T> describedAs(String newDescription) {
     return new VariableDeclaration<>(
         name, type, javaType, unit, range, ifAbsent, choices, newDescription);
   }
 
-  /** The only values that the variable may take; texts in exactly this case. */
+  /** Sets the allowed values; texts are case-sensitive. */
   @SafeVarargs
   public final VariableDeclaration<T> oneOf(T... values) {
     List<T> only = new ArrayList<>();
@@ -130,13 +133,14 @@ public record VariableDeclaration<T>(
         name, type, javaType, unit, range, ifAbsent, List.copyOf(only), description);
   }
 
-  /** {@code value}, which is of this variable's type, as such. */
+  /** Casts a {@code value} of this variable's type. */
   T cast(Object value) {
     return javaType.cast(value);
   }
 
   /**
-   * Why {@code value}, of this variable's type and unit, is refused: {@code 95 deg is outside …}.
+   * Reason for rejecting a {@code value} of this variable's type and unit: {@code 95 deg is outside
+   * …}.
    */
   Optional<String> refusal(Object value) {
     return refusal(value, unit, range, choices);
@@ -153,7 +157,7 @@ public record VariableDeclaration<T>(
     return Optional.empty();
   }
 
-  /** The choices as a message lists them: {@code "a", "b"}. */
+  /** Choices formatted for a message: {@code "a", "b"}. */
   String choicesText() {
     return text(choices);
   }

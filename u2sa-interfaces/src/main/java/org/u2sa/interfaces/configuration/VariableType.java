@@ -7,16 +7,16 @@ import java.util.regex.Pattern;
 
 /** The types of the thesis's configuration variables (3.2.1.1, 4.5.1.2). */
 public enum VariableType {
-  /** Text of any kind, the empty text included. */
+  /** Any text, including the empty text. */
   STRING("string", String.class, "a text"),
   /** A finite decimal number. */
   DOUBLE("double", Double.class, "a number"),
-  /** A whole number of 32 bits; {@code integer} in a file means the same. */
+  /** A 32-bit integer; {@code integer} in a file is equivalent. */
   INTEGER("int", Integer.class, "a whole number from -2147483648 to 2147483647"),
-  /** {@code true} or {@code false}, in any case. */
+  /** {@code true} or {@code false}, case-insensitive. */
   BOOLEAN("boolean", Boolean.class, "true or false");
 
-  // Double.parseDouble would also take NaN, Infinity, hexadecimal and 1d.
+  // Double.parseDouble also accepts NaN, Infinity, hexadecimal and 1d.
   private static final Pattern DECIMAL =
       Pattern.compile("[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?");
 
@@ -30,17 +30,17 @@ public enum VariableType {
     this.expected = expected;
   }
 
-  /** The name in the {@code type} attribute. */
+  /** Value of the {@code type} attribute. */
   public String xmlName() {
     return xmlName;
   }
 
-  /** Whether values have a magnitude, hence a range and a unit. */
+  /** Whether values are numeric and may have a range and unit. */
   public boolean isNumber() {
     return this == DOUBLE || this == INTEGER;
   }
 
-  /** The type that a {@code type} attribute names, in any case. */
+  /** Type for a {@code type} attribute, case-insensitive. */
   public static Optional<VariableType> named(String xmlName) {
     String wanted = xmlName.trim().toLowerCase(Locale.ROOT);
     if (wanted.equals("integer")) {
@@ -49,15 +49,15 @@ public enum VariableType {
     return Arrays.stream(values()).filter(type -> type.xmlName.equals(wanted)).findFirst();
   }
 
-  /** The type of a Java value; empty if it is of none of the four. */
+  /** Type of a Java value; empty if unsupported. */
   public static Optional<VariableType> of(Object value) {
     return Arrays.stream(values()).filter(type -> type.javaType.isInstance(value)).findFirst();
   }
 
   /**
-   * The value that {@code text} stands for; spaces around numbers and truth values do not count.
+   * Parses {@code text}; spaces around numbers and booleans are ignored.
    *
-   * @throws IllegalArgumentException if it stands for none: {@code "abc" is not a number}
+   * @throws IllegalArgumentException if it is invalid: {@code "abc" is not a number}
    */
   public Object parse(String text) {
     String trimmed = text.trim();
@@ -88,9 +88,9 @@ public enum VariableType {
   }
 
   /**
-   * {@code value} as this type: itself, a text parsed, or a whole number as a decimal one.
+   * Converts {@code value} to this type: as-is, parsed from text, or from integer to decimal.
    *
-   * @throws IllegalArgumentException if it is of another type
+   * @throws IllegalArgumentException if it has another type
    */
   Object convert(Object value) {
     if (javaType.isInstance(value)) {

@@ -13,8 +13,8 @@ import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFileAttributes;
 
 /**
- * Replaces a file as a whole: after a power cut there is the old or the new one. Written beside it,
- * synced, renamed over it.
+ * Replaces a file atomically by writing a temporary file beside it, syncing and renaming: after a
+ * power cut the old or the new file exists.
  */
 public final class WholeFile {
   private static final String SUFFIX = ".tmp";
@@ -22,11 +22,11 @@ public final class WholeFile {
   private WholeFile() {}
 
   /**
-   * Replaces the content of {@code file}, which exists; its owner, group and permissions stay, a
-   * link to it stays one. To be called under the folder's lock: other writers' temporary files are
-   * taken for leftovers of a power cut.
+   * Replaces the content of an existing {@code file}, preserving owner, group, permissions and
+   * links to it. Call under the folder's lock: other writers' temporary files are treated as
+   * leftovers of a power cut.
    *
-   * @throws IOException if that failed: then the old content stands
+   * @throws IOException if that fails; the old content is kept
    */
   static void replace(Path file, byte[] content) throws IOException {
     boolean interrupted = Thread.interrupted(); // would close the channel; given back below
@@ -43,7 +43,7 @@ public final class WholeFile {
     Path directory = target.getParent();
     String prefix = "." + target.getFileName() + ".";
     deleteLeftovers(directory, prefix);
-    Path temporary = Files.createTempFile(directory, prefix, SUFFIX); // its owner's alone
+    Path temporary = Files.createTempFile(directory, prefix, SUFFIX); // private to its owner
     try {
       FileOwnership.copy(target, temporary);
       fillAndRename(temporary, content, target);
@@ -53,10 +53,10 @@ public final class WholeFile {
   }
 
   /**
-   * Fills {@code temporary}, which exists beside {@code target} and is empty, and renames it to
-   * that once its content is on the disk.
+   * Fills {@code temporary}, an empty file beside {@code target}, and renames it to the target once
+   * its content is synced.
    *
-   * @throws IOException if that failed: then the old file stands, or none
+   * @throws IOException if that fails; the old file, if any, is kept
    */
   public static void fillAndRename(Path temporary, byte[] content, Path target) throws IOException {
     try (FileChannel out = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
@@ -68,7 +68,7 @@ public final class WholeFile {
     sync(target.toAbsolutePath().getParent());
   }
 
-  /** Writes all of it at the channel's position. */
+  /** Writes the whole buffer at the channel's position. */
   static void write(FileChannel out, byte[] content) throws IOException {
     ByteBuffer left = ByteBuffer.wrap(content);
     while (left.hasRemaining()) {
@@ -76,9 +76,9 @@ public final class WholeFile {
     }
   }
 
-  /** Has the names of a directory reach the disk: of files that were renamed or made. */
-  // Not every system can open a directory (Windows cannot); there the files are whole all the
-  // same, only the newest change may be lost with the power.
+  /** Syncs a directory so that created and renamed names reach the disk. */
+  // Some systems cannot open a directory (Windows); files are still atomic there, but the latest
+  // change may be lost in a power cut.
   static void sync(Path directory) {
     boolean interrupted = Thread.interrupted(); // would close the channel; given back below
     try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
@@ -92,7 +92,7 @@ public final class WholeFile {
     }
   }
 
-  // What cannot be listed or deleted stays: it is no reason to refuse the change.
+  // Leftovers that cannot be listed or deleted do not prevent the change.
   private static void deleteLeftovers(Path directory, String prefix) {
     try (DirectoryStream<Path> leftovers =
         Files.newDirectoryStream(directory, entry -> isLeftover(entry, prefix))) {
@@ -109,20 +109,20 @@ public final class WholeFile {
     return name.startsWith(prefix) && name.endsWith(SUFFIX);
   }
 
-  /** Whose a file is and who may use it, passed on to the file that takes its place. */
+  /** Ownership and permissions of a file, transferred to its replacement. */
   static final class FileOwnership {
     private FileOwnership() {}
 
     /**
-     * Gives {@code to}, which is this process's own and closed to others, owner, group and
-     * permissions of {@code from}. Never wider on the way than in the end.
+     * Copies owner, group and permissions of {@code from} to {@code to}, a private file of this
+     * process. Permissions are never wider in between than at the end.
      *
-     * @throws IOException if this user may not give it to the owner or the group
+     * @throws IOException if this user may not set the owner or group
      */
     static void copy(Path from, Path to) throws IOException {
       PosixFileAttributeView view = Files.getFileAttributeView(to, PosixFileAttributeView.class);
       if (view == null) {
-        return; // another kind of permissions, which Java does not tell
+        return; // non-POSIX permissions, not visible to Java
       }
       PosixFileAttributes wanted = Files.readAttributes(from, PosixFileAttributes.class);
       PosixFileAttributes now = view.readAttributes();

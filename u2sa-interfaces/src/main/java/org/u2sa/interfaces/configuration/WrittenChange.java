@@ -1,16 +1,16 @@
 package org.u2sa.interfaces.configuration;
 
 /**
- * What came of a change: checked, and on file if it was accepted, but not yet in memory. So the
- * disk is waited for on one thread, and another sees the values change between two of its steps.
+ * A validated change that is on file, if accepted, but not yet in memory: one thread waits for the
+ * disk, and another sees the values change between two of its steps.
  *
- * @param outcome what is to be answered
- * @param effect has the memory follow the disk
+ * @param outcome outcome to report
+ * @param effect applies the change in memory
  */
 public record WrittenChange(ConfigurationOutcome outcome, Runnable effect) {
   /**
-   * Has the variables of the change, and of those written before it, take their new values: all at
-   * once, without a look at the disk. From any thread; a second call has no effect.
+   * Applies this and earlier written changes in memory, all at once and without disk access.
+   * Thread-safe; further calls have no effect.
    *
    * @return {@link #outcome}
    */

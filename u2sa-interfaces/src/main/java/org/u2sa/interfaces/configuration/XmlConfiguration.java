@@ -24,10 +24,10 @@ import org.u2sa.messages.contract.ConfigurationVariable;
  * </configuration>
  * }</pre>
  *
- * <p>The file is read once. A change rewrites the one value in the text that the file then has: its
- * comments, its order and what others changed meanwhile stay. Several variables change together or
- * not at all; the audit log beside the file says who changed what, and a change can be taken back.
- * Any number of processes and threads may write.
+ * <p>The file is read once. A change edits only the value in the current file text, preserving
+ * comments, order and concurrent changes. Several variables change atomically; the audit log beside
+ * the file records who changed what, and changes can be undone. Any number of processes and threads
+ * may write.
  */
 public final class XmlConfiguration implements Configurator {
   private final Optional<Path> file;
@@ -55,8 +55,8 @@ public final class XmlConfiguration implements Configurator {
   /**
    * Reads a configuration file.
    *
-   * @throws ConfigurationException if it is missing, unreadable or not such a file; names file,
-   *     line, variable, value and what was expected
+   * @throws ConfigurationException if it is missing, unreadable or invalid; names file, line,
+   *     variable, value and expectation
    */
   public static XmlConfiguration load(Path file) {
     ConfigurationFile content = ConfigurationFile.read(file);
@@ -85,9 +85,9 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * A configuration without a file: changes last as long as the object.
+   * Creates an in-memory configuration without a file.
    *
-   * @param name how messages name it
+   * @param name name used in messages
    * @param values Integer, Double, Boolean or String by variable, in the declared units
    * @throws IllegalArgumentException if a value is of another class
    */
@@ -99,8 +99,8 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Sets a variable for as long as this object lives, whatever the file says, and leaves the file
-   * alone. To be called before the variable is declared.
+   * Overrides a variable for the lifetime of this object without changing the file. Call before the
+   * variable is declared.
    *
    * @param value Integer, Double, Boolean or String, in the declared unit
    * @throws IllegalArgumentException if the value is of another class
@@ -114,45 +114,43 @@ public final class XmlConfiguration implements Configurator {
     return values.get(ConfigurationValues::overrides);
   }
 
-  /** Where the configuration stands; empty if it has no file. */
+  /** Path of the configuration; empty without a file. */
   public Optional<Path> file() {
     return file;
   }
 
   /**
-   * This configuration, as it is now, for a service of another class that takes the place of the
-   * present one: what only the present one declares need not be declared again.
+   * Copy for a successor service of another class: variables declared only by the current service
+   * need not be declared again.
    */
   public XmlConfiguration forSuccessor() {
     return new XmlConfiguration(this);
   }
 
-  /** Lets variables of the file be there though nobody declares them. */
+  /** Tolerates undeclared variables in the file. */
   public void tolerate(Collection<String> variableNames) {
     values.update(all -> all.tolerate(variableNames));
   }
 
-  /**
-   * The variables that a successor need not declare: all that were declared or tolerated so far.
-   */
+  /** Variables a successor need not declare: all declared or tolerated so far. */
   public Set<String> tolerated() {
     return values.get(ConfigurationValues::tolerated);
   }
 
-  /** Variables of the file that are tolerated and that nobody declares: they have no effect. */
+  /** Tolerated but undeclared variables of the file; they have no effect. */
   public List<String> withoutEffect() {
     return values.get(ConfigurationValues::withoutEffect);
   }
 
   /**
-   * The file that a variable names: a relative path is relative to the configuration file, so that
-   * a system runs from any working directory; without a file, to the working directory.
+   * Resolves a file named by a variable: relative to the configuration file, so that a system runs
+   * from any working directory, or to the working directory without a file.
    */
   public Path resolve(String path) {
     return file.map(own -> own.resolveSibling(path).normalize()).orElseGet(() -> Paths.get(path));
   }
 
-  /** The file, or the name of a configuration without one. */
+  /** The file, or the name of a configuration without a file. */
   public String origin() {
     return values.origin();
   }
@@ -173,7 +171,7 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Refuses variables of the file that no service declared: most are misspelt.
+   * Rejects undeclared variables in the file, which are usually misspelt.
    *
    * @throws ConfigurationException naming the first of them and the nearest declared name
    */
@@ -181,7 +179,7 @@ public final class XmlConfiguration implements Configurator {
     values.update(ConfigurationValues::refuseUndeclared);
   }
 
-  /** What has been declared so far, in that order; the list is the caller's own. */
+  /** Declarations so far, in order; the list belongs to the caller. */
   public List<VariableDeclaration<?>> declared() {
     return values.get(ConfigurationValues::declared);
   }
@@ -192,10 +190,10 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * {@link #setVariable} that says why not.
+   * {@link #setVariable} with a reason.
    *
-   * @return empty if the variable has the new value, in memory and on file; otherwise the reason
-   *     for the log, and the old value stays
+   * @return empty if the variable has the new value in memory and file; otherwise the reason, and
+   *     the old value is kept
    */
   public Optional<String> change(String variableName, Object value) {
     return change(
@@ -207,11 +205,11 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Changes several variables at once, in memory and on file: all of them or none.
+   * Changes several variables atomically, in memory and file.
    *
    * @param wanted values of the variables' types, or their texts, in the declared units
-   * @param seen the {@link #revision} that the author relies on: if it is another one by now,
-   *     nothing is changed; empty: the last one wins
+   * @param seen the {@link #revision} the author relies on; if outdated, nothing is changed; empty
+   *     for last writer wins
    * @param check judges the values together, before anything is written
    */
   public ConfigurationOutcome change(
@@ -220,15 +218,15 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * The part of {@link #change(Map, OptionalLong, ChangeOrigin, ConfigurationCheck)} that waits for
-   * the disk and for other writers: up to some seconds. What it has written is not in memory yet.
+   * The blocking part of {@link #change(Map, OptionalLong, ChangeOrigin, ConfigurationCheck)},
+   * waiting up to seconds for disk and other writers. The change is not in memory yet.
    */
   public WrittenChange write(
       Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
     return changes.change(wanted, seen, by, check);
   }
 
-  /** The refusal of a change that is not even looked at; the audit log does not tell of it. */
+  /** Rejects a change without evaluating it; not recorded in the audit log. */
   public WrittenChange refuse(String reason) {
     ConfigurationOutcome outcome =
         new ConfigurationOutcome(Optional.of(reason), List.of(), Set.of(), revision());
@@ -236,8 +234,8 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Takes the newest change back that was not taken back yet; the next undo takes back the one
-   * before it. The audit log remembers some hundred, whichever process made them.
+   * Undoes the latest change not undone yet; the next undo reverts the one before. The audit log
+   * remembers some hundred changes, by any process.
    *
    * @param check judges the values together, before anything is written
    */
@@ -245,12 +243,12 @@ public final class XmlConfiguration implements Configurator {
     return writeUndo(by, check).takeEffect();
   }
 
-  /** The part of {@link #undo} that waits for the disk, as {@link #write}. */
+  /** The blocking part of {@link #undo}, as {@link #write}. */
   public WrittenChange writeUndo(ChangeOrigin by, ConfigurationCheck check) {
     return changes.undo(by, check);
   }
 
-  /** Counts the changes of the configuration, as far as this object has seen them. */
+  /** Latest revision seen by this object. */
   public long revision() {
     return changes.revision();
   }
@@ -260,7 +258,7 @@ public final class XmlConfiguration implements Configurator {
     return values.get(ConfigurationValues::enumerated);
   }
 
-  /** Every variable with type, value, unit, limits and meaning, for a configuration response. */
+  /** All variables with type, value, unit, limits and description, for a configuration response. */
   public List<ConfigurationVariable> describe() {
     return values.get(ConfigurationValues::described);
   }

@@ -18,13 +18,13 @@ import org.u2sa.interfaces.OneLine;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * The log file of one service (thesis 3.2.1.5, 4.6.1.3, 8.2.3.1): a line has the run's time, level,
- * service, thread ID and message. Each line is on its way to the disk when {@code log} returns,
- * with one system call. Never throws into the service: a line that cannot be written is counted,
- * and the first failure is reported on standard error.
+ * The log file of one service (thesis 3.2.1.5, 4.6.1.3, 8.2.3.1): each line has the run's time,
+ * level, service, thread ID and message, and is passed to the operating system in one call before
+ * {@code log} returns. Never throws: lines that cannot be written are counted, and the first
+ * failure is reported on standard error.
  *
- * <p>No logging library stands between: Logback's file appender drops lines uncounted for a while
- * after a failure, and on a phone it is another library with other methods.
+ * <p>Uses no logging library, because Logback's file appender silently drops lines for a while
+ * after a failure, and Android needs a different library.
  */
 public final class LogFile implements AutoCloseable {
   private static final long NANOS_PER_MICRO = 1_000L;
@@ -36,7 +36,7 @@ public final class LogFile implements AutoCloseable {
   private static final int MAX_MESSAGE_CHARS = 4_000;
   private static final int MAX_TRACE_CHARS = 16_000;
 
-  /** Opens a file for writing at its end, unbuffered; makes it if it is not there. */
+  /** Opens a file for unbuffered appending, creating it if absent. */
   interface Opener {
     OutputStream append(Path file) throws IOException;
   }
@@ -47,22 +47,22 @@ public final class LogFile implements AutoCloseable {
   private final Clock clock;
   private final PrintStream complaints;
   private final Opener opener;
-  private final LogFile first; // of those that share the file; holds what follows
+  private final LogFile first; // first of the logs sharing the file; owns the fields below
   private OutputStream out;
-  private boolean lineBroken; // the last write failed, perhaps in the middle of its line
-  private long lost; // lines since the last one that was written
+  private boolean lineBroken; // the last write failed, possibly mid-line
+  private long lost; // lines lost since the last successful write
   private long failures;
   private boolean said;
   private boolean closed;
 
   /**
-   * Appends to {@code file}; makes it and its folder if need be.
+   * Appends to {@code file}, creating it and its folder if absent.
    *
-   * @param lowest lowest level that is written
-   * @param clock clock of the run, whose time stands in front of each line
+   * @param lowest minimum level written
+   * @param clock clock of the run, for line timestamps
    */
   public LogFile(Path file, String serviceName, LogLevelEnum lowest, Clock clock) {
-    // An interrupt would close a channel; a plain stream writes on.
+    // A plain stream, because an interrupt would close a channel.
     this(
         file,
         serviceName,
@@ -88,7 +88,7 @@ public final class LogFile implements AutoCloseable {
     first = this;
     try {
       open();
-    } catch (IOException e) { // it may become writable: each line tries again
+    } catch (IOException e) { // retried on each line, because it may become writable
       sayOnce(e);
     }
   }
@@ -104,23 +104,23 @@ public final class LogFile implements AutoCloseable {
   }
 
   /**
-   * The same open file for a service that goes on in the place of this one.
+   * Shares the open file with a successor service.
    *
-   * @param successors its clock
+   * @param successors the successor's clock
    */
   public LogFile forSuccessor(Clock successors) {
     return new LogFile(this, successors);
   }
 
-  /** Writes a line, unless {@code level} is below the lowest that is written. */
+  /** Writes a line unless {@code level} is below the minimum. */
   public void log(LogLevelEnum level, String message) {
     log(level, message, null);
   }
 
   /**
-   * Writes a line with the stack trace of what went wrong, indented below it.
+   * Writes a line with an indented stack trace.
    *
-   * @param thrown what went wrong, or null
+   * @param thrown cause, or null
    */
   public void log(LogLevelEnum level, String message, Throwable thrown) {
     if (writes(level)) {
@@ -128,7 +128,7 @@ public final class LogFile implements AutoCloseable {
     }
   }
 
-  /** Whether lines of this level are written: spares the making of costly messages. */
+  /** Whether this level is written, to avoid composing costly messages. */
   public boolean writes(LogLevelEnum level) {
     return level.compareTo(lowest) >= 0;
   }
@@ -180,7 +180,7 @@ public final class LogFile implements AutoCloseable {
     out = null;
   }
 
-  /** How many lines could not be written. */
+  /** Number of lines that could not be written. */
   public long failures() {
     return first.countFailures();
   }

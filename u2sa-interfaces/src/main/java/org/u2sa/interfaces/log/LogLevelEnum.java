@@ -2,12 +2,12 @@ package org.u2sa.interfaces.log;
 
 /** Priority of a log line, lowest first (thesis 3.2.1.5). */
 public enum LogLevelEnum {
-  /** What only a developer wants to know. */
+  /** Information for developers. */
   DEBUG,
-  /** What happens when all is well. */
+  /** Normal operation. */
   INFO,
-  /** Something is wrong, and the service copes. */
+  /** A problem the service can handle. */
   WARN,
-  /** Something is wrong, and the service cannot do its work. */
+  /** A problem that keeps the service from working. */
   ERROR
 }

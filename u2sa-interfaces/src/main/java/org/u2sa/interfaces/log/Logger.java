@@ -6,6 +6,6 @@ import org.u2sa.interfaces.configuration.Configurator;
  * Writes lines to the log file of a service, in the one format that all services share (3.2.1.5).
  */
 public interface Logger extends Configurator {
-  /** Writes one line, unless {@code level} is below the lowest level that is written to file. */
+  /** Writes a line unless {@code level} is below the minimum written to file. */
   void log(LogLevelEnum level, String logMessage);
 }

@@ -1,2 +1,2 @@
-/** The log of a service. What goes to SLF4J is not here. */
+/** Log files of services. SLF4J output of libraries is not handled here. */
 package org.u2sa.interfaces.log;

@@ -4,13 +4,13 @@ import java.util.Collection;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Finds the name that a user most likely meant, for the end of an error message. */
+/** Suggests the name a user most likely meant, for error messages. */
 public final class NearestNames {
   private NearestNames() {}
 
   /**
-   * The known name that needs the fewest edits from {@code given}, case aside; empty if even that
-   * one differs in more than a third of its letters.
+   * Known name with the smallest edit distance to {@code given}, ignoring case; empty if it differs
+   * in more than a third of its letters.
    */
   public static Optional<String> nearest(String given, Collection<String> known) {
     String wanted = given.toLowerCase(Locale.ROOT);
@@ -31,8 +31,8 @@ public final class NearestNames {
     return nearest(given, known).map(name -> "; did you mean \"" + name + "\"?").orElse("");
   }
 
-  // Insertions, deletions, replacements and swaps of neighbours (optimal string alignment,
-  // Damerau 1964): swapped letters are the commonest slip.
+  // Optimal string alignment distance (Damerau 1964), which counts a transposition, the most common
+  // typo, as one edit.
   private static int edits(String from, String to) {
     int[][] edits = new int[from.length() + 1][to.length() + 1];
     for (int i = 0; i <= from.length(); i++) {

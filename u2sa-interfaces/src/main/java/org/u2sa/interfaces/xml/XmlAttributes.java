@@ -3,7 +3,7 @@ package org.u2sa.interfaces.xml;
 import java.nio.charset.Charset;
 import java.nio.charset.CharsetEncoder;
 
-/** Finds and writes attribute values in the text of an XML file that is known to be well-formed. */
+/** Locates and edits attribute values in well-formed XML text. */
 final class XmlAttributes {
   private static final int FIRST_PRINTABLE = 0x20;
   private static final int LAST_ASCII = 0x7E;
@@ -12,11 +12,11 @@ final class XmlAttributes {
 
   private XmlAttributes() {}
 
-  /** A value's place between its quotes, and the quote. */
+  /** Position of a value between its quotes, and the quote character. */
   record Value(int start, int end, char quote) {}
 
   /**
-   * Where the value of {@code attribute} stands in the start tag whose {@code <} is at {@code tag}.
+   * Position of the value of {@code attribute} in the start tag whose {@code <} is at {@code tag}.
    */
   static Value find(String text, int tag, String attribute) {
     int at = tag;
@@ -30,7 +30,7 @@ final class XmlAttributes {
         at++;
       }
       String name = text.substring(nameStart, at);
-      int open = skipSpace(text, skipSpace(text, at) + 1); // over the equals sign
+      int open = skipSpace(text, skipSpace(text, at) + 1); // skip the equals sign
       char quote = text.charAt(open);
       int close = text.indexOf(quote, open + 1);
       if (name.equals(attribute)) {
@@ -51,9 +51,9 @@ final class XmlAttributes {
   }
 
   /**
-   * {@code value} as it stands between {@code quote}s in a file of that encoding.
+   * Escapes {@code value} for use between {@code quote}s in a file of this encoding.
    *
-   * @throws IllegalArgumentException if XML cannot hold one of its characters
+   * @throws IllegalArgumentException if a character is not representable in XML
    */
   static String escaped(String value, char quote, Charset charset) {
     CharsetEncoder encoder = charset.newEncoder();
@@ -93,7 +93,8 @@ final class XmlAttributes {
         || c >= 0x10000;
   }
 
-  // White space that reading would turn into spaces (XML 1.0, 3.3.3; line ends of XML 1.1, 2.11).
+  // White space that would be normalised to spaces on reading (XML 1.0, 3.3.3; line ends of XML
+  // 1.1, 2.11).
   private static boolean altered(int c) {
     return c < FIRST_PRINTABLE || c > LAST_ASCII && c <= LAST_CONTROL || c == LINE_SEPARATOR;
   }

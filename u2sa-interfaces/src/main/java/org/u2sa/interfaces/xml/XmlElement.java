@@ -11,17 +11,16 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * An element of an XML file that knows where it stands, so that whoever refuses it can say where.
- * Names keep their case; text and child elements do not mix. Immutable.
+ * An XML element with its position, for error messages. Names are case-sensitive; mixed content is
+ * not supported. Immutable.
  *
- * @param origin the file that it was read from, as the user named it
- * @param name the name of the tag
- * @param line the line on which the tag begins, from 1
- * @param span where it stands in the file's text
- * @param attributes all attributes in the order of the file
- * @param children all child elements in the order of the file
- * @param text the text between the tags without the spaces around it; empty if there are child
- *     elements
+ * @param origin source file, as named by the user
+ * @param name tag name
+ * @param line line of the start tag, from 1
+ * @param span position in the file's text
+ * @param attributes all attributes in file order
+ * @param children all child elements in file order
+ * @param text trimmed text content; empty if there are child elements
  */
 public record XmlElement(
     String origin,
@@ -31,11 +30,12 @@ public record XmlElement(
     Map<String, String> attributes,
     List<XmlElement> children,
     String text) {
-  /** Keeps copies that nobody can change. */
+  /** Makes unmodifiable copies. */
   public XmlElement {
     attributes =
         attributes.isEmpty()
-            ? Collections.emptyMap() // most have none, and a file may have a million elements
+            ? Collections
+                .emptyMap() // saves memory: most elements have none, and a file may have a million
             : Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
     children =
         children.isEmpty()
@@ -44,21 +44,21 @@ public record XmlElement(
   }
 
   /**
-   * An attribute that must be there.
+   * A required attribute.
    *
-   * @throws BadInputException if it is not
+   * @throws BadInputException if it is missing
    */
   public String attribute(String attributeName) {
     return optionalAttribute(attributeName)
         .orElseThrow(() -> error("attribute \"" + attributeName + "\" is missing"));
   }
 
-  /** An attribute that may be there. */
+  /** An optional attribute. */
   public Optional<String> optionalAttribute(String attributeName) {
     return Optional.ofNullable(attributes.get(attributeName));
   }
 
-  /** The child elements of that name in the order of the file. */
+  /** Child elements by name, in file order. */
   public List<XmlElement> children(String childName) {
     return children.stream()
         .filter(child -> child.name.equals(childName))
@@ -66,9 +66,9 @@ public record XmlElement(
   }
 
   /**
-   * The child element of that name, of which there may be one.
+   * The only child element with this name, if present.
    *
-   * @throws BadInputException if there are more
+   * @throws BadInputException if there are several
    */
   public Optional<XmlElement> child(String childName) {
     List<XmlElement> found = children(childName);
@@ -82,20 +82,20 @@ public record XmlElement(
     return found.stream().findFirst();
   }
 
-  /** The exception to throw for this element: {@code <origin>, line N, <element>: what}. */
+  /** Creates an exception for this element: {@code <origin>, line N, <element>: what}. */
   public BadInputException error(String what) {
     return new BadInputException(origin + ", line " + line + ", <" + name + ">: " + what);
   }
 
-  /** {@link #error(String)} with what was caught. */
+  /** {@link #error(String)} with a cause. */
   public BadInputException error(String what, Throwable cause) {
     return new BadInputException(origin + ", line " + line + ", <" + name + ">: " + what, cause);
   }
 
   /**
-   * Refuses attributes of other names than these.
+   * Rejects unknown attributes.
    *
-   * @throws BadInputException naming the first such attribute and the known ones
+   * @throws BadInputException naming the first unknown attribute and the known ones
    */
   public void refuseUnknownAttributes(String... known) {
     for (String attribute : attributes.keySet()) {
@@ -107,9 +107,9 @@ public record XmlElement(
   }
 
   /**
-   * Refuses child elements of other names than these.
+   * Rejects unknown child elements.
    *
-   * @throws BadInputException at the first such child, naming the known ones
+   * @throws BadInputException at the first unknown child, naming the known ones
    */
   public void refuseUnknownChildren(String... known) {
     for (XmlElement child : children) {
@@ -121,9 +121,9 @@ public record XmlElement(
   }
 
   /**
-   * Refuses text between the tags.
+   * Rejects text content.
    *
-   * @throws BadInputException showing the beginning of the text
+   * @throws BadInputException quoting the start of the text
    */
   public void refuseText() {
     if (!text.isEmpty()) {
@@ -146,11 +146,10 @@ public record XmlElement(
   }
 
   /**
-   * Where an element stands in the text of its file, in characters from its beginning.
+   * Position of an element in its file's text, as character offsets.
    *
    * @param start index of the start tag's {@code <}
-   * @param endTag index of the end tag's {@code <}; of no meaning for an empty-element tag, which
-   *     has none
+   * @param endTag index of the end tag's {@code <}; undefined for an empty-element tag
    */
   public record Span(int start, int endTag) {}
 }

@@ -18,25 +18,25 @@ import javax.xml.stream.XMLStreamReader;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Turns text into elements. The only class that knows Woodstox and StAX; the factory is named,
- * because Android has no look-up for it.
+ * Parses text into elements. The only class that uses Woodstox and StAX; the factory is named
+ * explicitly, because Android has no look-up for it.
  *
- * <p>What a text says of places outside of it is never followed: a DOCTYPE is refused, and should
- * the parser want anything else than the text, it gets an error.
+ * <p>External references are never followed: a DOCTYPE is rejected, and any other external access
+ * fails.
  */
 final class XmlParser {
   private static final int MAX_DEPTH = 100;
   private static final int MAX_ELEMENTS = 1_000_000;
-  private static final int MAX_ATTRIBUTES = 100; // of one element
+  private static final int MAX_ATTRIBUTES = 100; // per element
   private static final int MAX_ATTRIBUTE_LENGTH = 1_000_000;
   private static final int MAX_NAME_LENGTH = 200;
   private static final char BYTE_ORDER_MARK = '\uFEFF';
-  // Never changed after construction.
+  // Immutable after construction.
   private static final XMLInputFactory FACTORY = factory();
 
   private final String origin;
   private final XMLStreamReader reader;
-  private final int offset; // of the reader's first character in the file's text
+  private final int offset; // offset of the reader's first character in the file's text
   private final Deque<Open> open = new ArrayDeque<>();
   private int elements;
 
@@ -59,11 +59,13 @@ final class XmlParser {
     woodstox.setProperty(WstxInputProperties.P_ENTITY_RESOLVER, nothing);
     woodstox.setProperty(WstxInputProperties.P_MAX_ATTRIBUTES_PER_ELEMENT, MAX_ATTRIBUTES);
     woodstox.setProperty(WstxInputProperties.P_MAX_ATTRIBUTE_SIZE, MAX_ATTRIBUTE_LENGTH);
-    woodstox.getConfig().doParseLazily(false); // errors come as XMLStreamException, where they are
+    woodstox
+        .getConfig()
+        .doParseLazily(false); // report errors as XMLStreamException at their position
     return woodstox;
   }
 
-  /** An element whose end tag has not come yet. */
+  /** An element whose end tag has not been read yet. */
   private static final class Open {
     private final String name;
     private final int line;
@@ -92,7 +94,7 @@ final class XmlParser {
         reader.close();
       }
     } catch (XMLStreamException e) {
-      throw notWellFormed(origin, e, e.getLocation()); // at the very beginning
+      throw notWellFormed(origin, e, e.getLocation()); // at the start of the file
     }
   }
 
@@ -113,7 +115,7 @@ final class XmlParser {
         case XMLStreamConstants.DTD:
           throw new BadInputException(
               origin + ", line " + line() + ": a DOCTYPE is not allowed here");
-        default: // comments, processing instructions and the space around the root say nothing
+        default: // ignore comments, processing instructions and white space around the root
       }
     }
     return last;
@@ -188,9 +190,9 @@ final class XmlParser {
 
   private static BadInputException notWellFormed(
       String origin, XMLStreamException e, Location reached) {
-    // Woodstox puts the place on a second line of its message, which stands in front already.
+    // Drops the position Woodstox appends on a second line, because it is already given in front.
     String what = e.getMessage().split("\\n\\s*at \\[row", 2)[0].trim();
-    Location at = e.getLocation() == null ? reached : e.getLocation(); // none of exceeded limits
+    Location at = e.getLocation() == null ? reached : e.getLocation(); // null for exceeded limits
     String where = at == null ? "" : ", line " + Math.max(1, at.getLineNumber());
     return new BadInputException(
         origin + where + ": not well-formed XML: " + XmlText.oneLine(what), e);

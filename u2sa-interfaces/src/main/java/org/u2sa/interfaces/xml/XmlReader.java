@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Reads XML files into {@link XmlElement}s. Safe against hostile files: nothing outside of the file
- * is read or asked, no DTD, no entities beside XML's own; bounded size, depth and kind of file.
+ * Reads XML files into {@link XmlElement}s. Hardened against hostile files: no external access, no
+ * DTD, only predefined entities; size, depth and file type are limited.
  */
 public final class XmlReader {
   private static final int CHUNK = 8192;
@@ -16,20 +16,20 @@ public final class XmlReader {
   private XmlReader() {}
 
   /**
-   * The root element of a file.
+   * * Reads the root element of a file.
    *
-   * @param expectedRoot the name that it must have
-   * @throws BadInputException if the file is missing, unreadable or not such XML; names file, line
-   *     and what was expected
+   * @param expectedRoot required name
+   * @throws BadInputException if the file is missing, unreadable or invalid; names file, line and
+   *     expectation
    */
   public static XmlElement read(Path file, String expectedRoot) {
     return XmlText.read(file).root(expectedRoot);
   }
 
   /**
-   * The root element of a stream, which is read to its end and not closed.
+   * Reads the root element of a stream to its end, without closing it.
    *
-   * @param origin how messages name the source
+   * @param origin name of the source in messages
    * @throws BadInputException as {@link #read(Path, String)}
    */
   public static XmlElement read(InputStream in, String origin, String expectedRoot) {
@@ -40,7 +40,7 @@ public final class XmlReader {
     }
   }
 
-  /** What the stream holds, up to a little more than may be read: it may have grown, or no end. */
+  /** Content of the stream, up to slightly more than the limit, because it may be endless. */
   static byte[] bytes(InputStream in) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     byte[] chunk = new byte[CHUNK];

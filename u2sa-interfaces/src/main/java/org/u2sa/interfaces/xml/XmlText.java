@@ -21,11 +21,11 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * An XML file as the text that its author wrote. {@link #root} reads it; the {@code with…}
- * functions give the text with one change, every other character where it was. Immutable.
+ * An XML file as text. {@link #root} parses it; the {@code with…} methods return the text with a
+ * single change, preserving all other characters. Immutable.
  */
 public final class XmlText {
-  /** Largest file that is read: a world of a hundred thousand points is a third of it. */
+  /** Maximum file size; a world of a hundred thousand points is a third of it. */
   static final int MAX_BYTES = 16 * 1024 * 1024;
 
   private static final int DECLARATION_LENGTH = 200;
@@ -44,11 +44,10 @@ public final class XmlText {
   }
 
   /**
-   * The text of a file, decoded as its byte order mark or XML declaration says, else as UTF-8.
-   * Regular files only: a device or a pipe may have no end, or no beginning; nor has the kernel's
-   * file of no size, whose reader may wait for ever.
+   * Reads a file, decoded by its byte order mark or XML declaration, otherwise as UTF-8. Regular
+   * files only, because reading a device, a pipe or a zero-size kernel file may block or never end.
    *
-   * @throws BadInputException if it is missing, unreadable, too large or wrongly encoded
+   * @throws BadInputException if it is missing, unreadable, too large or incorrectly encoded
    */
   public static XmlText read(Path file) {
     try {
@@ -116,10 +115,10 @@ public final class XmlText {
   }
 
   /**
-   * This text with another value of an attribute that {@code element}, read from this very text,
-   * has.
+   * Copy with another value of an existing attribute of {@code element}, which was read from this
+   * text.
    *
-   * @throws IllegalArgumentException if XML cannot hold a character of {@code value}
+   * @throws IllegalArgumentException if a character of {@code value} is not representable in XML
    */
   public XmlText withAttribute(XmlElement element, String attribute, String value) {
     XmlAttributes.Value place = XmlAttributes.find(text, element.span().start(), attribute);
@@ -127,10 +126,10 @@ public final class XmlText {
   }
 
   /**
-   * This text with one more empty element as the last child of {@code parent}, read from this very
-   * text, on a line of its own and indented as the child before it.
+   * Copy with another empty element as the last child of {@code parent}, which was read from this
+   * text, on its own line and indented like the previous child.
    *
-   * @throws IllegalArgumentException if XML cannot hold a character of an attribute
+   * @throws IllegalArgumentException if a character of an attribute is not representable in XML
    */
   public XmlText withLastChild(XmlElement parent, String name, Map<String, String> attributes) {
     StringBuilder child = new StringBuilder("<").append(name);
@@ -151,7 +150,7 @@ public final class XmlText {
             ? parentIndent + "  "
             : indent(parent.children().get(parent.children().size() - 1).span().start());
     int close = XmlAttributes.tagEnd(text, parent.span().start());
-    if (text.charAt(close - 1) == '/') { // <parent/>: opened to take the child
+    if (text.charAt(close - 1) == '/') { // <parent/>: expand to hold the child
       String endTag = "</" + parent.name() + ">";
       return with(
           close - 1,
@@ -166,8 +165,8 @@ public final class XmlText {
   }
 
   /**
-   * This text without {@code element}, read from this very text; without its line, too, if nothing
-   * else stands on it.
+   * Copy without {@code element}, which was read from this text, and without its line if otherwise
+   * empty.
    */
   public XmlText without(XmlElement element) {
     int from = element.span().start();
@@ -183,18 +182,18 @@ public final class XmlText {
     return ownLine ? with(lineStart, lineEnd, "") : with(from, to, "");
   }
 
-  /** The bytes of the file. */
+  /** Encoded bytes of the file. */
   public byte[] bytes() {
     return text.getBytes(charset);
   }
 
-  /** The beginning of a long text on one line, for a message. */
+  /** Shortens a text to one line, for a message. */
   static String shortened(String text) {
     String line = oneLine(text);
     return line.length() <= SHORT ? line : line.substring(0, SHORT) + "…";
   }
 
-  /** A text of the file as a message can show it: without line ends and other controls. */
+  /** Sanitises text for a message: no line breaks or control characters. */
   static String oneLine(String text) {
     return text.replaceAll("[\\p{Cntrl}\\s]+", " ");
   }

@@ -1,6 +1,6 @@
 /**
- * The one XML reader of the framework: elements with their line numbers, no DTD, no external
- * entities, and edits that touch a single attribute. What an element means (configuration, mission,
- * world, system) belongs to the package that reads it.
+ * The framework's only XML reader: elements with line numbers, no DTD, no external entities, and
+ * single-attribute edits. The meaning of elements (configuration, mission, world, system) belongs
+ * to the reading package.
  */
 package org.u2sa.interfaces.xml;
