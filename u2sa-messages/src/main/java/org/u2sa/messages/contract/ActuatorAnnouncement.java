@@ -59,7 +59,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   private static final ValueField<ActuatorAnnouncement, String> SERVICE_NAME =
       SCHEMA.optionalName("serviceName");
   private static final ValueField<ActuatorAnnouncement, List<String>> COMMAND_TYPES =
-      SCHEMA.optionalIds("commandTypes");
+      SCHEMA.optionalTexts("commandTypes");
 
   /** The schema. */
   public static final MessageType<ActuatorAnnouncement> TYPE = SCHEMA.build();

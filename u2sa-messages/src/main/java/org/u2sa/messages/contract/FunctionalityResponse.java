@@ -12,9 +12,9 @@ public final class FunctionalityResponse extends ServiceMessage<FunctionalityRes
       Schema.of(FunctionalityResponse.class, FunctionalityResponse::new, U2SAData.TYPE)
           .requiring(SERVICE_NAME);
   private static final ValueField<FunctionalityResponse, List<String>> PUBLISHES =
-      SCHEMA.ids("publishes");
+      SCHEMA.texts("publishes");
   private static final ValueField<FunctionalityResponse, List<String>> SUBSCRIBES =
-      SCHEMA.ids("subscribes");
+      SCHEMA.texts("subscribes");
 
   /** The schema. */
   public static final MessageType<FunctionalityResponse> TYPE = SCHEMA.build();
