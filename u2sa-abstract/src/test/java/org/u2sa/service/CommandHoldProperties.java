@@ -101,7 +101,7 @@ class CommandHoldProperties {
         Arbitraries.oneOf(
             Arbitraries.just(NONE),
             Arbitraries.doubles().between(0.001, 2.0).ofScale(3),
-            Arbitraries.just(1e300));
+            Arbitraries.just(1e15));
     return Combinators.combine(
             percentages, origins, expiries, Arbitraries.doubles().between(0.0, 1.0).ofScale(3))
         .as(CommandHoldProperties::arrival)

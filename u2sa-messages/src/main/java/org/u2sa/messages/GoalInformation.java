@@ -19,7 +19,7 @@ public abstract class GoalInformation extends U2SAData {
       Schema.ofAbstract(GoalInformation.class, UnknownGoal::new, U2SAData.TYPE);
   private static final ValueField<GoalInformation, String> UID = SCHEMA.requiredId("uid");
   private static final ValueField<GoalInformation, Boolean> COMPLETED = SCHEMA.flag("completed");
-  private static final ValueField<GoalInformation, List<String>> NEXT = SCHEMA.texts("next");
+  private static final ValueField<GoalInformation, List<String>> NEXT = SCHEMA.ids("next");
   private static final ValueField<GoalInformation, String> DESCRIPTION =
       SCHEMA.optionalText("description");
   private static final ValueField<GoalInformation, Boolean> ABANDONED = SCHEMA.flag("abandoned");
@@ -38,21 +38,21 @@ public abstract class GoalInformation extends U2SAData {
    * mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_DONE =
-      SCHEMA.optionalTexts("nextIfDone");
+      SCHEMA.optionalIds("nextIfDone");
 
   /**
    * UIDs of the goals that follow if it was given up, in place of next; an empty list ends the
    * mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_FAILED =
-      SCHEMA.optionalTexts("nextIfFailed");
+      SCHEMA.optionalIds("nextIfFailed");
 
   /**
    * UIDs of the goals that follow if its time ran out, in place of next; an empty list ends the
    * mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_TIMED_OUT =
-      SCHEMA.optionalTexts("nextIfTimedOut");
+      SCHEMA.optionalIds("nextIfTimedOut");
 
   private static final ValueField<GoalInformation, String> REPEAT_FROM =
       SCHEMA.optionalId("repeatFrom");

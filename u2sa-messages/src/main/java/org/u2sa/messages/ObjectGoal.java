@@ -19,7 +19,7 @@ public class ObjectGoal extends GoalInformation {
   private static final NumberField<ObjectGoal> WITHIN =
       SCHEMA.requiredNumber("within", "m", 0.0, Double.POSITIVE_INFINITY);
   private static final NumberField<ObjectGoal> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
-  private static final ValueField<ObjectGoal, List<String>> POINTED = SCHEMA.texts("pointed");
+  private static final ValueField<ObjectGoal, List<String>> POINTED = SCHEMA.ids("pointed");
 
   /** The schema. */
   public static final MessageType<ObjectGoal> TYPE = SCHEMA.build();

@@ -173,7 +173,8 @@ public class PathPlanner extends EventDrivenService {
     if (Vehicle.of(state).isPresent()) {
       plan(state);
     } else {
-      complain("no plan from a state without x, y or psi: " + state, "state incomplete");
+      complain(
+          "no plan from a state without x, y or psi, or in BODY: " + state, "state incomplete");
     }
   }
 

@@ -25,15 +25,17 @@ final class Vehicle {
   }
 
   /**
-   * The vehicle in that state; empty if the state lacks position or heading.
-   *
-   * @throws IllegalArgumentException if the state is in a frame of the vehicle itself
+   * The vehicle in that state; empty if the state lacks position or heading, or is in a frame of
+   * the vehicle itself.
    */
   static Optional<Vehicle> of(StateInformation state) {
     if (state.x().isEmpty() || state.y().isEmpty() || state.psi().isEmpty()) {
       return Optional.empty();
     }
     ReferenceFrame frame = state.referenceFrame();
+    if (frame.isBody()) {
+      return Optional.empty();
+    }
     if (frame.isUtm()) {
       return Optional.of(new Vehicle(state.in(ReferenceFrame.GLOBAL)));
     }

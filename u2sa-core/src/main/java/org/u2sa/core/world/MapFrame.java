@@ -96,8 +96,8 @@ public final class MapFrame {
   }
 
   /**
-   * An object in this frame; empty if there is no way, as from LOCAL_NED to GLOBAL, or from BODY
-   * for a vehicle of unknown place.
+   * An object in this frame; empty if there is no way, as from LOCAL_NED to GLOBAL, from BODY for a
+   * vehicle of unknown place, or for numbers that lead beyond all places.
    *
    * @param vehicle when the object was seen; empty: unknown
    */
@@ -112,7 +112,11 @@ public final class MapFrame {
     if (between ? vehicle.filter(each -> joins(object, each)).isEmpty() : !sameFamily) {
       return Optional.empty();
     }
-    return Optional.of(object.in(frame, vehicle.orElse(null)));
+    try {
+      return Optional.of(object.in(frame, vehicle.orElse(null)));
+    } catch (IllegalArgumentException e) { // it would lie beyond all places
+      return Optional.empty();
+    }
   }
 
   private boolean joins(ObjectDescription object, StateInformation vehicle) {

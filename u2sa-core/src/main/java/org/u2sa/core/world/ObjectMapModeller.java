@@ -21,6 +21,9 @@ import org.u2sa.service.HandOver;
  * certain of what it sees repeatedly, follows what moves, and drops what is not where it should be.
  */
 final class ObjectMapModeller implements Modeller {
+  /** Length of a name that is still one with a number behind it. */
+  private static final int MAX_NUMBERED_CHARS = 900;
+
   private final Settings<ObjectMapSettings> settings;
   private final List<MappedObject> tracks = new ArrayList<>();
   private final TrackReport report = new TrackReport();
@@ -31,6 +34,7 @@ final class ObjectMapModeller implements Modeller {
   private long sightings;
   private long unplaced;
   private long misread;
+  private long absurd;
 
   ObjectMapModeller(Configurator configuration) {
     settings = configuration.settings(ObjectMapSettings.class);
@@ -99,9 +103,10 @@ final class ObjectMapModeller implements Modeller {
   private String freeUid(String wanted) {
     Set<String> taken = new HashSet<>();
     tracks.forEach(track -> taken.add(track.uid()));
+    String base = wanted.length() <= MAX_NUMBERED_CHARS ? wanted : "object";
     String uid = wanted;
     for (int n = 2; taken.contains(uid); n++) {
-      uid = wanted + " " + n;
+      uid = base + " " + n;
     }
     return uid;
   }
@@ -239,10 +244,15 @@ final class ObjectMapModeller implements Modeller {
     ObjectMapSettings tuning = settings.get();
     tidy(now.micros(), tuning);
     List<ObjectDescription> objects = new ArrayList<>();
-    for (MappedObject track : tracks) {
+    for (MappedObject track : List.copyOf(tracks)) {
       if (track.isConfirmed()) {
-        track.predict(now.micros(), tuning);
-        objects.add(report.of(track, frame, tuning, now.micros()));
+        try {
+          track.predict(now.micros(), tuning);
+          objects.add(report.of(track, frame, tuning, now.micros()));
+        } catch (IllegalArgumentException e) { // numbers that no message takes: absurd sightings
+          tracks.remove(track);
+          absurd++;
+        }
       }
     }
     for (ObjectDescription object : known) { // for which there is no way into this frame
@@ -270,7 +280,8 @@ final class ObjectMapModeller implements Modeller {
         + frame.frame()
         + ", "
         + misread
-        + " of a name in the wrong place";
+        + " of a name in the wrong place"
+        + (absurd == 0 ? "" : ", " + absurd + " forgotten for absurd numbers");
   }
 
   @Override

@@ -274,9 +274,14 @@ public final class WorldModeler extends PeriodicService {
     if (frame.frame().isBody()) {
       return Optional.of(new Sighting(micros, frame, Optional.empty()));
     }
-    return poses
-        .at(micros, settings.get().gapMicros())
-        .map(vehicle -> new Sighting(micros, frame, Optional.of(vehicle)));
+    try {
+      return poses
+          .at(micros, settings.get().gapMicros())
+          .map(vehicle -> new Sighting(micros, frame, Optional.of(vehicle)));
+    } catch (IllegalArgumentException e) { // speeds that lead beyond all numbers
+      count.badState();
+      return Optional.empty();
+    }
   }
 
   private Sighting now() {

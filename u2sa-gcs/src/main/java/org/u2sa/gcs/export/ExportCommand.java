@@ -100,6 +100,9 @@ public final class ExportCommand implements Callable<Integer> {
       } else {
         map(recording, span);
       }
+      recording
+          .undecodable()
+          .ifPresent(what -> command.commandLine().getErr().println("u2sa: " + what));
     }
     return ExitCode.DONE;
   }

@@ -135,15 +135,19 @@ final class ViewerRecording {
 
   private McapMessage converted(McapChannel channel, McapMessage message) {
     Optional<Topic> topic = recording.topic(channel);
-    return topic.isEmpty()
-        ? message
-        : new McapMessage(
-            message.channelId(),
-            message.sequence(),
-            message.logTimeNanos(),
-            message.publishTimeNanos(),
-            ViewerJson.fields(recording.decode(topic.get(), message))
-                .line()
-                .getBytes(StandardCharsets.UTF_8));
+    if (topic.isEmpty()) {
+      return message;
+    }
+    String json =
+        recording
+            .decode(topic.get(), message)
+            .map(each -> ViewerJson.fields(each).line())
+            .orElse("{}");
+    return new McapMessage(
+        message.channelId(),
+        message.sequence(),
+        message.logTimeNanos(),
+        message.publishTimeNanos(),
+        json.getBytes(StandardCharsets.UTF_8));
   }
 }

@@ -33,6 +33,8 @@ public final class RecordedMessages implements AutoCloseable {
   private final McapReader reader;
   private final Map<Integer, Topic> topics = new TreeMap<>();
   private final MessageCodec codec = new MessageCodec(MessageTypes.discovered());
+  private long undecodable;
+  private String firstUndecodable = "";
 
   /** Takes messages one after the other. */
   @FunctionalInterface
@@ -134,20 +136,33 @@ public final class RecordedMessages implements AutoCloseable {
   }
 
   /**
-   * The message in a record of the file.
-   *
-   * @throws BadInputException if it cannot be decoded
+   * The message in a record of the file; empty if it cannot be decoded, which {@link #undecodable}
+   * says: one bad message, as an attacker may have sent it, spoils no recording.
    */
-  public U2SAData decode(Topic topic, McapMessage recorded) {
+  public Optional<U2SAData> decode(Topic topic, McapMessage recorded) {
     try {
-      return codec.decode(topic.typeChain(), recorded.data());
+      return Optional.of(codec.decode(topic.typeChain(), recorded.data()));
     } catch (MalformedMessageException e) {
-      throw new BadInputException(file + ": a message on " + topic + ": " + e, e);
+      if (undecodable++ == 0) {
+        firstUndecodable = topic + ": " + e.getMessage();
+      }
+      return Optional.empty();
     }
   }
 
+  /** What could not be decoded so far, in words; empty if nothing. */
+  public Optional<String> undecodable() {
+    return undecodable == 0
+        ? Optional.empty()
+        : Optional.of(
+            "messages that cannot be decoded: "
+                + undecodable
+                + ", the first on "
+                + firstUndecodable);
+  }
+
   /**
-   * Hands over all messages of some channels, in the order of their log times.
+   * Hands over all messages of some channels that can be decoded, in the order of their log times.
    *
    * @param wanted as by {@link #channels}
    * @param span what to read
@@ -159,7 +174,10 @@ public final class RecordedMessages implements AutoCloseable {
         m.isPresent() && m.get().logTimeNanos() <= span.toNanos();
         m = cursor.next()) {
       Topic topic = topics.get(m.get().channelId());
-      taker.take(topic, decode(topic, m.get()), m.get().logTimeNanos());
+      Optional<U2SAData> message = decode(topic, m.get());
+      if (message.isPresent()) {
+        taker.take(topic, message.get(), m.get().logTimeNanos());
+      }
     }
   }
 

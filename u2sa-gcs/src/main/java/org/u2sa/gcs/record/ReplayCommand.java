@@ -14,7 +14,6 @@ import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapMessage;
 import picocli.CommandLine.Command;
@@ -110,6 +109,7 @@ public final class ReplayCommand implements Callable<Integer> {
             },
             () -> false);
       }
+      recording.undecodable().ifPresent(this::tell);
       out.println(
           published
               + " messages published"
@@ -125,12 +125,16 @@ public final class ReplayCommand implements Callable<Integer> {
   private void publish(Connection connection, RecordedMessages recording, McapMessage recorded) {
     Topic topic =
         recording.topic(recording.reader().channels().get(recorded.channelId())).orElseThrow();
-    U2SAData message = recording.decode(topic, recorded);
-    message.freeze();
-    if (connection.publish(Channels.namedOrNew(topic.channel()), message)) {
-      published++;
-    } else {
-      refused++;
-    }
+    recording
+        .decode(topic, recorded)
+        .ifPresent(
+            message -> {
+              message.freeze();
+              if (connection.publish(Channels.namedOrNew(topic.channel()), message)) {
+                published++;
+              } else {
+                refused++;
+              }
+            });
   }
 }

@@ -88,6 +88,7 @@ final class RunContent {
       RunContent content = new RunContent(file, reader, truth);
       content.facts(file, reader);
       recording.forEach(recording.channels(List.of()), RecordedSpan.all(reader), content::take);
+      recording.undecodable().ifPresent(what -> content.fact("not decoded", what));
       return content;
     }
   }

@@ -126,10 +126,14 @@ final class RecordedView {
           .topic(channel)
           .ifPresent(
               topic ->
-                  feed.take(
-                      Channels.namedOrNew(topic.channel()),
-                      recording.decode(topic, message),
-                      message.logTimeNanos()));
+                  recording
+                      .decode(topic, message)
+                      .ifPresent(
+                          decoded ->
+                              feed.take(
+                                  Channels.namedOrNew(topic.channel()),
+                                  decoded,
+                                  message.logTimeNanos())));
     }
   }
 }

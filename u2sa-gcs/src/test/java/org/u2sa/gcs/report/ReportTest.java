@@ -53,6 +53,7 @@ class ReportTest {
   @TempDir private Path folder;
 
   private final StringWriter out = new StringWriter();
+  private boolean withGarbage;
   private final Map<String, McapChannel> channels = new HashMap<>();
 
   private void write(McapWriter writer, double timeS, Channel<?> channel, U2SAData message)
@@ -66,7 +67,12 @@ class ReportTest {
       writer.add(known);
     }
     long nanos = Math.round(timeS * 1e9) + 2_000_000; // recorded 2 ms later
-    writer.add(new McapMessage(known.id(), 0, nanos, nanos, message.serialize()));
+    byte[] bytes = message.serialize();
+    if (withGarbage && message instanceof ObjectList) {
+      withGarbage = false;
+      bytes[0] = 0; // no map any more
+    }
+    writer.add(new McapMessage(known.id(), 0, nanos, nanos, bytes));
   }
 
   private Path record(String name) throws IOException {
@@ -170,6 +176,18 @@ class ReportTest {
 
   private static double figure(JsonNode run, String name) {
     return named(run.get("figures"), "name", name).get("value").asDouble();
+  }
+
+  @Test
+  void report_messageThatCannotBeDecoded_isLeftOutAndSaid() throws IOException {
+    withGarbage = true;
+
+    JsonNode run = json("report", record("drive").toString(), "--json").get("runs").get(0);
+
+    assertThat(figure(run, "duration")).isEqualTo(100.0);
+    assertThat(named(run.get("facts"), "name", "not decoded").get("value").asText())
+        .startsWith(
+            "messages that cannot be decoded: 1, the first on u2sa/rover/objects/ObjectList: ");
   }
 
   @Test

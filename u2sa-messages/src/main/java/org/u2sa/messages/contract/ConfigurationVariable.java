@@ -17,8 +17,10 @@ public final class ConfigurationVariable extends U2SAData {
       SCHEMA.name("variableType", "string");
   private static final ValueField<ConfigurationVariable, String> VALUE = SCHEMA.text("value", "");
   private static final ValueField<ConfigurationVariable, String> UNIT = SCHEMA.name("unit", "");
-  private static final NumberField<ConfigurationVariable> MIN = SCHEMA.optionalNumber("min", "");
-  private static final NumberField<ConfigurationVariable> MAX = SCHEMA.optionalNumber("max", "");
+  private static final NumberField<ConfigurationVariable> MIN =
+      SCHEMA.optionalNumber("min", "", -Double.MAX_VALUE, Double.MAX_VALUE);
+  private static final NumberField<ConfigurationVariable> MAX =
+      SCHEMA.optionalNumber("max", "", -Double.MAX_VALUE, Double.MAX_VALUE);
   private static final ValueField<ConfigurationVariable, String> DESCRIPTION =
       SCHEMA.text("description", "");
   private static final ValueField<ConfigurationVariable, List<String>> CHOICES =

@@ -24,9 +24,9 @@ public final class MissionReport extends U2SAData {
       SCHEMA.messages("goals", GoalInformation.TYPE);
   private static final ValueField<MissionReport, List<Double>> FINISHED =
       SCHEMA.numbers("finished", "");
-  private static final ValueField<MissionReport, List<String>> CURRENT = SCHEMA.texts("current");
-  private static final ValueField<MissionReport, List<String>> UPCOMING = SCHEMA.texts("upcoming");
-  private static final ValueField<MissionReport, List<String>> SEQUENCE = SCHEMA.texts("sequence");
+  private static final ValueField<MissionReport, List<String>> CURRENT = SCHEMA.ids("current");
+  private static final ValueField<MissionReport, List<String>> UPCOMING = SCHEMA.ids("upcoming");
+  private static final ValueField<MissionReport, List<String>> SEQUENCE = SCHEMA.ids("sequence");
   private static final ValueField<MissionReport, String> FAILSAFE = SCHEMA.optionalNote("failsafe");
   private static final NumberField<MissionReport> ELAPSED = SCHEMA.number("elapsed", "s", 0.0, 0.0);
   private static final NumberField<MissionReport> TIME_LIMIT =

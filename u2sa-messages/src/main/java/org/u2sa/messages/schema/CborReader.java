@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * Reads one message from hostile bytes: every length is bounded, every error is a {@link
@@ -17,6 +18,7 @@ final class CborReader {
   private static final FieldKey ORIGIN_NAME = WireForm.READABLE.key(Origin.KEY);
   private static final FieldKey ORIGIN_LABEL = WireForm.COMPACT.key(Origin.KEY);
   private static final int COORDINATES = 3;
+  private static final double FULL_LATITUDE_DEG = 90.0;
   private static final int BETWEEN = -1; // fields
   private static final int OTHER = -2; // than fields with an index
   private static final int SOME = 16; // elements, to begin with, of a list that does not say
@@ -89,9 +91,32 @@ final class CborReader {
     if (missing != null) {
       throw malformed(missing.path() + " is required and missing");
     }
+    requireOnEarth(message);
     message.requireConsistent();
     depth--;
     return message;
+  }
+
+  /** A latitude of more than 90° is none: whoever has a message in GLOBAL need not ask. */
+  private <M extends U2SAData> void requireOnEarth(M message) throws MalformedMessageException {
+    MessageType<?> type = message.type();
+    if (type.frameField() == null || !message.frame().equals(ReferenceFrame.GLOBAL)) {
+      return;
+    }
+    if (type.latitudeField() != null) {
+      requireLatitude(message.storage().get(type.latitudeField()));
+    }
+    for (int slot : type.pointLists()) {
+      for (Point point : message.storage().points(slot)) {
+        requireLatitude(point.y());
+      }
+    }
+  }
+
+  private void requireLatitude(double degrees) throws MalformedMessageException {
+    if (Math.abs(degrees) > FULL_LATITUDE_DEG) { // not if it is NaN: absent
+      throw malformed("the latitude " + degrees + " deg is outside -90…90 deg");
+    }
   }
 
   /** Says which field of the message's table is being read, for errors. */
@@ -192,6 +217,13 @@ final class CborReader {
       throw malformed("expected a point of three numbers");
     }
     depth--;
+    return near(x, y, z);
+  }
+
+  private static Point near(double x, double y, double z) {
+    ScalarKinds.requireNear(x);
+    ScalarKinds.requireNear(y);
+    ScalarKinds.requireNear(z);
     return Point.of(x, y, z);
   }
 
@@ -228,7 +260,7 @@ final class CborReader {
     for (long tag = in.tag(); tag >= 0; tag = in.tag()) {
       if (tag == TypedArrays.ROW_MAJOR) {
         return rows(
-            COORDINATES, (row, at, end) -> Point.of(row.get(at), row.get(at + 1), row.get(at + 2)));
+            COORDINATES, (row, at, end) -> near(row.get(at), row.get(at + 1), row.get(at + 2)));
       }
     }
     return list(this::point);

@@ -3,6 +3,7 @@ package org.u2sa.messages.schema;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.u2sa.messages.frame.Point;
 
 /**
  * The values of one message.
@@ -121,6 +122,12 @@ final class FieldStorage {
     requireThawed(field);
     values[field.slot] = value;
     valuesPresent |= 1L << field.slot;
+  }
+
+  /** The points of a list, by its slot; none if it is unset. */
+  @SuppressWarnings("unchecked") // only lists of points are kept there
+  List<Point> points(int slot) {
+    return values[slot] == null ? List.of() : (List<Point>) values[slot];
   }
 
   void timestamp(TimestampField field, long micros) {

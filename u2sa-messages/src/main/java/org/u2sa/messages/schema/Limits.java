@@ -14,6 +14,9 @@ final class Limits {
   static final int BYTE_STRING_BYTES = 15 << 16; // what leaves room for the other fields
   static final int LIST_ELEMENTS = 100_000;
   static final int DEPTH = 8;
+  static final double NUMBER = 1e15; // its square, cube and fourth power are still numbers
+  static final long TIMESTAMP_MICROS = Long.MAX_VALUE / 1_000; // year 2262; also in nanoseconds
+  static final double COORDINATE = 1e9; // metres: beyond the Moon
 
   private Limits() {}
 }

@@ -10,6 +10,8 @@ import org.u2sa.messages.frame.Point;
 final class ListKinds {
   static final ValueKind<List<String>> TEXTS =
       new TextList(new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", ScalarKinds.TEXT));
+  static final ValueKind<List<String>> IDS =
+      new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", TextKinds.ID);
   static final ValueKind<List<Point>> POINTS =
       new PointList(new ListKind<>(Kind.POINT_LIST, Point.class, "points", ";", ScalarKinds.POINT));
   static final ValueKind<List<Double>> NUMBERS = new NumberList();
@@ -89,6 +91,11 @@ final class ListKinds {
     @Override
     public List<V> read(CborReader in) throws MalformedMessageException {
       return in.list(() -> element.read(in));
+    }
+
+    @Override
+    public int longest() {
+      return element.longest();
     }
   }
 

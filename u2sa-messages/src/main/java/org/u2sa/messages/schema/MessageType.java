@@ -32,6 +32,8 @@ public final class MessageType<T extends U2SAData> {
   private final Map<String, MessageField<T>> byName = new HashMap<>();
   private final Map<String, String> aliases;
   private final ValueField<?, ReferenceFrame> frameField; // null: none
+  private final NumberField<?> latitudeField; // null: none
+  private final int[] pointLists; // slots of values
   private final Sizes sizes;
   private final List<String> chain;
   private final FieldTable<T> names;
@@ -53,17 +55,25 @@ public final class MessageType<T extends U2SAData> {
     for (MessageField<T> field : fields) {
       byName.put(field.name(), field);
     }
-    messageLists =
-        fields.stream()
-            .filter(field -> field.kind() == Kind.MESSAGE_LIST)
-            .mapToInt(field -> field.slot)
-            .toArray();
+    latitudeField =
+        byName.get("y") instanceof NumberField<T> y && y.isAngleIn(ReferenceFrame.GLOBAL)
+            ? y
+            : null;
+    messageLists = slotsOf(Kind.MESSAGE_LIST);
+    pointLists = slotsOf(Kind.POINT_LIST);
     List<String> names = new ArrayList<>();
     if (identity.parent() != null) {
       names.addAll(identity.parent().chain());
       names.add(identity.name());
     }
     chain = List.copyOf(names);
+  }
+
+  private int[] slotsOf(Kind kind) {
+    return fields.stream()
+        .filter(field -> field.kind() == kind)
+        .mapToInt(field -> field.slot)
+        .toArray();
   }
 
   /** A field reads and writes every subclass of the class that declares it. */
@@ -171,6 +181,11 @@ public final class MessageType<T extends U2SAData> {
     return messageLists;
   }
 
+  /** Slots of the values that are lists of points. */
+  int[] pointLists() {
+    return pointLists;
+  }
+
   MessageField<T> fieldOrNull(String name) {
     return byName.get(name);
   }
@@ -178,6 +193,11 @@ public final class MessageType<T extends U2SAData> {
   /** The field that names the frame of the coordinates; null if there is none. */
   ValueField<?, ReferenceFrame> frameField() {
     return frameField;
+  }
+
+  /** The coordinate that is a latitude in GLOBAL; null if there is none. */
+  NumberField<?> latitudeField() {
+    return latitudeField;
   }
 
   Map<String, String> aliases() {

@@ -27,8 +27,8 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
     this.ifUnset = ifUnset;
     this.min = min;
     this.max = max;
-    least = Math.max(min, -Double.MAX_VALUE);
-    most = Math.min(max, Double.MAX_VALUE);
+    least = min == Double.NEGATIVE_INFINITY ? -Limits.NUMBER : min;
+    most = max == Double.POSITIVE_INFINITY ? Limits.NUMBER : max;
   }
 
   /** Whether the field may have that value. */
@@ -46,14 +46,19 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
     return most;
   }
 
-  /** Smallest value taken; -∞ if unbounded. */
+  /** Smallest value declared; -∞ if none is, and then a number of any use is taken. */
   public double min() {
     return min;
   }
 
-  /** Largest value taken; +∞ if unbounded. */
+  /** Largest value declared; +∞ if none is, and then a number of any use is taken. */
   public double max() {
     return max;
+  }
+
+  /** Whether it is an angle in that frame, but a length in others. */
+  boolean isAngleIn(ReferenceFrame frame) {
+    return !unitIn(frame).equals(unit());
   }
 
   @Override
@@ -74,14 +79,14 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
       String unit = unit().isEmpty() ? "" : " [" + unit() + "]";
       throw refused(value, "expected a finite number" + unit);
     }
-    throw refused(value, "expected " + range() + (unit().isEmpty() ? "" : " " + unit()));
+    throw refused(value, "expected " + range(value) + (unit().isEmpty() ? "" : " " + unit()));
   }
 
-  private String range() {
-    if (max == Double.POSITIVE_INFINITY) {
-      return "at least " + min;
+  private String range(double value) {
+    if (value < least && max == Double.POSITIVE_INFINITY) {
+      return "at least " + least;
     }
-    return min == Double.NEGATIVE_INFINITY ? "at most " + max : min + "…" + max;
+    return value > most && min == Double.NEGATIVE_INFINITY ? "at most " + most : least + "…" + most;
   }
 
   @Override

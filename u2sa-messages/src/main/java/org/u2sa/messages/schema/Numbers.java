@@ -20,8 +20,9 @@ final class Numbers extends AbstractList<Double> implements RandomAccess {
    */
   static Numbers owning(double[] values) {
     for (double value : values) {
-      if (!Double.isFinite(value)) {
-        throw ScalarKinds.expected("finite numbers, not " + value);
+      if (!(Math.abs(value) <= Limits.NUMBER)) { // NaN, too
+        String bound = Double.isFinite(value) ? " of at most " + Limits.NUMBER : "";
+        throw ScalarKinds.expected("finite numbers" + bound + ", not " + value);
       }
     }
     return new Numbers(values);

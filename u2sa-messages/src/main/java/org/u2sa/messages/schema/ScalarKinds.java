@@ -44,7 +44,7 @@ final class ScalarKinds {
   static final ValueKind<Point> POINT =
       new SingleKind<>(
           Kind.POINT,
-          value -> instance(value, Point.class, "a point"),
+          ScalarKinds::point,
           ScalarKinds::parsePoint,
           CborWriter::point,
           CborReader::point);
@@ -96,6 +96,23 @@ final class ScalarKinds {
       throw expected("at most " + Limits.BYTE_STRING_BYTES + " bytes");
     }
     return bytes;
+  }
+
+  private static Point point(Object value) {
+    Point point = instance(value, Point.class, "a point");
+    requireNear(point.x());
+    requireNear(point.y());
+    requireNear(point.z());
+    return point;
+  }
+
+  /**
+   * A coordinate whose square is a number, so that calculations with it end in none that is not.
+   */
+  static void requireNear(double coordinate) {
+    if (Math.abs(coordinate) > Limits.COORDINATE) {
+      throw expected("coordinates of at most " + Limits.COORDINATE + ", not " + coordinate);
+    }
   }
 
   private static Long count(Object value) {

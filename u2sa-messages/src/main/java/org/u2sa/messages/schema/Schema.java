@@ -126,17 +126,17 @@ public final class Schema<T extends U2SAData> {
 
   /**
    * A coordinate that may be absent: in metres, but in degrees in messages that are written in
-   * GLOBAL.
+   * GLOBAL; at most a million kilometres.
    */
   public NumberField<T> optionalCoordinate(String field) {
     FieldOutline outline = outline(field, "m", FieldPresence.OPTIONAL);
-    return number(outline, "deg", Double.NaN, ANY_LESS, ANY_MORE);
+    return number(outline, "deg", Double.NaN, -Limits.COORDINATE, Limits.COORDINATE);
   }
 
   /** A coordinate without which no message is published: in metres, in GLOBAL in degrees. */
   public NumberField<T> requiredCoordinate(String field) {
     FieldOutline outline = outline(field, "m", FieldPresence.REQUIRED);
-    return number(outline, "deg", Double.NaN, ANY_LESS, ANY_MORE);
+    return number(outline, "deg", Double.NaN, -Limits.COORDINATE, Limits.COORDINATE);
   }
 
   /** A number without which no message is published, within bounds. */
@@ -222,6 +222,16 @@ public final class Schema<T extends U2SAData> {
   /** Text for people that is empty from the start, shortened to 1,000 characters. */
   public ValueField<T, String> note(String field) {
     return value(field, "", TextKinds.NOTE, FieldPresence.DEFAULTED, "", false);
+  }
+
+  /** A list of identifiers, empty from the start. */
+  public ValueField<T, List<String>> ids(String field) {
+    return value(field, "", ListKinds.IDS, FieldPresence.DEFAULTED, List.of(), false);
+  }
+
+  /** A list of identifiers that may be absent. It has no bit in the presence vector. */
+  public ValueField<T, List<String>> optionalIds(String field) {
+    return value(field, "", ListKinds.IDS, FieldPresence.OPTIONAL, null, false);
   }
 
   /** Texts for people, shortened to 100 of 1,000 characters; empty from the start. */

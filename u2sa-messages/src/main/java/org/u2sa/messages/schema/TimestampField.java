@@ -18,7 +18,15 @@ final class TimestampField extends ValueField<U2SAData, Long> {
 
   @Override
   void put(U2SAData message, Long micros) {
-    message.storage().timestamp(this, micros);
+    message.storage().timestamp(this, within(micros));
+  }
+
+  /** Sums, differences and nanoseconds of what passes are numbers of 64 bits. */
+  static long within(long micros) {
+    if (micros > Limits.TIMESTAMP_MICROS || micros < -Limits.TIMESTAMP_MICROS) {
+      throw ScalarKinds.expected("a time of at most " + Limits.TIMESTAMP_MICROS + " µs");
+    }
+    return micros;
   }
 
   @Override
@@ -31,7 +39,7 @@ final class TimestampField extends ValueField<U2SAData, Long> {
 
   @Override
   boolean read(CborReader in, U2SAData message) {
-    message.storage().timestamp(this, in.count());
+    message.storage().timestamp(this, within(in.count()));
     return true;
   }
 }

@@ -64,9 +64,13 @@ public abstract class U2SAData {
     return storage.hasTimestamp() ? OptionalLong.of(storage.timestamp()) : OptionalLong.empty();
   }
 
-  /** Sets {@link #timestamp()}. */
+  /**
+   * Sets {@link #timestamp()}.
+   *
+   * @throws IllegalArgumentException beyond the year 2262
+   */
   public final void timestamp(long micros) {
-    storage.timestamp(TIMESTAMP, micros);
+    storage.timestamp(TIMESTAMP, TimestampField.within(micros));
   }
 
   /**

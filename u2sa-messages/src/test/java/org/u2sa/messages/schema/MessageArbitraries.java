@@ -65,18 +65,25 @@ final class MessageArbitraries {
     } else if (message instanceof CameraImage image) {
       image.size(4, 3);
     }
+    if (message.type().frameField() != null && message.frame().equals(ReferenceFrame.GLOBAL)) {
+      for (MessageField<U2SAData> field : message.ownType().fields()) {
+        if (field == message.type().latitudeField()) {
+          field.set(message, 48.5);
+        } else if (field.kind() == Kind.POINT_LIST) {
+          field.set(message, List.of(Point.of(11.5, 48.5, 400.0)));
+        }
+      }
+    }
   }
 
   private static Arbitrary<Object> value(MessageField<?> field, int depth) {
     switch (field.kind()) {
       case DOUBLE:
         NumberField<?> number = (NumberField<?>) field;
-        return Arbitraries.doubles()
-            .between(
-                Math.max(number.min(), -Double.MAX_VALUE), Math.min(number.max(), Double.MAX_VALUE))
-            .asGeneric();
+        return Arbitraries.doubles().between(number.least(), number.most()).asGeneric();
       case LONG:
-        return Arbitraries.longs().asGeneric();
+        long most = field instanceof TimestampField ? Limits.TIMESTAMP_MICROS : Long.MAX_VALUE;
+        return Arbitraries.longs().between(-most, most).asGeneric();
       case BOOLEAN:
         return Arbitraries.of(true, false).asGeneric();
       case STRING:
@@ -98,7 +105,11 @@ final class MessageArbitraries {
       case POINT_LIST:
         return points().list().ofMaxSize(5).asGeneric();
       case DOUBLE_LIST:
-        return Arbitraries.doubles().list().ofMaxSize(5).asGeneric();
+        return Arbitraries.doubles()
+            .between(-Limits.NUMBER, Limits.NUMBER)
+            .list()
+            .ofMaxSize(5)
+            .asGeneric();
       case BOOLEAN_LIST:
         return Arbitraries.of(true, false).list().ofMaxSize(5).asGeneric();
       case MESSAGE_LIST:

@@ -164,6 +164,12 @@ class U2SADataTest {
         .hasMessage("PercentageCommand.percentage: expected -100.0…100.0 %, not \"100.5\"");
     assertThatThrownBy(() -> new Circle().radius(-1.0))
         .hasMessage("Circle.radius: expected at least 0.0 m, not \"-1.0\"");
+    assertThatThrownBy(() -> new StateInformation().x(1e200))
+        .hasMessage("StateInformation.x: expected -1.0E9…1.0E9 m, not \"1.0E200\"");
+    assertThatThrownBy(() -> new StateInformation().xDot(-1e200))
+        .hasMessage("StateInformation.xDot: expected at least -1.0E15 m/s, not \"-1.0E200\"");
+    assertThatThrownBy(() -> new StateInformation().timestamp(Long.MAX_VALUE))
+        .hasMessage("expected a time of at most 9223372036854775 µs");
     assertThatThrownBy(() -> new Waypoint().uid("\ud800"))
         .hasMessageContaining("half a surrogate pair");
     assertThatThrownBy(() -> new Waypoint().uid("x".repeat(Limits.TEXT_BYTES + 1)))
@@ -173,9 +179,9 @@ class U2SADataTest {
 
   @Test
   void serialize_overOneMebibyte_isRefused() {
-    String text = "x".repeat(Limits.TEXT_BYTES);
+    String uid = "x".repeat(Limits.ID_CHARS);
     Waypoint goal = new Waypoint().uid("1").horizontalThreshold(1.0);
-    goal.next(java.util.Collections.nCopies(17, text));
+    goal.next(java.util.Collections.nCopies(1_100, uid));
 
     assertThatThrownBy(goal::serialize)
         .isInstanceOf(IllegalStateException.class)

@@ -21,9 +21,12 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
    *
    * @param before heading of the state before [rad], for the yaw rate where the state has none
    * @param stepS since the state before [s]; 0: unknown
-   * @return empty without heading or horizontal velocity
+   * @return empty without heading or horizontal velocity, and in a frame of the vehicle itself
    */
   static Optional<BodyMotion> of(StateInformation state, OptionalDouble before, double stepS) {
+    if (state.referenceFrame().isBody()) {
+      return Optional.empty();
+    }
     StateInformation ned = ned(state);
     if (ned.psi().isEmpty() || ned.xDot().isEmpty() || ned.yDot().isEmpty()) {
       return Optional.empty();

@@ -14,6 +14,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.HandOver;
 
 /**
@@ -73,6 +74,9 @@ final class FlightStateReader {
   /** What a state lacks for control; empty if nothing. */
   List<String> missing(StateInformation state) {
     List<String> missing = new ArrayList<>();
+    if (!state.referenceFrame().equals(ReferenceFrame.GLOBAL)) {
+      missing.add("a place in " + ReferenceFrame.GLOBAL);
+    }
     for (StateField field : NEEDED) {
       if (state.number(field).isEmpty() && !last.containsKey(field)) {
         missing.add(field.fieldName());

@@ -68,12 +68,26 @@ final class GridLayer {
     return said;
   }
 
-  /** Cells side by side that say the same, as most do, are drawn as one. */
+  /**
+   * Cells side by side that say the same, as most do, are drawn as one; those beyond the plan, of
+   * which a grid from elsewhere may have millions, not at all.
+   */
   private void draw() {
+    Spans northward = placement.northward();
+    Spans eastward = placement.eastward();
+    int west = placement.columns();
+    int east = -1;
+    for (int planned = 0; planned < frame.columns(); planned++) {
+      west = Math.min(west, eastward.firstOver(planned));
+      east = Math.max(east, eastward.lastOver(planned));
+    }
     for (int row = 0; row < placement.rows(); row++) {
+      if (northward.last(row) < northward.first(row)) {
+        continue;
+      }
       int base = row * placement.columns();
-      for (int from = 0, to; from < placement.columns(); from = to + 1) {
-        to = placement.northward().fits(row) ? lastAlike(row, from) : from;
+      for (int from = west, to; from <= east; from = to + 1) {
+        to = northward.fits(row) ? lastAlike(row, from, east) : from;
         if (cells[base + from] != OccupancyGrid.UNKNOWN) {
           fill(
               placement.firstRow(from, row),
@@ -87,14 +101,14 @@ final class GridLayer {
   }
 
   /** Last column of the cells, from one on, that say the same as it. */
-  private int lastAlike(int row, int from) {
+  private int lastAlike(int row, int from, int east) {
     int base = row * placement.columns();
     byte first = cells[base + from];
     boolean isKnown = first != OccupancyGrid.UNKNOWN;
     boolean isFull = first >= threshold;
     int least = isFull ? threshold : isKnown ? OccupancyGrid.UNKNOWN + 1 : OccupancyGrid.UNKNOWN;
     int most = isFull ? Byte.MAX_VALUE : isKnown ? threshold - 1 : OccupancyGrid.UNKNOWN;
-    int end = base + placement.columns();
+    int end = base + east + 1;
     int k = base + from + 1;
     while (k < end && cells[k] >= least && cells[k] <= most) {
       k++;

@@ -1,0 +1,116 @@
+package org.u2sa.fuzz;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.api.Timeout;
+import org.u2sa.core.control.cascade.AllocatingControl;
+import org.u2sa.core.control.fixedwing.CessnaControl;
+import org.u2sa.core.control.ground.AckermannPursuitControl;
+import org.u2sa.core.control.ground.DifferentialDriveControl;
+import org.u2sa.core.control.ground.DifferentialPursuitControl;
+import org.u2sa.core.estimation.ComplementaryStateEstimator;
+import org.u2sa.core.estimation.FusingStateEstimator;
+import org.u2sa.core.estimation.PassThroughStateEstimator;
+import org.u2sa.core.health.HealthMonitor;
+import org.u2sa.core.mission.MissionManager;
+import org.u2sa.core.planning.PathPlanner;
+import org.u2sa.core.safety.SafetyManager;
+import org.u2sa.core.world.WorldModeler;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.Recorder;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.U2SAService;
+import org.u2sa.testkit.ServiceKit;
+
+/**
+ * Whatever a reader lets through, in any order of types: a standard service handles it without an
+ * exception, still runs, and publishes nothing that the wire does not take.
+ */
+class HostileInputContractTest {
+  private static final Map<String, Function<ServiceContext, U2SAService>> SERVICES =
+      new LinkedHashMap<>();
+
+  static {
+    SERVICES.put("SafetyManager", SafetyManager::new);
+    SERVICES.put("HealthMonitor", HealthMonitor::new);
+    SERVICES.put("MissionManager", MissionManager::new);
+    SERVICES.put("PathPlanner", PathPlanner::new);
+    SERVICES.put("WorldModeler", WorldModeler::new);
+    SERVICES.put("FusingStateEstimator", FusingStateEstimator::new);
+    SERVICES.put("ComplementaryStateEstimator", ComplementaryStateEstimator::new);
+    SERVICES.put("PassThroughStateEstimator", PassThroughStateEstimator::new);
+    SERVICES.put("CessnaControl", CessnaControl::new);
+    SERVICES.put("AllocatingControl", AllocatingControl::new);
+    SERVICES.put("AckermannPursuitControl", AckermannPursuitControl::new);
+    SERVICES.put("DifferentialPursuitControl", DifferentialPursuitControl::new);
+    SERVICES.put("DifferentialDriveControl", DifferentialDriveControl::new);
+    SERVICES.put("Recorder", Recorder::new);
+  }
+
+  @TestFactory
+  @Timeout(300)
+  Stream<DynamicTest> handle_extremeMessages_neitherFailsNorThrows() {
+    return SERVICES.entrySet().stream()
+        .map(each -> DynamicTest.dynamicTest(each.getKey(), () -> attack(each.getKey())));
+  }
+
+  private static void attack(String name) throws MalformedMessageException {
+    try (ServiceKit kit = new ServiceKit()) {
+      if (name.equals("MissionManager")) {
+        kit.with("MISSION", Path.of("../missions/ugv/loop.xml").toAbsolutePath().toString())
+            .with("DEFAULT THRESHOLD", 1.0);
+      }
+      U2SAService service = kit.start(SERVICES.get(name));
+      kit.advance(1.0);
+      MessageCodec codec = new MessageCodec(StandardTypes.registry());
+      for (U2SAData message : new ExtremeMessages(service.getServiceName()).all()) {
+        if (!(message instanceof StopCommand)) {
+          publish(kit, codec.decode(message.typeChain(), codec.encode(message)));
+        }
+      }
+      kit.advance(1.0);
+
+      assertThat(service.status())
+          .as(() -> String.join("\n", kit.log(service.getServiceName())))
+          .isEqualTo(ServiceStatus.RUNNING);
+      HealthReport report =
+          kit.published(Channels.HEALTH).stream()
+              .filter(each -> each.serviceName().equals(service.getServiceName()))
+              .filter(each -> each.published().isPresent())
+              .reduce((one, other) -> other)
+              .orElseThrow();
+      assertThat(report.exceptions())
+          .as(() -> String.join("\n", kit.log(service.getServiceName())))
+          .isZero();
+      for (Channel<?> channel : service.publishedChannels()) {
+        kit.published(channel).forEach(message -> assertThat(message.serialize()).isNotEmpty());
+      }
+    }
+  }
+
+  @SuppressWarnings("unchecked") // the channel carries it
+  private static void publish(ServiceKit kit, U2SAData message) {
+    List<Channel<?>> carriers =
+        Channels.all().stream().filter(channel -> channel.carries(message)).toList();
+    for (Channel<?> channel : carriers) {
+      kit.publish((Channel<U2SAData>) channel, message);
+      kit.advance(0.05);
+    }
+  }
+}
