@@ -206,7 +206,12 @@ class HostileFileTest {
     BitSet wanted = new BitSet();
     wanted.set(1);
     return new McapCursor(
-        chunks, 0, wanted, chunk -> messages(chunk.size(), chunk.startNanos()), maxHeldBytes);
+        "a.mcap",
+        chunks,
+        0,
+        wanted,
+        chunk -> messages(chunk.size(), chunk.startNanos()),
+        maxHeldBytes);
   }
 
   @Test
