@@ -8,6 +8,7 @@ import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.recorder.mcap.McapException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -45,7 +46,8 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
 
   /** Tells {@code thrown} on {@code err} and returns the exit code. */
   int answer(Throwable thrown, PrintWriter err) {
-    boolean badInput = thrown instanceof BadInputException;
+    boolean badInput =
+        thrown instanceof BadInputException || thrown instanceof McapException; // names the file
     boolean told =
         badInput
             || thrown instanceof RunFailedException

@@ -2,10 +2,17 @@ package org.u2sa.gcs;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.gcs.command.CommandProvider;
 import org.u2sa.gcs.command.ExitCode;
 import picocli.CommandLine.Help;
@@ -120,6 +127,23 @@ class MainTest {
         .singleElement()
         .asString()
         .contains("IllegalStateException: wing came off", "--debug");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"report", "view", "replay", "export --format csv", "log", "replay --rerun all"})
+  void run_fileOfMagicBytesAlone_isBadInputAndSaysWhatToDo(String command, @TempDir Path folder)
+      throws IOException {
+    Path file = folder.resolve("magic.mcap");
+    Files.write(file, new byte[] {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'});
+    List<String> arguments = new ArrayList<>(List.of(command.split(" ")));
+    arguments.add(1, file.toString());
+    assertThat(run(arguments.toArray(String[]::new))).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString())
+        .isEqualToIgnoringNewLines(
+            "u2sa: "
+                + file
+                + ": the file has 8 bytes: too few for the footer of MCAP; recover it first");
   }
 
   @Test

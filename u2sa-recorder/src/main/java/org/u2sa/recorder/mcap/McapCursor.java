@@ -19,6 +19,7 @@ public final class McapCursor {
     byte[] load(ChunkIndex chunk) throws IOException;
   }
 
+  private final String file;
   private final Deque<ChunkIndex> chunks;
   private final PriorityQueue<Run> loaded =
       new PriorityQueue<>(Comparator.comparingLong(Run::nanos).thenComparingLong(run -> run.chunk));
@@ -47,11 +48,18 @@ public final class McapCursor {
   }
 
   /**
+   * @param file its name, for what is wrong with it
    * @param wanted numbers of the channels
    * @param maxHeldBytes of chunks that are held at a time, because their times overlap
    */
   McapCursor(
-      List<ChunkIndex> all, long fromNanos, BitSet wanted, Loader loader, long maxHeldBytes) {
+      String file,
+      List<ChunkIndex> all,
+      long fromNanos,
+      BitSet wanted,
+      Loader loader,
+      long maxHeldBytes) {
+    this.file = file;
     chunks =
         all.stream()
             .filter(chunk -> chunk.endNanos() >= fromNanos && mayHold(chunk, wanted))
@@ -99,14 +107,18 @@ public final class McapCursor {
     if (chunk.size() < 0 || chunk.size() > maxHeldBytes - heldBytes) {
       throw new McapException(
           String.format(
-              "a chunk of %d bytes, and chunks of %d bytes at the same time: expected at most %d bytes to be held at a time; a larger heap (-Xmx) holds more",
-              chunk.size(), heldBytes, maxHeldBytes));
+              "%s: a chunk of %d bytes, and chunks of %d bytes at the same time: expected at most %d bytes to be held at a time; a larger heap (-Xmx) holds more",
+              file, chunk.size(), heldBytes, maxHeldBytes));
     }
     List<McapMessage> messages;
     try {
       messages = messages(new RecordFields(loader.load(chunk)));
     } catch (McapException e) {
-      throw new McapException("a chunk is damaged: " + e.getMessage(), e);
+      throw new McapException(
+          String.format(
+              "%s: the chunk at byte %d is damaged: %s; recover the file first",
+              file, chunk.offset(), e.getMessage()),
+          e);
     }
     for (int i = 1; i < messages.size(); i++) {
       if (messages.get(i).logTimeNanos() < messages.get(i - 1).logTimeNanos()) {

@@ -21,6 +21,7 @@ import java.util.stream.Collectors;
 public final class McapReader implements AutoCloseable {
   private static final int FOOTER_LENGTH = Opcode.PREFIX + 8 + 8 + 4;
 
+  private final Path path;
   private final FileChannel file;
   private final Map<Integer, McapSchema> schemas = new TreeMap<>();
   private final Map<Integer, McapChannel> channels = new TreeMap<>();
@@ -29,7 +30,8 @@ public final class McapReader implements AutoCloseable {
   private final List<MetadataIndex> metadata = new ArrayList<>();
   private McapStatistics statistics;
 
-  private McapReader(FileChannel file) {
+  private McapReader(Path path, FileChannel file) {
+    this.path = path;
     this.file = file;
   }
 
@@ -43,7 +45,7 @@ public final class McapReader implements AutoCloseable {
   public static McapReader open(Path path) throws IOException {
     FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
     try {
-      McapReader reader = new McapReader(file);
+      McapReader reader = new McapReader(path, file);
       reader.readSummary();
       return reader;
     } catch (EOFException | McapException e) {
@@ -154,8 +156,8 @@ public final class McapReader implements AutoCloseable {
     if (entry.opcode() != opcode || entry.length() != length) {
       throw new McapException(
           String.format(
-              "at byte %d is a record of kind %d, %d bytes; expected kind %d, %d bytes",
-              offset, entry.opcode(), entry.length(), opcode, length));
+              "%s: at byte %d is a record of kind %d, %d bytes; expected kind %d, %d bytes",
+              path, offset, entry.opcode(), entry.length(), opcode, length));
     }
     return entry.fields();
   }
@@ -171,6 +173,7 @@ public final class McapReader implements AutoCloseable {
     BitSet ids = new BitSet();
     channels.values().stream().filter(wanted).forEach(channel -> ids.set(channel.id()));
     return new McapCursor(
+        path.toString(),
         chunks,
         fromNanos,
         ids,

@@ -89,6 +89,9 @@ final class RecordStream {
               + ReadLimits.MAX_LENGTH
               + " to be read at once");
     }
+    if (length > size - position) {
+      throw new EOFException("the file breaks off at byte " + size + ", within a record");
+    }
     return read(position, (int) length).array();
   }
 

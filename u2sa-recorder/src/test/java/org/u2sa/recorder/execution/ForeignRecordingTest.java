@@ -133,12 +133,20 @@ class ForeignRecordingTest {
   }
 
   @Test
+  void context_toleratedVariables_areToleratedAgain() throws IOException {
+    texts.put(ExecutionStart.TOLERATED, "WORLD\tOTHER");
+    assertThat(context().configuration().tolerated()).containsExactlyInAnyOrder("WORLD", "OTHER");
+    texts.put(ExecutionStart.TOLERATED, "");
+    assertThat(context().configuration().tolerated()).isEmpty();
+  }
+
+  @Test
   void rerun_logPathElsewhere_logsIntoTheFolder() throws Exception {
     AmplifierRun run = new AmplifierRun(outside);
     run.recordInLockstep(Amplifier::new);
-    Path elsewhere = outside.resolve("elsewhere");
+    Path elsewhere = Files.createDirectory(outside.resolve("elsewhere"));
     Rerun.Outcome outcome = rerun(run, "LOG PATH", elsewhere.toString());
-    assertThat(elsewhere).doesNotExist();
+    assertThat(elsewhere).isEmptyDirectory();
     assertThat(outcome.isIdentical()).isTrue();
   }
 

@@ -18,6 +18,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
+import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -205,7 +206,12 @@ class HostileFileTest {
     BitSet wanted = new BitSet();
     wanted.set(1);
     return new McapCursor(
-        chunks, 0, wanted, chunk -> messages(chunk.size(), chunk.startNanos()), maxHeldBytes);
+        "a.mcap",
+        chunks,
+        0,
+        wanted,
+        chunk -> messages(chunk.size(), chunk.startNanos()),
+        maxHeldBytes);
   }
 
   @Test
@@ -266,20 +272,68 @@ class HostileFileTest {
         .hasMessageContaining("no record: opcode 12, length " + length);
   }
 
-  @Test
-  void next_recordUpToTheFilesLastByte_isRead() throws IOException {
+  private RecordBuffer twoRecords() {
     RecordBuffer out = new RecordBuffer(100, false);
     new McapMetadata("a", Map.of("b", "c")).write(out);
+    new McapMetadata("second", Map.of()).write(out);
+    return out;
+  }
+
+  @Test
+  void next_recordsUpToTheFilesLastByte_areRead() throws IOException {
+    RecordBuffer out = twoRecords();
     Files.write(file(), Arrays.copyOf(out.array(), out.length()));
     try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
       RecordStream stream = new RecordStream(channel, 0);
       assertThat(McapMetadata.read(stream.next().fields()).name()).isEqualTo("a");
-      assertThatThrownBy(stream::next).isInstanceOf(EOFException.class);
+      assertThat(stream.position()).isEqualTo(Opcode.PREFIX + 4 + 1 + 4 + 4 + 1 + 4 + 1);
+      assertThat(McapMetadata.read(stream.next().fields()).name()).isEqualTo("second");
+      assertThatThrownBy(stream::next)
+          .isInstanceOf(EOFException.class)
+          .hasMessage("the file breaks off at byte " + out.length());
     }
-    Files.write(file(), Arrays.copyOf(out.array(), out.length() - 1));
+  }
+
+  @Test
+  void next_secondRecordCut_saysWhere() throws IOException {
+    RecordBuffer out = twoRecords();
+    long second = Opcode.PREFIX + 4 + 1 + 4 + 4 + 1 + 4 + 1;
+    for (int length = (int) second + 1; length < out.length(); length++) {
+      Files.write(file(), Arrays.copyOf(out.array(), length));
+      try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
+        RecordStream stream = new RecordStream(channel, 0);
+        stream.next();
+        boolean hasPrefix = length >= second + Opcode.PREFIX;
+        assertThatThrownBy(stream::next)
+            .isInstanceOf(EOFException.class)
+            .hasMessage(
+                "the file breaks off at byte " + length + (hasPrefix ? ", within a record" : ""));
+      }
+    }
+  }
+
+  @Test
+  void next_recordWithoutContent_isRead() throws IOException {
+    Files.write(file(), new byte[] {(byte) 0x90, 0, 0, 0, 0, 0, 0, 0, 0});
     try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
-      assertThatThrownBy(() -> new RecordStream(channel, 0).next())
+      RecordStream.Entry entry = new RecordStream(channel, 0).next();
+      assertThat(entry.opcode()).isEqualTo(0x90);
+      assertThat(entry.content()).isEmpty();
+    }
+  }
+
+  @Test
+  void bytes_moreThanTheFileHolds_areNotAllocated() throws IOException {
+    Files.write(file(), new byte[100]);
+    try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
+      RecordStream stream = new RecordStream(channel, 40);
+      assertThat(stream.bytes(60)).hasSize(60);
+      assertThatThrownBy(() -> stream.bytes(61)).isInstanceOf(EOFException.class);
+      assertThatThrownBy(() -> stream.bytes(ReadLimits.MAX_LENGTH))
           .isInstanceOf(EOFException.class);
+      assertThatThrownBy(() -> stream.bytes(ReadLimits.MAX_LENGTH + 1))
+          .isInstanceOf(McapException.class)
+          .hasMessageContaining("expected at most " + ReadLimits.MAX_LENGTH);
     }
   }
 
@@ -309,5 +363,51 @@ class HostileFileTest {
   @Test
   void read_emptyChunk_isRead() throws IOException {
     assertThat(ChunkContent.read(chunkOfSize(0)).size()).isZero();
+  }
+
+  private static ChunkContent chunk(byte[] records, long size, long crc) {
+    return new ChunkContent(size, crc, ChunkCompression.NONE, records);
+  }
+
+  @Test
+  void salvage_soundChunk_hasAllRecordsAndNoTrouble() throws IOException {
+    RecordBuffer out = twoRecords();
+    byte[] records = Arrays.copyOf(out.array(), out.length());
+    CRC32 crc = new CRC32();
+    crc.update(records);
+    for (long known : new long[] {0, crc.getValue()}) {
+      ChunkContent.Salvage salvage = chunk(records, records.length, known).salvage();
+      assertThat(salvage.trouble()).isNull();
+      assertThat(salvage.records()).hasSize(2);
+      assertThat(chunk(records, records.length, known).records()).hasSize(2);
+    }
+  }
+
+  @Test
+  void salvage_otherChecksum_saysSo() {
+    RecordBuffer out = twoRecords();
+    byte[] records = Arrays.copyOf(out.array(), out.length());
+    assertThat(chunk(records, records.length, 1).salvage().trouble())
+        .hasMessageContaining("checksum is another");
+  }
+
+  @Test
+  void salvage_recordCut_hasThoseBeforeIt() {
+    RecordBuffer out = twoRecords();
+    byte[] records = Arrays.copyOf(out.array(), out.length() - 1);
+    ChunkContent cut = chunk(records, records.length, 0);
+    assertThat(cut.salvage().records()).hasSize(1);
+    assertThat(cut.salvage().trouble()).hasMessageContaining("its record has only");
+    assertThatThrownBy(cut::records)
+        .isInstanceOf(McapException.class)
+        .hasMessageContaining("a chunk is damaged");
+  }
+
+  @Test
+  void salvage_framesEndMissing_saysWhatTheDecompressorSays() {
+    byte[] noFrame = {1, 2, 3, 4, 5, 6, 7, 8};
+    ChunkContent chunk = new ChunkContent(100, 0, ChunkCompression.LZ4, noFrame);
+    assertThat(chunk.salvage().records()).isEmpty();
+    assertThat(chunk.salvage().trouble()).isNotNull();
   }
 }

@@ -128,7 +128,9 @@ class McapReaderTest {
     try (McapReader reader = McapReader.open(file)) {
       assertThatThrownBy(() -> reader.messages(0, channel -> true).next())
           .isInstanceOf(McapException.class)
-          .hasMessageContaining("checksum");
+          .hasMessageContaining("a.mcap: the chunk at byte")
+          .hasMessageContaining("checksum")
+          .hasMessageContaining("recover");
     }
   }
 }
