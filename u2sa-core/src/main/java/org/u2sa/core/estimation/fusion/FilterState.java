@@ -62,6 +62,7 @@ final class FilterState {
 
   final double[] x = new double[SIZE];
   final DMatrixRMaj p = new DMatrixRMaj(N, N);
+  final double[] search = new double[HeadingSearch.NUMBERS];
   final double[] sightings = new double[Sightings.NUMBERS];
   double[] trust = new double[0]; // SourceTrust's numbers
   long micros;
@@ -103,6 +104,7 @@ final class FilterState {
   void copyFrom(FilterState o) {
     System.arraycopy(o.x, 0, x, 0, SIZE);
     System.arraycopy(o.p.data, 0, p.data, 0, N * N);
+    System.arraycopy(o.search, 0, search, 0, HeadingSearch.NUMBERS);
     System.arraycopy(o.sightings, 0, sightings, 0, Sightings.NUMBERS);
     if (trust.length < o.trust.length) {
       trust = new double[o.trust.length];

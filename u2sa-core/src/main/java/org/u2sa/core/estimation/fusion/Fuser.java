@@ -20,6 +20,7 @@ final class Fuser {
   private final InertialInput inertial;
   private final MotionInput motion;
   private final SourceJudge judge;
+  private final SpeedDoubt doubts;
   private final QuantityStart starts;
   private final PersistentErrors persistent;
   private final DelayErrors delays;
@@ -35,6 +36,7 @@ final class Fuser {
     inertial = new InertialInput(tuning);
     motion = new MotionInput(tuning, trust);
     judge = new SourceJudge(tuning, trust);
+    doubts = new SpeedDoubt(trust);
     starts = new QuantityStart(tuning);
     persistent = new PersistentErrors(tuning);
     delays = new DelayErrors(tuning);
@@ -92,6 +94,7 @@ final class Fuser {
     if (what == SourceTrust.USED) {
       s.trust[at + SourceTrust.LAST_USED] = s.micros;
       s.trust[at + SourceTrust.STREAK] = 0.0;
+      s.trust[at + SourceTrust.DISTRUST] *= SourceTrust.FORGIVEN;
     }
   }
 
@@ -109,6 +112,11 @@ final class Fuser {
       return;
     }
     boolean isReadable = quantity != SensedQuantity.FLUID_VELOCITY || isReadable(m);
+    boolean isForward =
+        quantity == SensedQuantity.BODY_VELOCITY && m.has(SensedQuantity.BODY_VELOCITY, 0);
+    if (isForward) {
+      HeadingSearch.speed(s, m);
+    }
     if (!isReadable || !model.look(s, m, quantity) || model.rows == 0) {
       return;
     }
@@ -135,12 +143,25 @@ final class Fuser {
     }
     trust.learn(s, at, model, update.expected);
     SourceTrust.notedNis(s, at, nis);
+    if (SpeedDoubt.isOfSpeed(quantity) && doubts.holds(s, model, source, at)) {
+      return;
+    }
     if (nis > gates[model.rows]) {
-      if (judge.gated(s, model, source, quantity, at)) {
+      boolean mustGiveWay = judge.gated(s, model, source, quantity, at);
+      boolean isAlone = !judge.isCorroborated(s, source, quantity);
+      if (SpeedDoubt.isOfPosition(quantity) && isAlone && doubts.isRaised(s, model, source, at)) {
+        mustGiveWay = true;
+      } else if (mustGiveWay) {
+        QuantityStart.doubt(s, quantity, at);
+      }
+      if (mustGiveWay) {
         starts.reset(s, m, quantity, at, slot);
         DelayErrors.share(s, delay);
       }
     } else if (SourceJudge.passes(s, at)) {
+      if (SpeedDoubt.isOfPosition(quantity)) {
+        searchHeading(s, at);
+      }
       if (isInput) {
         motion.take(s, m, source, quantity, model, factor);
         count(s, at, SourceTrust.USED);
@@ -148,6 +169,16 @@ final class Fuser {
       } else {
         correct(s, m, source, quantity, at, slot);
       }
+    }
+  }
+
+  /** Positions and wheels together tell a heading that nothing measures. */
+  private void searchHeading(FilterState s, int at) {
+    if (!s.hasHeading && model.rows == 2) {
+      double north = model.predicted[0] + model.innovation[0];
+      double east = model.predicted[1] + model.innovation[1];
+      double variance = SourceTrust.factor(s, at) * Math.max(model.variance[0], model.variance[1]);
+      HeadingSearch.position(s, north, east, variance);
     }
   }
 
@@ -215,7 +246,8 @@ final class Fuser {
       s.movingMicros = s.micros;
     } else if ((s.micros - s.movingMicros) / MICROS >= TRACK_AFTER_S) {
       double of = Math.max(TRACK_SIGMA_RAD, sigma / speed);
-      Alignment.heading(s, StrictMath.atan2(ve, vn), of * of);
+      boolean isInReverse = HeadingSearch.forwardMps(s) < 0.0;
+      Alignment.heading(s, StrictMath.atan2(ve, vn) + (isInReverse ? Math.PI : 0.0), of * of);
     }
   }
 

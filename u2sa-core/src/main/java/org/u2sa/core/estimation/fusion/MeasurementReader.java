@@ -12,8 +12,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * and attitude against a vehicle's own axes, say nothing that the filter can use.
  */
 public final class MeasurementReader {
-  private static final double LEAST_SIGMA = 1e-4; // what claims to be perfect is not
-  private static final double LEAST_ANGLE = 1e-5;
+  private static final double MIN_SIGMA = 1e-3; // what claims to be perfect is not
+  private static final double MIN_ANGLE = 1e-4;
 
   private static final StateField[] POSITION = {StateField.X, StateField.Y, StateField.Z};
   private static final StateField[] POSITION_SIGMA = {
@@ -70,7 +70,13 @@ public final class MeasurementReader {
   private double sigma(StateInformation s, StateField field, double ifAbsent) {
     OptionalDouble claimed = s.number(field);
     boolean isAngle = field.ordinal() >= StateField.PHI_SIGMA.ordinal();
-    return Math.max(isAngle ? LEAST_ANGLE : LEAST_SIGMA, claimed.orElse(ifAbsent));
+    return honest(claimed, ifAbsent, isAngle ? MIN_ANGLE : MIN_SIGMA);
+  }
+
+  /** Nobody measures without error: who claims that, or less than nothing, claims nothing. */
+  private static double honest(OptionalDouble claimed, double ifAbsent, double least) {
+    double sigma = claimed.orElse(ifAbsent);
+    return Math.max(least, sigma > 0.0 ? sigma : ifAbsent);
   }
 
   private void readGlobal(StateInformation s, Measurement to) {
@@ -156,8 +162,8 @@ public final class MeasurementReader {
     double yaw = isBody || isFlu ? -1.0 : 1.0;
     double y = isBody || isFlu ? -1.0 : 1.0;
     double z = isFlu ? -1.0 : 1.0;
-    double rate = Math.max(LEAST_ANGLE, m.angularRateSigma().orElse(usual.rate()));
-    double force = Math.max(LEAST_SIGMA, m.specificForceSigma().orElse(usual.force()));
+    double rate = honest(m.angularRateSigma(), usual.rate(), MIN_ANGLE);
+    double force = honest(m.specificForceSigma(), usual.force(), MIN_SIGMA);
     m.rollRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 0, roll * v, rate));
     m.pitchRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 1, pitch * v, rate));
     m.yawRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 2, yaw * v, rate));

@@ -4,6 +4,9 @@ package org.u2sa.core.estimation.fusion;
  * Begins a quantity from its first measurement, and anew from one that is to be believed after all.
  */
 final class QuantityStart {
+  private static final double AGAIN_S = 30.0;
+  private static final double DISTRUST_STEP = 4.0; // of a variance
+  private static final double MAX_DISTRUST = 1e6;
   private final FilterTuning tuning;
   private final LeverArm lever = new LeverArm();
 
@@ -46,6 +49,29 @@ final class QuantityStart {
     s.resets++;
     s.trust[at + SourceTrust.STREAK] = 0.0;
     begin(s, m, quantity, at, slot);
+  }
+
+  /**
+   * The estimate is about to begin anew from this source, again: what is between makes no sense. A
+   * heading that nothing measures may be the reason; else it is that the source claims too much,
+   * and dead reckoning shows it.
+   */
+  static void doubt(FilterState s, SensedQuantity quantity, int at) {
+    double[] t = s.trust;
+    double since = (s.micros - t[at + SourceTrust.RESET_MICROS]) * 1e-6;
+    boolean isAgain = t[at + SourceTrust.RESET_MICROS] > 0.0 && since < AGAIN_S;
+    t[at + SourceTrust.RESET_MICROS] = s.micros;
+    boolean isOfMotion = SpeedDoubt.isOfPosition(quantity) || SpeedDoubt.isOfSpeed(quantity);
+    if (!isAgain || !isOfMotion) {
+      return;
+    }
+    if (SpeedDoubt.isHeadingGuessed(s)) {
+      s.hasHeading = false;
+      s.isolate(FilterState.ATTITUDE + 2, Math.PI * Math.PI / 3.0);
+    } else if (SpeedDoubt.isOfPosition(quantity) && !s.isInertial) {
+      double factor = SourceTrust.factor(s, at);
+      t[at + SourceTrust.DISTRUST] = Math.min(MAX_DISTRUST, DISTRUST_STEP * factor);
+    }
   }
 
   /**

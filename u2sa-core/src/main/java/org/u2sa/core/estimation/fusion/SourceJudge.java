@@ -99,6 +99,8 @@ final class SourceJudge {
     double streak = t[at + SourceTrust.STREAK];
     if (streak == 1.0) {
       t[at + SourceTrust.STREAK_SINCE] = s.micros;
+      t[at + SourceTrust.STREAK_FIRST] = model.innovation[0];
+      t[at + SourceTrust.STREAK_FIRST + 1] = model.rows > 1 ? model.innovation[1] : 0.0;
     }
     double mean2 = 0.0;
     for (int i = 0; i < model.rows; i++) {
@@ -136,7 +138,7 @@ final class SourceJudge {
   }
 
   /** Whether another source's measurements of the same thing were used lately. */
-  private boolean isCorroborated(FilterState s, int source, SensedQuantity quantity) {
+  boolean isCorroborated(FilterState s, int source, SensedQuantity quantity) {
     for (int other = 0; other < trust.sources(); other++) {
       for (int q = 0; q < SensedQuantity.count(); q++) {
         SensedQuantity each = SensedQuantity.at(q);

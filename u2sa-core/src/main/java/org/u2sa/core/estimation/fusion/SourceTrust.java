@@ -43,12 +43,18 @@ final class SourceTrust {
   static final int HAS_OFFSET = 22;
   static final int NIS = 23; // normalised squared innovation of the newest vector
   static final int RUN_OF = 24; // message at which the run began that RUN_START is of
-  private static final int QUANTITY_SIZE = 25;
+  static final int STREAK_FIRST = 25; // innovation that began the streak: two
+  static final int DISTRUST = 27; // least factor, as dead reckoning contradicts the claim
+  static final int RESET_MICROS = 28; // when the estimate last began anew from it; 0: never
+  static final int DOUBT_MPS = 29; // by how much positions contradict this speed; 0: not
+  static final int DOUBT_MEAN = 30; // mean innovation since: three
+  private static final int QUANTITY_SIZE = 33;
 
   private static final double PRIOR = 10.0; // innovations that the claim is worth
   private static final double LARGEST = 25.0; // multiple of the variance that one innovation shows
   private static final double NOTEWORTHY = 1.4; // a lesser factor is chance
-  private static final double HIGHEST = 1e4;
+  private static final double HIGHEST = 1e6;
+  static final double FORGIVEN = 0.998; // of a distrust that remains with each measurement used
   private static final double MEAN_SHARE = 0.05;
 
   private final int window;
@@ -134,7 +140,8 @@ final class SourceTrust {
   /** By how much the claimed variance is multiplied: 1 or more. */
   static double factor(FilterState s, int at) {
     double learnt = s.trust[at + LEARNT] == 0.0 ? 1.0 : s.trust[at + FACTOR];
-    return learnt < NOTEWORTHY ? 1.0 : Math.min(HIGHEST, learnt);
+    double shown = Math.max(learnt, s.trust[at + DISTRUST]);
+    return shown < NOTEWORTHY ? 1.0 : Math.min(HIGHEST, shown);
   }
 
   /**
