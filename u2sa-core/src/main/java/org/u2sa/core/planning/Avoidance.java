@@ -18,6 +18,7 @@ import org.u2sa.core.planning.route.Mobility;
 import org.u2sa.core.planning.route.Route;
 import org.u2sa.core.planning.route.RoutePlanner;
 import org.u2sa.core.planning.route.RouteRequest;
+import org.u2sa.core.planning.search.BodyDiscs;
 import org.u2sa.core.planning.seen.PlanningPlane;
 import org.u2sa.core.planning.seen.SeenWorld;
 import org.u2sa.interfaces.configuration.Configurator;
@@ -59,6 +60,7 @@ final class Avoidance {
   private final Supplier<LineSettings> lines;
   private final BiConsumer<String, Boolean> say; // what, and whether it is trouble
   private final SeenWorld world;
+  private final Passages passages;
   private final Guesses guesses;
   private final Nearing nearing = new Nearing();
   private final PathNews news;
@@ -82,9 +84,6 @@ final class Avoidance {
   private double lookHeadingRad;
   private boolean makesRoom; // to turn on the spot
   private boolean begun;
-  private SeenWorld.Reading reading; // by these settings
-  private AvoidanceSettings readBy;
-  private boolean isReadOnTheSpot;
 
   /**
    * Where the vehicle is to go now.
@@ -127,7 +126,8 @@ final class Avoidance {
                 "NONE sees no obstacles; GRID plans around them for vehicles that turn on the spot, HYBRID for those with a turning circle; others are planners of extensions.");
     chosen = () -> configuration.getVariable(planner);
     chosen.get(); // a wrong value must fail before the vehicle moves
-    world = new SeenWorld(this::reading);
+    passages = new Passages(settings, this::turnsOnTheSpot);
+    world = new SeenWorld(passages::reading);
     guesses = new Guesses(world);
     news = new PathNews(settings, say);
   }
@@ -159,6 +159,7 @@ final class Avoidance {
     obstacle = "";
     searches = false;
     guesses.forgetGaps();
+    passages.widen();
     recoveries = 0;
     recoversUntil = Long.MIN_VALUE;
     overlooksUntil = Long.MIN_VALUE;
@@ -172,7 +173,7 @@ final class Avoidance {
       lieOn(world.plane(state));
       Point at = vehicle.on(plane);
       Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
-      guesses.closeBehind(pose, now.body().circleM(), now.closeBehind());
+      guesses.closeBehind(pose, body(now).circleM(), now.closeBehind());
     }
   }
 
@@ -188,16 +189,8 @@ final class Avoidance {
     return news.take();
   }
 
-  /** How the surroundings are read: worked out again only when a setting has changed. */
-  private SeenWorld.Reading reading() {
-    AvoidanceSettings now = settings.get();
-    boolean onTheSpot = turnRadiusM(0.0) == 0.0;
-    if (now != readBy || onTheSpot != isReadOnTheSpot) {
-      readBy = now;
-      isReadOnTheSpot = onTheSpot;
-      reading = now.reading(onTheSpot);
-    }
-    return reading;
+  private BodyDiscs body(AvoidanceSettings now) {
+    return now.body(turnsOnTheSpot());
   }
 
   private double turnRadiusM(double speedMps) {
@@ -315,13 +308,17 @@ final class Avoidance {
     }
     if (goalMoved || lacking || blocked || (left && due)) {
       Route route = plan(pose, wanted, now, micros);
-      if (!route.exists() && !route.goesOn()) {
-        guesses.forgetGaps();
-      }
       obstacle = route.obstacle();
       searches = route.goesOn();
       take(route, micros);
       revision = triedRevision; // a longer search may not have seen what is there by now
+      if (!route.exists() && !route.goesOn()) {
+        guesses.forgetGaps();
+        if (passages.narrow()) {
+          triedRevision = -1;
+          say.accept("no way with room to turn: tries narrower passages", false);
+        }
+      }
     } else if (changed && due) {
       Route route = plan(pose, wanted, now, micros);
       if (route.exists() && route.cost() < BETTER * costLeft()) {
@@ -344,7 +341,7 @@ final class Avoidance {
                 goalEastM,
                 wanted.headingRad(),
                 wanted.thresholdM(),
-                new Mobility(now.body(), now.clearance(), 1.05 * turnRadiusM(0.0), now.reverses()),
+                new Mobility(body(now), now.clearance(), 1.05 * turnRadiusM(0.0), now.reverses()),
                 world.costs(),
                 world.shapes(),
                 world.corridors(),
@@ -393,9 +390,9 @@ final class Avoidance {
             + vehicle.eastMps() * Math.sin(pose.headingRad());
     ArcChooser arcs =
         new ArcChooser(
-            world.costs(), now.body(), world.movers(), limits, pose, along, micros, makesRoom);
+            world.costs(), body(now), world.movers(), limits, pose, along, micros, makesRoom);
     if (micros < recoversUntil) {
-      return arcs.backOut(1.5 * now.body().circleM());
+      return arcs.backOut(1.5 * body(now).circleM());
     }
     if (track.isPresent()) {
       lookedMicros = Long.MIN_VALUE;
@@ -449,6 +446,7 @@ final class Avoidance {
               : "stuck after " + recoveries + " attempts to free itself");
     }
     recoveries++;
+    passages.widen();
     say.accept("stuck: frees itself, attempt " + recoveries + " of " + now.recoveries(), false);
     recoversUntil = micros + now.stuckMicros() / 3;
     progressMicros = recoversUntil;

@@ -48,7 +48,7 @@ record AvoidanceSettings(
             min = 0,
             ifAbsent = 0,
             text =
-                "Narrowest passage, as the map has it, that routes lead through, straight on; for vehicles that turn on the spot. 0: one in which they can turn.")
+                "Narrowest passage, as the map has it, that routes lead through, straight on; for vehicles that turn on the spot. 0: one in which they can turn or, if no other route leads to the goal, VEHICLE WIDTH and CLEARANCE.")
         double narrowestPassage,
     @Variable(
             unit = "m",
@@ -238,18 +238,22 @@ record AvoidanceSettings(
     PassSides.parse(passSides);
   }
 
-  BodyDiscs body() {
-    return narrowestPassage > 0.0
+  /** The vehicle, with its corners where passages may be hardly wider than it is. */
+  BodyDiscs body(boolean onTheSpot) {
+    return onTheSpot || narrowestPassage > 0.0
         ? BodyDiscs.closely(vehicleFront, vehicleRear, vehicleWidth, COVER_CELLS * planningCell)
         : new BodyDiscs(vehicleFront, vehicleRear, vehicleWidth);
   }
 
-  /** How the surroundings are read, for a vehicle that turns on the spot or not. */
-  SeenWorld.Reading reading(boolean onTheSpot) {
-    BodyDiscs body = body();
-    double radius = (onTheSpot ? body.circleM() : body.radiusM()) + clearance;
-    if (onTheSpot && narrowestPassage > 0.0) {
-      radius = Math.min(radius, 0.5 * Math.max(vehicleWidth, narrowestPassage));
+  /**
+   * How the surroundings are read, for a vehicle that turns on the spot or not.
+   *
+   * @param narrow whether routes lead through all passages that it fits through
+   */
+  SeenWorld.Reading reading(boolean onTheSpot, boolean narrow) {
+    double radius = onTheSpot ? turningM() : body(false).radiusM() + clearance;
+    if (onTheSpot && (narrow || narrowestPassage > 0.0)) {
+      radius = Math.min(radius, 0.5 * passageM());
     }
     return new SeenWorld.Reading(
         planningCell,
@@ -259,6 +263,21 @@ record AvoidanceSettings(
         corridorType,
         types(),
         verticalClearance);
+  }
+
+  /** Whether there are passages that it fits through but cannot turn in, to be tried in need. */
+  boolean hasNarrower(boolean onTheSpot) {
+    return onTheSpot && narrowestPassage == 0.0 && 0.5 * passageM() < turningM();
+  }
+
+  private double turningM() {
+    return body(true).circleM() + clearance;
+  }
+
+  private double passageM() {
+    return narrowestPassage > 0.0
+        ? Math.max(vehicleWidth, narrowestPassage)
+        : vehicleWidth + clearance;
   }
 
   private List<String> types() {

@@ -62,7 +62,7 @@ final class Guesses {
             (type, side) ->
                 seen.computeIfAbsent(side, each -> new ArrayList<>())
                     .addAll(world.of(type, state)));
-    if (sides.see(seen, pose, track, now.passReach(), now.body().circleM())) {
+    if (sides.see(seen, pose, track, now.passReach(), now.body(true).circleM())) {
       tell();
     }
   }

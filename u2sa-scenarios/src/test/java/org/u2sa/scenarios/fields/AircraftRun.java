@@ -119,7 +119,7 @@ final class AircraftRun implements AutoCloseable {
     }
     boolean there = Math.hypot(east - field.goalEast, north - field.goalNorth) < 45.0;
     return new FieldResult(
-        reported && reason.isEmpty() && there, reason, contacts, kit.nowS(), track);
+        reported && reason.isEmpty() && there, reason, contacts, List.of(), kit.nowS(), track);
   }
 
   private void fly(Optional<NavigationPoint> point) {

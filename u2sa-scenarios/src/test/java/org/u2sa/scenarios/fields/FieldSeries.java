@@ -26,6 +26,7 @@ final class FieldSeries {
   private int solvable;
   private int solved;
   private final List<String> contacts = new ArrayList<>();
+  private final List<String> touchedBy = new ArrayList<>(); // the vehicle stood or backed off
   private final List<String> silent = new ArrayList<>();
   private final List<String> unsolved = new ArrayList<>();
 
@@ -46,6 +47,9 @@ final class FieldSeries {
       if (!result.contacts().isEmpty()) {
         contacts.add(name + " " + result.contacts());
       }
+      if (!result.touchedBy().isEmpty()) {
+        touchedBy.add(name + " " + result.touchedBy());
+      }
       if (!result.reached() && !result.gaveUp()) {
         silent.add(name);
       }
@@ -57,8 +61,8 @@ final class FieldSeries {
       }
     }
     System.out.printf(
-        "%d fields: %d solvable, %d of them solved, contacts %s, unsolved %s%n",
-        to - from, solvable, solved, contacts, unsolved);
+        "%d fields: %d solvable, %d of them solved, contacts %s, touched by %s, unsolved %s%n",
+        to - from, solvable, solved, contacts, touchedBy, unsolved);
   }
 
   /** No contact; each goal reached or given up with a reason; nearly all that can be solved are. */

@@ -53,7 +53,11 @@ final class RandomField {
     private final double lengthM;
     private final double startM;
 
-    private Traffic(double[] ends, double radiusM, double speedMps, double startM) {
+    /**
+     * @param ends from east, north to east, north [m]
+     * @param startM where on its round it is at first [m]
+     */
+    Traffic(double[] ends, double radiusM, double speedMps, double startM) {
       fromEast = ends[0];
       fromNorth = ends[1];
       toEast = ends[2];

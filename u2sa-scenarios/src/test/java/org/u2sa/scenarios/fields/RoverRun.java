@@ -35,6 +35,7 @@ final class RoverRun implements AutoCloseable {
 
   private static final double STEP_S = 0.05;
   private static final double LIMIT_S = 420.0;
+  private static final double STANDS_MPS = 0.05; // towards what touches it: less is no driving into
   private static final Map<String, Object> PLANNER =
       Map.ofEntries(
           Map.entry("PLANNER", "GRID"),
@@ -54,7 +55,8 @@ final class RoverRun implements AutoCloseable {
   private final DifferentialVehicle vehicle;
   private final RoverEyes eyes;
   private final Set<Integer> touched = new HashSet<>();
-  private final List<String> contacts = new ArrayList<>();
+  private final List<String> contacts = new ArrayList<>(); // what it drove into
+  private final List<String> touchedBy = new ArrayList<>(); // traffic, while it stood or backed off
   private final ContactWatch watch =
       new ContactWatch(
           c -> contacts.add(c.object().uid() + " at " + Math.round(10.0 * c.timeS()) / 10.0));
@@ -113,7 +115,7 @@ final class RoverRun implements AutoCloseable {
         Math.hypot(truth.position().x() - field.goalEast, truth.position().y() - field.goalNorth)
             < 0.7;
     return new FieldResult(
-        reported && reason.isEmpty() && there, reason, contacts, kit.nowS(), track);
+        reported && reason.isEmpty() && there, reason, contacts, touchedBy, kit.nowS(), track);
   }
 
   private Waypoint goal() {
@@ -152,7 +154,10 @@ final class RoverRun implements AutoCloseable {
               Math.max(0.0, Math.max(ahead - 0.46, -0.1 - ahead)),
               Math.max(0.0, Math.abs(right) - 0.26));
       if (beyond < other.radiusM && touched.add(i)) {
-        contacts.add("T" + i + " at " + Math.round(10.0 * kit.nowS()) / 10.0);
+        String what = "T" + i + " at " + Math.round(10.0 * kit.nowS()) / 10.0;
+        double away = Math.hypot(de, dn);
+        double towardsMps = (truth.velocity().x() * de + truth.velocity().y() * dn) / away;
+        (towardsMps > STANDS_MPS ? contacts : touchedBy).add(what);
       }
     }
   }

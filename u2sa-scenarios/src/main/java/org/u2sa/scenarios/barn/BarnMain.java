@@ -1,0 +1,82 @@
+package org.u2sa.scenarios.barn;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/**
+ * Drives worlds of BARN one after the other and prints the table of {@code docs/path-planning.md};
+ * {@code scripts/barn/run} starts it.
+ */
+final class BarnMain {
+  /** Width of the demo's rover [m]. */
+  private static final double ROVER_WIDTH_M = 0.52;
+
+  /** Its speed by default: PLANNED SPEED, and CRUISE SPEED of its control [m/s]. */
+  private static final double TOP_MPS = 1.0;
+
+  private static final int WORLDS = 300;
+
+  private BarnMain() {}
+
+  /**
+   * Drives worlds.
+   *
+   * @param args folder of the worlds, folder for results, numbers of worlds (such as 7,12, or 0/6
+   *     for every sixth from 0 on), how much wider than for the vehicle's width the worlds are
+   *     scaled (1: as for the challenge's robot), options of the demo
+   */
+  public static void main(String[] args) throws IOException {
+    if (args.length < 4) {
+      throw new IllegalArgumentException(
+          args.length + " arguments; expected WORLDS OUT NUMBERS WIDER [OPTION...]");
+    }
+    Path worlds = Path.of(args[0]);
+    Path out = Path.of(args[1]);
+    double scale = Double.parseDouble(args[3]) * ROVER_WIDTH_M / BarnCourse.JACKAL_WIDTH_M;
+    List<String> options = List.of(args).subList(4, args.length);
+    List<BarnScore> scores = new ArrayList<>();
+    System.out.println("world  outcome       way m   time s  metric");
+    for (int number : numbers(args[2])) {
+      BarnCourse course = new BarnCourse(BarnWorld.read(worlds, number), scale);
+      BarnScore score = BarnDrive.drive(course, out.resolve("world-" + number), options);
+      scores.add(score);
+      System.out.println(score.line(TOP_MPS));
+    }
+    System.out.println(summary(scores));
+    System.exit(0); // whatever thread a demo left behind
+  }
+
+  private static int[] numbers(String text) {
+    String[] stepped = text.split("/");
+    if (stepped.length == 2) {
+      int step = Integer.parseInt(stepped[1]);
+      return IntStream.iterate(Integer.parseInt(stepped[0]), n -> n < WORLDS, n -> n + step)
+          .toArray();
+    }
+    return Stream.of(text.split(",")).mapToInt(Integer::parseInt).toArray();
+  }
+
+  private static String summary(List<BarnScore> scores) {
+    long reached = count(scores, BarnScore.Outcome.REACHED);
+    double metric = scores.stream().mapToDouble(score -> score.metric(TOP_MPS)).average().orElse(0);
+    return String.format(
+        Locale.ROOT,
+        "reached %d of %d, touched %d, not reached %d; metric %.4f of %.2f at %.1f m/s",
+        reached,
+        scores.size(),
+        count(scores, BarnScore.Outcome.TOUCHED),
+        count(scores, BarnScore.Outcome.NOT_REACHED),
+        metric,
+        BarnScore.BEST,
+        TOP_MPS);
+  }
+
+  private static long count(List<BarnScore> scores, BarnScore.Outcome outcome) {
+    return scores.stream().filter(score -> score.outcome() == outcome).count();
+  }
+}
