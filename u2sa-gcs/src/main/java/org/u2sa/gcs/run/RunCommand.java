@@ -325,7 +325,7 @@ public final class RunCommand implements Callable<Integer> {
 
   private static TroubleLines troublesOf(RunningSystem system, PrintWriter out) {
     return new TroubleLines(
-        system.communicationManager().transport(), new SystemClock(), out::println);
+        system.communicationManager().transport(), any -> true, new SystemClock(), out::println);
   }
 
   private static LocalSystems.Announcement announced(
