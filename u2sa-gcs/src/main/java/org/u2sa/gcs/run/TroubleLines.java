@@ -22,7 +22,9 @@ public final class TroubleLines implements Receiver, AutoCloseable {
   private static final long APART_MICROS = 5_000_000;
   private static final int MAX_TEXT = 300;
   private static final int MAX_SERVICES = 1_000;
-  private static final String COMMANDS = "u2sa-"; // begin so; one that was killed is no trouble
+
+  /** In the will of every client: whoever runs the service's process says what became of it. */
+  private static final String LOST = "connection lost";
 
   /** What was printed last of a service. */
   private record Printed(String text, long micros) {}
@@ -51,8 +53,7 @@ public final class TroubleLines implements Receiver, AutoCloseable {
   @Override
   public void receive(Channel<?> channel, U2SAData message) {
     if (message instanceof HealthReport report
-        && report.lastError().isPresent()
-        && !report.serviceName().startsWith(COMMANDS)
+        && report.lastError().filter(text -> !text.equals(LOST)).isPresent()
         && services.test(report.serviceName())) {
       print(report.serviceName(), report.lastError().get());
     }

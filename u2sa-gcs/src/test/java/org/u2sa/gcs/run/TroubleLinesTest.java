@@ -51,8 +51,9 @@ class TroubleLinesTest {
   }
 
   @Test
-  void receive_commandThatWasKilled_isNotPrinted() {
+  void receive_clientThatWasKilled_isNotPrinted() {
     report("u2sa-echo", "connection lost");
+    report("PathPlanner", "connection lost");
 
     assertThat(printed).isEmpty();
   }
