@@ -45,6 +45,7 @@ public class PathPlanner extends EventDrivenService {
   private long stateMicros = Long.MIN_VALUE; // when the last state came
   private long missionMicros = Long.MIN_VALUE; // when the first goals came
   private String complaint = ""; // the last one logged, so that it is logged once
+  private String threshold = ""; // what was said of the present goal's
 
   /** Called by the launcher. */
   public PathPlanner(ServiceContext context) {
@@ -246,7 +247,22 @@ public class PathPlanner extends EventDrivenService {
         .orElse(Double.POSITIVE_INFINITY);
   }
 
-  private List<NavigationPoint> pursue(GoalInformation chosen, StateInformation state) {
+  private GoalInformation following(GoalInformation option, StateInformation state) {
+    return WaypointAccuracy.following(option, state, settings.get().thresholdSigmas());
+  }
+
+  /** Says so when the state's accuracy does not allow a goal's threshold, as the goal begins. */
+  private void judgeThreshold(GoalInformation begun, StateInformation state) {
+    String said = WaypointAccuracy.remark(begun, state).orElse("");
+    if (threshold.isEmpty() && !said.isEmpty()) {
+      trouble(said); // once; the remark tells of the others
+    }
+    threshold = said;
+    remark("threshold", said);
+  }
+
+  private List<NavigationPoint> pursue(GoalInformation choice, StateInformation state) {
+    GoalInformation chosen = following(choice, state);
     Optional<PlannerState> planner = states.forGoal(chosen);
     if (planner.isEmpty()) {
       complain(
@@ -262,7 +278,9 @@ public class PathPlanner extends EventDrivenService {
     end.leave();
     holdAt = Optional.empty();
     Optional<GoalInformation> after =
-        new GoalChoice(goals.get()).after(chosen, foreseen, option -> distanceM(option, state));
+        new GoalChoice(goals.get())
+            .after(choice, foreseen, option -> distanceM(option, state))
+            .map(option -> following(option, state));
     boolean begins = goal.filter(current -> current.uid().equals(chosen.uid())).isEmpty();
     Pursuit pursuit =
         new Pursuit(chosen, begins ? finished : Optional.empty(), after, state, missionS());
@@ -272,6 +290,7 @@ public class PathPlanner extends EventDrivenService {
               + chosen.uid()
               + "\" begins"
               + finished.map(done -> ", from \"" + done.uid() + "\"").orElse(""));
+      judgeThreshold(chosen, state);
       planner.get().enter(pursuit);
       finished = Optional.empty();
     }

@@ -51,6 +51,13 @@ record PlanningSettings(
     @Variable(min = 1, max = 1000, ifAbsent = 3, text = "Passes at a waypoint before giving up.")
         int attempts,
     @Variable(
+            min = 0,
+            max = 5,
+            ifAbsent = 0,
+            text =
+                "Horizontal thresholds of waypoints are at least this many standard deviations of the state's position; 0: as the mission says.")
+        double thresholdSigmas,
+    @Variable(
             ifAbsentText = "STOP",
             text =
                 "After the last goal: HOLD stays at the last waypoint, STOP sends no navigation points.")

@@ -123,7 +123,7 @@ final class WaypointState implements PlannerState {
     NavigationPoint point =
         NavigationPoint.at(
             guidance.towards(
-                vehicle, target, waypoint.horizontalThreshold(), placeOf(pursuit.after())));
+                vehicle, target, aimedAtM(waypoint, pursuit.state()), placeOf(pursuit.after())));
     double toGoM = distanceM(waypoint, pursuit.state());
     speed(waypoint, toGoM, pursuit).ifPresent(point::speed);
     double downM = vehicle.nedOf(target).z();
@@ -226,7 +226,7 @@ final class WaypointState implements PlannerState {
       return turned(waypoint, vehicle, target, point, downM);
     }
     List<NavigationPoint> points = List.of(point);
-    if (reached && isNearEnough(waypoint)) {
+    if (reached && isNearEnough(waypoint, pursuit.state())) {
       avoidance.reached(vehicle, pursuit.state());
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
@@ -236,11 +236,21 @@ final class WaypointState implements PlannerState {
   }
 
   /**
+   * The threshold to aim at: what turns on the spot leaves a waypoint at its edge, where an error
+   * of the estimate would miss it. Turns that cut the corner keep a margin anyway.
+   */
+  private double aimedAtM(Waypoint waypoint, StateInformation state) {
+    return settings.get().turnAcceleration() == 0.0
+        ? WaypointAccuracy.surelyWithinM(waypoint.horizontalThreshold(), state)
+        : waypoint.horizontalThreshold();
+  }
+
+  /**
    * Whether a waypoint within its threshold may be left: as near as a turn may cut the corner, or
    * no nearer any more. At the very edge an error of the estimate would miss it.
    */
-  private boolean isNearEnough(Waypoint waypoint) {
-    double nearM = settings.get().lines().turns().nearM(waypoint.horizontalThreshold());
+  private boolean isNearEnough(Waypoint waypoint, StateInformation state) {
+    double nearM = settings.get().lines().turns().nearM(aimedAtM(waypoint, state));
     if (!avoidance.turnsOnTheSpot()) { // its routes end nearer; at once is for what turns at once
       nearM = Math.min(nearM, SHARE_NEAR * waypoint.horizontalThreshold());
     }

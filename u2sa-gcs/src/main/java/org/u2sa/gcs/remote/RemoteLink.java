@@ -31,6 +31,7 @@ public final class RemoteLink implements AutoCloseable {
   private final Consumer<String> trouble;
   private final Map<String, List<Consumer<U2SAData>>> listeners = new ConcurrentHashMap<>();
   private final Connection connection;
+  private final Thread ending; // a command that is interrupted takes leave, too: it is not lost
 
   /**
    * Connects.
@@ -47,6 +48,8 @@ public final class RemoteLink implements AutoCloseable {
     this.timeoutS = timeoutS;
     this.trouble = trouble;
     connection = transport.connect(name, new Incoming());
+    ending = new Thread(connection::close, name + "-end");
+    Runtime.getRuntime().addShutdownHook(ending);
   }
 
   /** The system that was joined. */
@@ -175,6 +178,11 @@ public final class RemoteLink implements AutoCloseable {
 
   @Override
   public void close() {
+    try {
+      Runtime.getRuntime().removeShutdownHook(ending);
+    } catch (IllegalStateException e) {
+      return; // the program is ending, and the hook closes the connection
+    }
     connection.close();
   }
 

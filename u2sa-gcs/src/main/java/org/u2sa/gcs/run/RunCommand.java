@@ -11,6 +11,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Predicate;
 import org.u2sa.core.communication.BrokerSearch;
 import org.u2sa.core.communication.ManagerSettings;
 import org.u2sa.core.launch.LaunchOptions;
@@ -273,7 +274,7 @@ public final class RunCommand implements Callable<Integer> {
       throws InterruptedException {
     Optional<ParentWatch> parent = parentWatch();
     try (RunningSystem system = RunningSystem.start(file, options);
-        TroubleLines troubles = troublesOf(system, out);
+        TroubleLines troubles = troublesOf(system, ownServices(system), out);
         LocalSystems.Announcement announced = announced(file, system, out);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
       parent.ifPresent(watch -> watch.endingBy(system::close));
@@ -304,7 +305,7 @@ public final class RunCommand implements Callable<Integer> {
     ServiceProcesses.ProcessCommand start =
         new ServiceProcesses.ProcessCommand(file.file(), logs, seed, settings);
     try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
-        TroubleLines troubles = troublesOf(manager, out);
+        TroubleLines troubles = troublesOf(manager, any -> true, out);
         LocalSystems.Announcement announced = announced(file, manager, out);
         ServiceProcesses processes = new ServiceProcesses(start, entries, out::println);
         Supervisor supervisor = new Supervisor(file, manager, processes, out::println);
@@ -323,9 +324,19 @@ public final class RunCommand implements Callable<Integer> {
     }
   }
 
-  private static TroubleLines troublesOf(RunningSystem system, PrintWriter out) {
+  private static TroubleLines troublesOf(
+      RunningSystem system, Predicate<String> services, PrintWriter out) {
     return new TroubleLines(
-        system.communicationManager().transport(), new SystemClock(), out::println);
+        system.communicationManager().transport(), services, new SystemClock(), out::println);
+  }
+
+  /** Those that this process speaks for: where one supervises it, that one speaks for all. */
+  private Predicate<String> ownServices(RunningSystem system) {
+    Set<String> own = new HashSet<>();
+    if (!supervised) {
+      system.services().forEach(service -> own.add(service.getServiceName()));
+    }
+    return own::contains;
   }
 
   private static LocalSystems.Announcement announced(

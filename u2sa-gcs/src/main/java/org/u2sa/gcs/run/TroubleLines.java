@@ -3,6 +3,7 @@ package org.u2sa.gcs.run;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.u2sa.interfaces.OneLine;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -17,14 +18,18 @@ import org.u2sa.messages.schema.U2SAData;
  * Prints what services report as trouble, such as a device that is not there, which would otherwise
  * stand in their log files only. Each text once, and a line per service every few seconds.
  */
-final class TroubleLines implements Receiver, AutoCloseable {
+public final class TroubleLines implements Receiver, AutoCloseable {
   private static final long APART_MICROS = 5_000_000;
   private static final int MAX_TEXT = 300;
   private static final int MAX_SERVICES = 1_000;
 
+  /** In the will of every client: whoever runs the service's process says what became of it. */
+  private static final String LOST = "connection lost";
+
   /** What was printed last of a service. */
   private record Printed(String text, long micros) {}
 
+  private final Predicate<String> services;
   private final Clock clock;
   private final Consumer<String> console;
   private final Map<String, Printed> printed = new HashMap<>(); // by service; guarded by this
@@ -32,10 +37,13 @@ final class TroubleLines implements Receiver, AutoCloseable {
 
   /**
    * @param transport to the system's messages
+   * @param services whose troubles are printed
    * @param clock of the run
    * @param console takes lines
    */
-  TroubleLines(Transport transport, Clock clock, Consumer<String> console) {
+  public TroubleLines(
+      Transport transport, Predicate<String> services, Clock clock, Consumer<String> console) {
+    this.services = services;
     this.clock = clock;
     this.console = console;
     connection = transport.connect("u2sa-run-troubles", this);
@@ -44,7 +52,9 @@ final class TroubleLines implements Receiver, AutoCloseable {
 
   @Override
   public void receive(Channel<?> channel, U2SAData message) {
-    if (message instanceof HealthReport report && report.lastError().isPresent()) {
+    if (message instanceof HealthReport report
+        && report.lastError().filter(text -> !text.equals(LOST)).isPresent()
+        && services.test(report.serviceName())) {
       print(report.serviceName(), report.lastError().get());
     }
   }

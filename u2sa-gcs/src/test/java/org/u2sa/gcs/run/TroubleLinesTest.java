@@ -16,7 +16,7 @@ class TroubleLinesTest {
   private final LocalBus bus = new LocalBus("boat");
   private final LockstepClock clock = new LockstepClock();
   private final List<String> printed = new ArrayList<>();
-  private final TroubleLines lines = new TroubleLines(bus, clock, printed::add);
+  private final TroubleLines lines = new TroubleLines(bus, any -> true, clock, printed::add);
 
   @AfterEach
   void close() {
@@ -48,6 +48,14 @@ class TroubleLinesTest {
     }
 
     assertThat(printed).containsExactly("Compass: silent for 0 s", "Compass: silent for 20 s");
+  }
+
+  @Test
+  void receive_clientThatWasKilled_isNotPrinted() {
+    report("u2sa-echo", "connection lost");
+    report("PathPlanner", "connection lost");
+
+    assertThat(printed).isEmpty();
   }
 
   @Test

@@ -13,6 +13,7 @@ import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.gcs.remote.LocalSystems;
+import org.u2sa.gcs.run.TroubleLines;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
@@ -119,6 +120,7 @@ record DemoRun(
     try (RunScreen screen = new RunScreen(plan, terminal, STOPWATCH);
         Simulation simulated = simulation; // ended last, so that neutral commands still reach it
         RunningSystem running = RunningSystem.start(system, options);
+        TroubleLines troubles = plannersTroubles(running);
         LocalSystems.Announcement announced = announced(running)) {
       RunObserver observer =
           maker.make(
@@ -142,6 +144,15 @@ record DemoRun(
           observer.record().track(),
           observer.outcome());
     }
+  }
+
+  /** What the planner cannot do is said at once, such as to meet thresholds. */
+  private TroubleLines plannersTroubles(RunningSystem running) {
+    return new TroubleLines(
+        running.communicationManager().transport(),
+        "PathPlanner"::equals,
+        STOPWATCH,
+        terminal.out()::println);
   }
 
   private LocalSystems.Announcement announced(RunningSystem running) {

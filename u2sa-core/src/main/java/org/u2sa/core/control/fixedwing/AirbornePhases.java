@@ -93,15 +93,25 @@ final class AirbornePhases {
         dtS);
   }
 
-  /** Follows navigation laterally, and down to the safe height. */
+  /**
+   * Climbs to the safe height and follows navigation laterally there. Near the ground it banks
+   * little, whatever navigation says, and it flies faster than an approach: it is refused in strong
+   * wind, whose gusts take airspeed away.
+   */
   Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
-    GuidanceTarget above =
-        new GuidanceTarget(
-            target.northM(),
-            target.eastM(),
-            Math.max(target.altitudeM(), safeAltitudeM(state)),
-            target.speedMps());
-    return fly(state, Optional.of(above), false, dtS);
+    altitudeDemandM = Math.max(target.altitudeM(), safeAltitudeM(state));
+    holdAltitudeM = altitudeDemandM;
+    double calibratedMps = target.speedMps().orElse(0.0) / state.trueOverCalibrated();
+    speedDemandMps =
+        Math.max(calibratedMps, guidance.cruiseSpeed()) + guidance.gustShare() * wind.speedMps();
+    double share = Limit.within(0.0, state.heightM() / tuning.takeOff().safeHeight(), 1.0);
+    return surfaces(
+        state,
+        lateral.bankRad(state, target.northM(), target.eastM()),
+        share * share * Math.toRadians(guidance.bankLimit()),
+        false,
+        Math.toRadians(guidance.pitchLowerLimit()),
+        dtS);
   }
 
   private Surfaces surfaces(

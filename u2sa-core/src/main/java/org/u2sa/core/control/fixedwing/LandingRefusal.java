@@ -12,6 +12,12 @@ final class LandingRefusal {
   /** Navigation below this height above ground means landing: nobody cruises so low [m]. */
   static final double LEADS_DOWN_M = 15.0;
 
+  /** The wind is judged once navigation leads below this: from here a climb is easy [m]. */
+  private static final double JUDGED_BELOW_M = 40.0;
+
+  /** From less above the flare, a descent does not become a climb before the ground [m]. */
+  private static final double COMMITTED_ABOVE_FLARE_M = 6.0;
+
   private final double maxCrosswindMps;
   private final double safeHeightM;
   private final double committedHeightM;
@@ -20,12 +26,13 @@ final class LandingRefusal {
 
   /**
    * @param safeHeightM to which it climbs instead, above ground [m]
-   * @param committedHeightM below which a landing goes on in any case, above ground [m]
+   * @param flareHeightM at which the flare begins, above ground [m]; a little higher, a landing
+   *     goes on in any case
    */
-  LandingRefusal(double maxCrosswindMps, double safeHeightM, double committedHeightM) {
+  LandingRefusal(double maxCrosswindMps, double safeHeightM, double flareHeightM) {
     this.maxCrosswindMps = maxCrosswindMps;
     this.safeHeightM = safeHeightM;
-    this.committedHeightM = committedHeightM;
+    committedHeightM = flareHeightM + COMMITTED_ABOVE_FLARE_M;
   }
 
   /** Whether the aircraft may not come down now. */
@@ -40,7 +47,9 @@ final class LandingRefusal {
     double ledToM = target.get().altitudeM() - (state.altitudeM() - state.heightM());
     if (refused) {
       refused = ledToM < safeHeightM;
-    } else if (ledToM < LEADS_DOWN_M && state.heightM() > committedHeightM && approach.isKnown()) {
+    } else if (ledToM < JUDGED_BELOW_M
+        && state.heightM() > committedHeightM
+        && approach.isKnown()) {
       crosswindMps = wind.acrossMps(approach.courseRad());
       refused = Math.abs(crosswindMps) > maxCrosswindMps;
     }

@@ -164,6 +164,62 @@ class CrosswindLandingTest {
         .contains("m/s of wind from the right across the approach, MAX CROSSWIND is 15.0 m/s");
   }
 
+  /** Goes around, and circles over the runway, as planners do at the end of a mission. */
+  @ParameterizedTest(name = "{0} m/s from {1} deg, seed {2}")
+  @CsvSource({
+    "17, 0, 4",
+    "17, 0, 7",
+    "17, 180, 1",
+    "17, 180, 5",
+    "19, 0, 5",
+    "19, 180, 4",
+    "19, 180, 5"
+  })
+  void step_goAroundInStrongWind_climbsAndCirclesWithoutAStall(
+      double mps, double fromDeg, long seed) {
+    approach(Wind.gusty(Math.toRadians(fromDeg), mps, seed));
+    boolean refused = false;
+    for (double t = 0.0; t < 400.0; t += DT_S) {
+      refused |= autopilot.phase() == FlightPhase.GO_AROUND;
+      if (refused) {
+        circle();
+      } else {
+        step();
+      }
+      AircraftMotion truth = aircraft.state();
+      assertThat(truth.stalled() || truth.crashed() || truth.weightOnWheels())
+          .as("stalled or down after %.1f s, %.1f m above ground", t, state().heightM())
+          .isFalse();
+    }
+    assertThat(refused).isTrue();
+    assertThat(autopilot.phase()).isEqualTo(FlightPhase.GO_AROUND);
+  }
+
+  /** What a planner says that has come to the end of a mission to land: it circles there. */
+  private void circle() {
+    FlightState state = state();
+    double radius = 300.0;
+    double angle = Math.atan2(state.eastM() - TOUCH_DOWN_M, state.northM()) + 0.5;
+    GuidanceTarget there =
+        new GuidanceTarget(
+            radius * Math.cos(angle) - state.northM(),
+            TOUCH_DOWN_M + radius * Math.sin(angle) - state.eastM(),
+            FIELD_M,
+            OptionalDouble.of(SPEED_MPS));
+    Surfaces s = autopilot.step(state, Optional.of(there));
+    aircraft.step(
+        ControlInputs.limited(
+            s.aileron(),
+            s.elevator(),
+            s.rudder(),
+            s.throttle(),
+            s.mixture(),
+            s.flaps(),
+            s.brakes(),
+            s.brakes()),
+        DT_S);
+  }
+
   /** Four flights at 12 m/s had stalled, all where the nose came up. */
   @ParameterizedTest(name = "seed {0}")
   @CsvSource({"2", "3", "11", "13"})

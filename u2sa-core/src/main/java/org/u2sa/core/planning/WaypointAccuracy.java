@@ -1,0 +1,82 @@
+package org.u2sa.core.planning;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+
+/**
+ * What the accuracy that the state claims makes of waypoints' horizontal thresholds. With a
+ * standard deviation of σ along each axis, a place is within r of where it seems to be with a
+ * probability of 1 − exp(−r² / 2σ²) (Rayleigh distribution).
+ */
+final class WaypointAccuracy {
+  /** Standard deviations within which a place truly is in 86 of 100 cases. */
+  private static final double SURE_SIGMAS = 2.0;
+
+  private static final double SMALLEST_SHARE = 0.5; // of a threshold, that is left to aim at
+  private static final double FULL_PERCENT = 100.0;
+
+  private WaypointAccuracy() {}
+
+  /** Standard deviation of the horizontal position along the worse axis [m]; empty: not claimed. */
+  static OptionalDouble sigmaM(StateInformation state) {
+    if (state.xSigma().isEmpty() && state.ySigma().isEmpty()) {
+      return OptionalDouble.empty();
+    }
+    return OptionalDouble.of(Math.max(state.xSigma().orElse(0.0), state.ySigma().orElse(0.0)));
+  }
+
+  /**
+   * How near a waypoint is to seem for it to be truly within its threshold [m]: nearer by two
+   * standard deviations, or by half of the threshold if they are more.
+   */
+  static double surelyWithinM(double thresholdM, StateInformation state) {
+    return thresholdM
+        - Math.min(SURE_SIGMAS * sigmaM(state).orElse(0.0), SMALLEST_SHARE * thresholdM);
+  }
+
+  /**
+   * A goal whose threshold follows the accuracy.
+   *
+   * @param sigmas standard deviations that a waypoint's threshold is at least; 0: as it is
+   * @return the goal itself, unless it is a waypoint with a smaller threshold
+   */
+  static GoalInformation following(GoalInformation goal, StateInformation state, double sigmas) {
+    double leastM = sigmas * sigmaM(state).orElse(0.0);
+    if (!(goal instanceof Waypoint waypoint) || waypoint.horizontalThreshold() >= leastM) {
+      return goal;
+    }
+    Waypoint wider = waypoint.copy();
+    wider.horizontalThreshold(leastM);
+    return wider;
+  }
+
+  /**
+   * Says that a waypoint's threshold is too small for the accuracy; empty if it is not.
+   *
+   * @param goal with the threshold that holds
+   */
+  static Optional<String> remark(GoalInformation goal, StateInformation state) {
+    double sigma = sigmaM(state).orElse(0.0);
+    if (!(goal instanceof Waypoint waypoint)
+        || waypoint.horizontalThreshold() >= SURE_SIGMAS * sigma) {
+      return Optional.empty();
+    }
+    double ratio = waypoint.horizontalThreshold() / sigma;
+    return Optional.of(
+        String.format(
+            Locale.ROOT,
+            "waypoint \"%s\" may be missed although it seems reached: the position is known to"
+                + " %.1f m (1 sigma), so its threshold of %.1f m is truly met with a probability of"
+                + " %.0f %%; thresholds of %.1f m and more can be relied on, and THRESHOLD SIGMAS"
+                + " lets thresholds follow the accuracy",
+            waypoint.uid(),
+            sigma,
+            waypoint.horizontalThreshold(),
+            FULL_PERCENT * -Math.expm1(-0.5 * ratio * ratio),
+            SURE_SIGMAS * sigma));
+  }
+}
