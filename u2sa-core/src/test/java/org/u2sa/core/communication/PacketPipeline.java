@@ -85,7 +85,7 @@ final class PacketPipeline implements AutoCloseable {
         .addLast(
             new Network(),
             new ReceivedBytes(built, inflow),
-            new PacketFramer(built, inflow, UnfinishedPackets.ofClients()),
+            new PacketFramer(built, inflow, filter.unfinished()),
             new Counter(),
             new MqttDecoder(BrokerLimits.LONGEST_PACKET),
             MqttEncoder.INSTANCE,
@@ -219,6 +219,20 @@ final class PacketPipeline implements AutoCloseable {
     }
     all.release();
     return packets;
+  }
+
+  /** Identifiers of the messages of QoS 1 that the client was sent since the last call. */
+  List<Integer> sentIdentifiers() {
+    List<Integer> identifiers = new ArrayList<>();
+    for (ByteBuf packet = channel.readOutbound(); packet != null; packet = channel.readOutbound()) {
+      if (packet.readByte() == 0x32) {
+        packet.skipBytes(1);
+        packet.skipBytes(packet.readUnsignedShort());
+        identifiers.add(packet.readUnsignedShort());
+      }
+      packet.release();
+    }
+    return identifiers;
   }
 
   @Override
