@@ -80,11 +80,11 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     return connection;
   }
 
-  /** How many questions a packet counts as; 0 if it is none. */
-  double questions(Object packet) {
-    return subscriptions != null && packet instanceof MqttMessage message
-        ? subscriptions.questions(message)
-        : 0.0;
+  /** Whether a packet may be taken now; if so, it counts. */
+  boolean isInTurn(Object packet) {
+    return subscriptions == null
+        || !(packet instanceof MqttMessage message)
+        || subscriptions.isInTurn(message);
   }
 
   /**
