@@ -53,7 +53,7 @@ record BrokerLimits(
             min = 65_536,
             max = 2_000_000_000,
             ifAbsent = 32 << 20,
-            text = "Total bytes of retained messages.")
+            text = "Total bytes of retained messages; at most a quarter of the heap's size.")
         int retainedBytesAtMost,
     @Variable(
             min = 16_384,

@@ -33,7 +33,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     OUT
   }
 
-  private static final String TOO_SLOW = "client put out, it is too slow";
+  static final String TOO_SLOW = "client put out, it is too slow";
 
   private final ConnectionFilter filter;
   private final Outflow outflow;
@@ -43,6 +43,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private PacketFilter packets; // from its admission, as the rules
   private PacketRules rules;
   private ClientSubscriptions subscriptions;
+  private boolean isBudgeted; // what is kept for the client counts
   private ConnectRequest.Will will; // null: none, or it was said
   private boolean hasNews; // for Moquette, since it was told last that nothing more has come
   private String clientId = "";
@@ -79,11 +80,11 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     return connection;
   }
 
-  /** How many questions a packet counts as; 0 if it is none. */
-  double questions(Object packet) {
-    return subscriptions != null && packet instanceof MqttMessage message
-        ? subscriptions.questions(message)
-        : 0.0;
+  /** Whether a packet may be taken now; if so, it counts. */
+  boolean isInTurn(Object packet) {
+    return subscriptions == null
+        || !(packet instanceof MqttMessage message)
+        || subscriptions.isInTurn(message);
   }
 
   /**
@@ -143,10 +144,19 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       return false;
     }
     String why = outflow.deliver(ctx, publication, eachMatters);
+    budget(ctx);
     if (why != null) {
       putOut(ctx, TOO_SLOW, why);
     }
     return why == null && Outflow.isBehind(ctx);
+  }
+
+  private void budget(ChannelHandlerContext ctx) {
+    long kept = outflow.kept(ctx);
+    if (kept > BrokerLimits.BEHIND_BYTES || isBudgeted) {
+      isBudgeted = kept > BrokerLimits.BEHIND_BYTES;
+      filter.unsent().set(this, isBudgeted ? kept : 0);
+    }
   }
 
   /** Takes note whether a subscriber of the client's last message is behind. */
@@ -215,6 +225,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       putOut(ctx, "connection closed, it does not say who it is", "");
     } else if (stage == Stage.IN) {
       outflow.tooSlow(ctx).ifPresent(why -> putOut(ctx, TOO_SLOW, why));
+      budget(ctx);
       if (user != null
           && !filter.users().flatMap(all -> all.named(name)).equals(Optional.of(user))) {
         putOut(ctx, "client put out, its user was changed or removed", "");
@@ -397,6 +408,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     stage = Stage.OUT;
     watch.cancel(false);
     filter.pending().remove(this);
+    filter.unsent().set(this, 0);
     filter.leave(clientId, this);
   }
 

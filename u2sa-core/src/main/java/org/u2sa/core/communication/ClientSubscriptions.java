@@ -22,7 +22,8 @@ import java.util.Set;
  */
 final class ClientSubscriptions {
   private static final double TOPICS_OF_A_QUESTION = 4_096.0;
-  private static final double FILTERS_OF_A_QUESTION = 1_024.0;
+  private static final double COMPARISONS_PER_S = 25_000.0; // of new topics with filters
+  private static final double COMPARISONS_AT_ONCE = 50_000.0;
   private static final double RETAINED_OF_A_QUESTION = 64.0;
   private static final String SHARED = "$share/";
 
@@ -30,6 +31,7 @@ final class ClientSubscriptions {
   private final PacketRules rules;
   private final String name;
   private final String connection;
+  private final Allowance newTopics;
   private final Set<String> filters = new HashSet<>();
 
   /**
@@ -40,12 +42,39 @@ final class ClientSubscriptions {
     this.rules = rules;
     this.name = name;
     this.connection = connection;
+    newTopics = new Allowance(COMPARISONS_PER_S, COMPARISONS_AT_ONCE, filter.nowMicros());
+  }
+
+  /**
+   * Whether a packet may be taken now, and if so takes it off the allowances: questions are limited
+   * for all connections of a user together, since every service answers them; messages on new
+   * topics for this connection, so that nobody else's hold up a stop.
+   */
+  boolean isInTurn(MqttMessage packet) {
+    double questions = questions(packet);
+    if (questions > 0.0) {
+      return filter.questions().take(name, questions, filter.nowMicros());
+    }
+    return !(packet instanceof MqttPublishMessage publish)
+        || isInTurn(publish.variableHeader().topicName());
+  }
+
+  /** A topic that is new to the broker is compared with the filters of all clients. */
+  private boolean isInTurn(String topic) {
+    int compared = filter.subscriptions().filters();
+    if (compared == 0 || filter.subscriptions().isRemembered(topic)) {
+      return true;
+    }
+    boolean isOpen = newTopics.isOpen(filter.nowMicros());
+    if (isOpen) {
+      newTopics.take(compared);
+    }
+    return isOpen;
   }
 
   /**
    * How many questions a packet counts as: one if it is a query to every service or changes
-   * subscriptions. Each further filter counts the more, the more topics it is compared with, and a
-   * message on a new topic the more, the more filters that is compared with.
+   * subscriptions. Each further filter counts the more, the more topics it is compared with.
    */
   double questions(MqttMessage packet) {
     if (packet.payload() instanceof MqttSubscribePayload wanted) {
@@ -54,18 +83,10 @@ final class ClientSubscriptions {
     if (packet.payload() instanceof MqttUnsubscribePayload unwanted) {
       return questions(unwanted.topics().size());
     }
-    if (packet instanceof MqttPublishMessage publish) {
-      String topic = publish.variableHeader().topicName();
-      return rules.isQuestion(topic) ? 1.0 : costOf(topic);
-    }
-    return 0.0;
-  }
-
-  /** A topic that is new to the broker is compared with the filters of all clients. */
-  private double costOf(String topic) {
-    return filter.subscriptions().isRemembered(topic)
-        ? 0.0
-        : filter.subscriptions().filters() / FILTERS_OF_A_QUESTION;
+    return packet instanceof MqttPublishMessage publish
+            && rules.isQuestion(publish.variableHeader().topicName())
+        ? 1.0
+        : 0.0;
   }
 
   private double questions(int filters) {

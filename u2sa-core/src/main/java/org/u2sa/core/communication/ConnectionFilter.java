@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
@@ -38,6 +39,8 @@ final class ConnectionFilter implements AutoCloseable {
   /** Set for connections that pass here; those from before have nothing that limits them. */
   static final AttributeKey<Boolean> FILTERED = AttributeKey.valueOf("u2sa-filtered");
 
+  private static final long ACCEPT_AGAIN_AFTER_MS = 200;
+
   private static final int LEAST_READ = 512;
 
   private static final double TOTAL_BURST_S = 0.01; // for so long a flood may hold up the others
@@ -55,15 +58,18 @@ final class ConnectionFilter implements AutoCloseable {
   private final AtomicLong kept = new AtomicLong();
   private final PendingConnections<ClientSession> pending = new PendingConnections<>();
   private final AtomicInteger open = new AtomicInteger();
-  private final AtomicLong unsent = new AtomicLong();
+  private final AtomicLong dropped = new AtomicLong();
   private final Map<String, ClientSession> clients = new ConcurrentHashMap<>();
   private final Map<String, ClientSession> connections =
       new ConcurrentHashMap<>(); // Moquette's view
   private final AtomicLong connectionsSoFar = new AtomicLong();
   private final RetainedTable retained;
   private final Allowance.PerUser questions;
-  private final UnfinishedPackets<ClientSession> unfinished =
-      UnfinishedPackets.ofClients(); // touched by the network's thread only
+  private final MemoryBudget<ClientSession> unfinished = // touched by the network's thread only
+      MemoryBudget.ofClients(
+          8, 64 << 20, "connection closed, too many bytes wait for the rest of a packet");
+  private final MemoryBudget<ClientSession> unsent = // touched by the network's thread only
+      MemoryBudget.ofClients(4, 256 << 20, ClientSession.TOO_SLOW);
   private final Allowance beyondShares; // touched by the network's thread only
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final MessageRouter router;
@@ -153,6 +159,18 @@ final class ConnectionFilter implements AutoCloseable {
       child.attr(FILTERED).set(true);
       child.pipeline().addFirst(new Furnisher());
       ctx.fireChannelRead(message);
+    }
+
+    /** Accepting failed, as it does while the process has no file descriptor left: tries again. */
+    @Override
+    public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
+      refusals.add("connection not accepted", Refusals.shown(String.valueOf(cause.getMessage())));
+      ctx.channel().config().setAutoRead(false);
+      ctx.executor()
+          .schedule(
+              () -> ctx.channel().config().setAutoRead(true),
+              ACCEPT_AGAIN_AFTER_MS,
+              TimeUnit.MILLISECONDS);
     }
   }
 
@@ -307,6 +325,16 @@ final class ConnectionFilter implements AutoCloseable {
     return authenticator;
   }
 
+  /** What waits at the broker for the rest of its packet. For the network's thread. */
+  MemoryBudget<ClientSession> unfinished() {
+    return unfinished;
+  }
+
+  /** What clients have not read or acknowledged. For the network's thread. */
+  MemoryBudget<ClientSession> unsent() {
+    return unsent;
+  }
+
   /** Takes note of a message that is kept until each of its subscribers has acknowledged it. */
   void keep(int bytes) {
     kept.addAndGet(bytes);
@@ -322,8 +350,8 @@ final class ConnectionFilter implements AutoCloseable {
   }
 
   /** Counts a message that a client was too slow for. */
-  void unsent(String client) {
-    unsent.incrementAndGet();
+  void dropped(String client) {
+    dropped.incrementAndGet();
     refusals.add("message to a slow client dropped", client);
   }
 
@@ -343,7 +371,7 @@ final class ConnectionFilter implements AutoCloseable {
 
   /** Messages dropped because a client was too slow, so far. */
   long dropped() {
-    return unsent.get();
+    return dropped.get();
   }
 
   /** To be called about every second. */

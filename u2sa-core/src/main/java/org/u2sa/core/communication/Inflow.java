@@ -67,7 +67,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   @Override
   public void channelRead(ChannelHandlerContext ctx, Object message) {
     decoded++;
-    if (held.isEmpty() && isOpen() && isInTurn(message)) {
+    if (held.isEmpty() && isOpen() && session.isInTurn(message)) {
       letIn(ctx, message);
     } else {
       held.add(message);
@@ -88,13 +88,6 @@ final class Inflow extends ChannelInboundHandlerAdapter {
         && messages.isOpen(now)
         && bytes.isOpen(now)
         && (!isBehind || slowMessages.isOpen(now) && slowBytes.isOpen(now));
-  }
-
-  /** Every service answers a question: so they are counted for all connections of a user. */
-  private boolean isInTurn(Object message) {
-    double questions = session.questions(message);
-    return questions == 0.0
-        || filter.questions().take(session.name(), questions, filter.nowMicros());
   }
 
   /** Counts bytes as they are received, before anything is decrypted or decoded. */
@@ -141,7 +134,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
       return;
     }
     boolean any = false;
-    while (!held.isEmpty() && isOpen() && isInTurn(held.peek())) {
+    while (!held.isEmpty() && isOpen() && session.isInTurn(held.peek())) {
       letIn(ctx, held.poll());
       any = true;
     }

@@ -21,6 +21,13 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   private static final String TOO_MANY_BYTES = "too many bytes await its acknowledgement";
   private static final int LAST_PACKET = 65_535;
 
+  /**
+   * Messages that wait for a client's acknowledgement. With half of the numbers free, the next free
+   * one is found soon, however the client chooses what it acknowledges.
+   */
+  private static final int MAX_UNACKNOWLEDGED = LAST_PACKET / 2;
+
+  private static final int BYTES_OF_A_NUMBER = 128; // in the map of those unacknowledged
   private static final int PUBACK = 0x4002; // its type and length
 
   /** More than one read of ordinary messages makes. */
@@ -90,13 +97,13 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
             ? filter.limits().unacknowledgedBytesAtMost()
             : BrokerLimits.UNREAD_BYTES;
     if (!eachMatters && unread > limit) {
-      filter.unsent(Refusals.shown(client));
+      filter.dropped(Refusals.shown(client));
       return null;
     }
     if (eachMatters && unread > filter.limits().unacknowledgedBytesAtMost()) {
       return TOO_MANY_BYTES;
     }
-    if (eachMatters && unacknowledged.size() == LAST_PACKET) {
+    if (eachMatters && unacknowledged.size() >= MAX_UNACKNOWLEDGED) {
       return "too many messages await its acknowledgement";
     }
     sentMicros = filter.nowMicros();
@@ -113,6 +120,11 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
               });
     }
     return null;
+  }
+
+  /** Bytes of memory that the client's messages take, about. */
+  long kept(ChannelHandlerContext ctx) {
+    return unread(ctx) + (long) BYTES_OF_A_NUMBER * unacknowledged.size();
   }
 
   /** Acknowledges what the client published. */

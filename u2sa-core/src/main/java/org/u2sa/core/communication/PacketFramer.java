@@ -23,7 +23,7 @@ final class PacketFramer extends ChannelInboundHandlerAdapter {
 
   private final ClientSession session;
   private final Inflow inflow;
-  private final UnfinishedPackets<ClientSession> unfinished;
+  private final MemoryBudget<ClientSession> unfinished;
   private ByteBuf pending; // start of an incomplete packet; null if none
   private int pendingLength; // of that packet with its header; INCOMPLETE until known
   private long handedOn; // packets
@@ -33,7 +33,7 @@ final class PacketFramer extends ChannelInboundHandlerAdapter {
    * @param inflow counts what the decoder makes of the packets
    * @param unfinished bounds what waits for the rest of its packet, of all connections
    */
-  PacketFramer(ClientSession session, Inflow inflow, UnfinishedPackets<ClientSession> unfinished) {
+  PacketFramer(ClientSession session, Inflow inflow, MemoryBudget<ClientSession> unfinished) {
     this.session = session;
     this.inflow = inflow;
     this.unfinished = unfinished;

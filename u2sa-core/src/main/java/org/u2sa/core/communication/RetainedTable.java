@@ -18,6 +18,7 @@ final class RetainedTable {
   /** Its owner: services of this process, whose own these limits are not. */
   static final String LOCAL = "";
 
+  private static final int HEAP_PART = 4; // of a small heap at most
   private static final int URGENT_TOPICS = 256; // three of each of many systems
   private static final int URGENT_BYTES = 16 * 1_024; // of one message
 
@@ -41,7 +42,8 @@ final class RetainedTable {
 
   RetainedTable(BrokerLimits limits) {
     topicsAtMost = limits.retainedTopicsAtMost();
-    bytesAtMost = limits.retainedBytesAtMost();
+    bytesAtMost =
+        Math.min(limits.retainedBytesAtMost(), Runtime.getRuntime().maxMemory() / HEAP_PART);
     bytesOfOneAtMost = limits.clientRetainedBytesAtMost();
   }
 

@@ -3,6 +3,7 @@ package org.u2sa.core.communication;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.netty.buffer.Unpooled;
+import io.netty.handler.codec.mqtt.MqttMessage;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttQoS;
 import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
@@ -150,6 +151,47 @@ class ClientSubscriptionsTest {
     assertThat(subscriptions.questions(subscribe(MqttQoS.AT_MOST_ONCE, filters))).isEqualTo(51.0);
     assertThat(subscriptions.questions(unsubscribe("a", "b", "c"))).isEqualTo(2.0);
     assertThat(subscriptions.questions(unsubscribe("a"))).isEqualTo(1.0);
+  }
+
+  private static MqttMessage message(String topic) {
+    return MqttMessageBuilders.publish()
+        .topicName(topic)
+        .qos(MqttQoS.AT_MOST_ONCE)
+        .payload(Unpooled.EMPTY_BUFFER)
+        .build();
+  }
+
+  private int newTopicsInTurn(ClientSubscriptions client, int most) {
+    int taken = 0;
+    while (taken < most && client.isInTurn(message(TOPIC + taken))) {
+      taken++;
+    }
+    return taken;
+  }
+
+  /** The network's thread compares each new topic with every filter, whoever invents topics. */
+  @Test
+  void isInTurn_newTopics_areLimitedByTheFiltersTheyAreComparedWith() {
+    assertThat(newTopicsInTurn(subscriptions, 10_000)).as("nobody listens").isEqualTo(10_000);
+    subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, different("a", 250)));
+
+    assertThat(newTopicsInTurn(subscriptions, 10_000)).isEqualTo(50_000 / 250);
+    assertThat(newTopicsInTurn(of("another"), 10_000)).as("of its own").isEqualTo(50_000 / 250);
+    pipeline.pass(100);
+    assertThat(newTopicsInTurn(subscriptions, 10_000)).isEqualTo(25_000 / 250 / 10);
+    filter.subscriptions().route(TOPIC);
+    assertThat(subscriptions.isInTurn(message(TOPIC))).as("a known topic").isTrue();
+  }
+
+  @Test
+  void isInTurn_questions_areLimitedForAllConnectionsOfTheUser() {
+    int taken = 0;
+    while (of("connection " + taken).isInTurn(message("u2sa/x/discovery/DiscoveryRequest"))) {
+      taken++;
+    }
+    assertThat(taken).isEqualTo(200 / 4);
+    assertThat(subscriptions.isInTurn(unsubscribe("a"))).isFalse();
+    assertThat(subscriptions.isInTurn(message(TOPIC))).isTrue();
   }
 
   @Test

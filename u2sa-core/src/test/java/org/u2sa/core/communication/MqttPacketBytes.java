@@ -83,6 +83,37 @@ final class MqttPacketBytes {
         });
   }
 
+  /** CONNECT with a will, of MQTT 3.1.1. */
+  static byte[] connect(String clientId, int flags, String willTopic, byte[] will) {
+    return packet(
+        0x10,
+        out -> {
+          out.writeUTF("MQTT");
+          out.write(4);
+          out.write(flags);
+          out.writeShort(60);
+          out.writeUTF(clientId);
+          out.writeUTF(willTopic);
+          out.writeShort(will.length);
+          out.write(will);
+        });
+  }
+
+  /** CONNECT with a clean session, as a user. */
+  static byte[] connectAs(String user, String password, String clientId) {
+    return packet(
+        0x10,
+        out -> {
+          out.writeUTF("MQTT");
+          out.write(4);
+          out.write(0xc2);
+          out.writeShort(60);
+          out.writeUTF(clientId);
+          out.writeUTF(user);
+          out.writeUTF(password);
+        });
+  }
+
   /** PUBLISH of zeros at QoS 0. */
   static byte[] publish(String topic, int payloadBytes) {
     return packet(

@@ -36,12 +36,12 @@ final class PacketPipeline implements AutoCloseable {
   private static final int CONNACK = 0x20;
   private static final int PUBLISH = 3;
 
-  final List<String> log = new CopyOnWriteArrayList<>();
+  List<String> log = new CopyOnWriteArrayList<>();
   final ConnectionFilter filter;
   final ClientSession session;
-  final EmbeddedChannel channel;
+  final EmbeddedChannel channel = new Addressed();
   final List<Integer> decoded = new ArrayList<>(); // bytes of each buffer that the decoder got
-  final Inflow inflow;
+  Inflow inflow;
   private final Deque<Runnable> unread = new ArrayDeque<>(); // what the client has not taken
   private boolean isDeaf;
   private long nowMicros;
@@ -51,32 +51,48 @@ final class PacketPipeline implements AutoCloseable {
   }
 
   PacketPipeline(Map<String, Object> variables) {
+    this(variables, null);
+  }
+
+  /** The first client of a broker with users, who have no need of a network to log in. */
+  PacketPipeline(Map<String, Object> variables, Users users) {
     filter =
         new ConnectionFilter(
             XmlConfiguration.inMemory("test", variables).settings(BrokerLimits.class).get(),
             new MessageCodec(StandardTypes.registry()),
             new TestClock(),
-            null,
+            users,
             log::add);
+    session = build();
+  }
+
+  /** Another client of the same broker. */
+  PacketPipeline(PacketPipeline first) {
+    filter = first.filter;
+    log = first.log;
+    session = build();
+  }
+
+  private ClientSession build() {
     Outflow outflow = new Outflow(filter);
-    session = new ClientSession(filter, outflow);
-    channel = new Addressed();
-    channel.freezeTime();
-    inflow = new Inflow(filter, session);
-    session.inflow(inflow);
+    ClientSession built = new ClientSession(filter, outflow);
+    inflow = new Inflow(filter, built);
+    built.inflow(inflow);
     filter.router().runOn(channel.eventLoop());
+    channel.freezeTime();
     channel
         .pipeline()
         .addLast(
             new Network(),
-            new ReceivedBytes(session, inflow),
-            new PacketFramer(session, inflow, UnfinishedPackets.ofClients()),
+            new ReceivedBytes(built, inflow),
+            new PacketFramer(built, inflow, filter.unfinished()),
             new Counter(),
             new MqttDecoder(BrokerLimits.LONGEST_PACKET),
             MqttEncoder.INSTANCE,
             inflow,
-            session,
+            built,
             outflow);
+    return built;
   }
 
   /** A channel with an address of the Internet. */
@@ -203,6 +219,20 @@ final class PacketPipeline implements AutoCloseable {
     }
     all.release();
     return packets;
+  }
+
+  /** Identifiers of the messages of QoS 1 that the client was sent since the last call. */
+  List<Integer> sentIdentifiers() {
+    List<Integer> identifiers = new ArrayList<>();
+    for (ByteBuf packet = channel.readOutbound(); packet != null; packet = channel.readOutbound()) {
+      if (packet.readByte() == 0x32) {
+        packet.skipBytes(1);
+        packet.skipBytes(packet.readUnsignedShort());
+        identifiers.add(packet.readUnsignedShort());
+      }
+      packet.release();
+    }
+    return identifiers;
   }
 
   @Override

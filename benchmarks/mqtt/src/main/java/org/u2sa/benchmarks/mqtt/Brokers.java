@@ -1,5 +1,6 @@
 package org.u2sa.benchmarks.mqtt;
 
+import io.moquette.BrokerConstants;
 import io.moquette.broker.Server;
 import io.moquette.broker.config.IConfig;
 import io.moquette.broker.config.MemoryConfig;
@@ -46,6 +47,8 @@ final class Brokers implements AutoCloseable {
     properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
     properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false");
     properties.setProperty(IConfig.BUFFER_FLUSH_MS_PROPERTY_NAME, "0");
+    properties.setProperty( // HiveMQ's client leaves naming itself to the broker
+        BrokerConstants.ALLOW_ZERO_BYTE_CLIENT_ID_PROPERTY_NAME, "true");
     moquette.startServer(new MemoryConfig(properties));
   }
 

@@ -7,26 +7,26 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Connections are named after their user and a number. */
-class UnfinishedPacketsTest {
+class MemoryBudgetTest {
   private final List<String> ended = new ArrayList<>();
-  private final UnfinishedPackets<String> unfinished =
-      new UnfinishedPackets<>(100, name -> name.substring(0, 1), ended::add);
+  private final MemoryBudget<String> budget =
+      new MemoryBudget<>(100, name -> name.substring(0, 1), ended::add);
 
   @Test
   void set_asManyAsAllowed_nobodyIsEnded() {
-    unfinished.set("a1", 60);
-    unfinished.set("b1", 40);
-    unfinished.set("a1", 60);
+    budget.set("a1", 60);
+    budget.set("b1", 40);
+    budget.set("a1", 60);
 
     assertThat(ended).isEmpty();
   }
 
   @Test
   void set_tooMany_endsTheLargestOfTheUserWithTheMost() {
-    unfinished.set("b1", 45);
-    unfinished.set("a1", 20);
-    unfinished.set("a2", 30);
-    unfinished.set("a1", 26);
+    budget.set("b1", 45);
+    budget.set("a1", 20);
+    budget.set("a2", 30);
+    budget.set("a1", 26);
 
     assertThat(ended).containsExactly("a2");
   }
@@ -34,11 +34,11 @@ class UnfinishedPacketsTest {
   @Test
   void set_packetsBecomeComplete_makesRoom() {
     for (int i = 0; i < 10; i++) {
-      unfinished.set("a1", 90);
-      unfinished.set("a1", 0);
-      unfinished.set("b1", 90);
-      unfinished.set("b1", 0);
-      unfinished.set("b1", 0);
+      budget.set("a1", 90);
+      budget.set("a1", 0);
+      budget.set("b1", 90);
+      budget.set("b1", 0);
+      budget.set("b1", 0);
     }
 
     assertThat(ended).isEmpty();
@@ -46,12 +46,12 @@ class UnfinishedPacketsTest {
 
   @Test
   void set_afterOneWasEnded_itsBytesNoLongerCount() {
-    unfinished.set("a1", 101);
-    unfinished.set("a1", 0);
-    unfinished.set("b1", 100);
+    budget.set("a1", 101);
+    budget.set("a1", 0);
+    budget.set("b1", 100);
     assertThat(ended).containsExactly("a1");
 
-    unfinished.set("c1", 1);
+    budget.set("c1", 1);
     assertThat(ended).containsExactly("a1", "b1");
   }
 }
