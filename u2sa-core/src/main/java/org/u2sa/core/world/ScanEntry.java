@@ -69,7 +69,7 @@ final class ScanEntry {
       parts[part] = new Part(scan, free, pose, band, up, from, to);
       parts[part].enterEnds(ranges, returns);
     }
-    free.cut(MARGIN * window.resolution(), BEAM_MARGIN * window.resolution());
+    free.cut(MARGIN * window.resolution());
     for (Part part : parts) {
       part.enterFree();
     }
@@ -169,8 +169,9 @@ final class ScanEntry {
         lastX = x + after * toX;
         lastY = y + after * toY;
         double near = Math.min(before, after);
-        if (free.along(i) - near > window.resolution()) {
-          along(toX, toY, near, free.along(i));
+        double far = free.of(i, BEAM_MARGIN * window.resolution());
+        if (far - near > window.resolution()) {
+          along(toX, toY, near, far);
         }
         before = after;
       }
