@@ -17,7 +17,7 @@ final class FreeRanges {
   private double farthest; // echo of this scanner so far [m]
   private double[] ends = {}; // of each beam [m]; 0: says nothing
   private double[] free = {}; // beside each beam [m]
-  private double[] along = {};
+  private double[] slants = {0.0}; // of each beam and the one before
   private boolean[] echoes = {};
   private int beams;
 
@@ -28,7 +28,7 @@ final class FreeRanges {
     if (count > ends.length) {
       ends = new double[count];
       free = new double[count];
-      along = new double[count];
+      slants = new double[count + 1];
       echoes = new boolean[count];
     }
     Arrays.fill(ends, 0, count, 0.0);
@@ -70,9 +70,8 @@ final class FreeRanges {
    * Ends a scan of which all beams are known.
    *
    * @param margin before an echo, and before the line between two, for what lies between beams [m]
-   * @param beamMargin the same for the beam itself [m]
    */
-  void cut(double margin, double beamMargin) {
+  void cut(double margin) {
     for (int i = 0; i < beams; i++) {
       if (!echoes[i]) {
         boolean dropped = i > 0 && i + 1 < beams && echoes[i - 1] && echoes[i + 1];
@@ -80,41 +79,52 @@ final class FreeRanges {
         ends[i] = Math.min(ends[i], seen);
       }
     }
+    slants[0] = 0.0;
+    slants[beams] = 0.0;
+    for (int i = 1; i < beams; i++) {
+      slants[i] = slant(i);
+    }
     for (int i = 0; i < beams; i++) {
-      free[i] = echoes[i] ? Math.max(0.0, ends[i] - margin) : ends[i];
-      along[i] = echoes[i] ? Math.max(0.0, ends[i] - beamMargin) : ends[i];
-      if (i > 0 && (echoes[i] || echoes[i - 1])) {
-        cutPair(i, margin, beamMargin);
-      }
+      free[i] = of(i, margin);
     }
   }
 
-  /** Cuts a beam and the one before where they are a margin from the line between their ends. */
-  private void cutPair(int beam, double margin, double beamMargin) {
+  /**
+   * Of the line between the ends of a beam and of the one before: one over its distance from the
+   * scanner; 0 if these cannot be of one surface.
+   */
+  private double slant(int beam) {
     double one = ends[beam - 1];
     double two = ends[beam];
     double cos = directions.gapCos(beam);
-    if (one == 0.0 || two == 0.0 || cos <= 0.0) {
-      return; // says nothing, or too far apart to be of one surface
+    if (!(echoes[beam - 1] || echoes[beam]) || one == 0.0 || two == 0.0 || cos <= 0.0) {
+      return 0.0;
     }
-    double line = Math.sqrt(Math.max(0.0, one * one + two * two - 2.0 * one * two * cos));
-    double slant = line / Math.max(TINY, directions.gapSin(beam)); // law of sines
-    double nearer = Math.min(one, two);
-    cut(beam - 1, slant / two, nearer, margin, beamMargin);
-    cut(beam, slant / one, nearer, margin, beamMargin);
+    double product = one * two;
+    double line = Math.sqrt(Math.max(0.0, one * one + two * two - 2.0 * product * cos));
+    return line / Math.max(TINY, product * directions.gapSin(beam));
   }
 
-  private void cut(int beam, double slant, double nearer, double margin, double beamMargin) {
+  /**
+   * Free length of a beam [m].
+   *
+   * @param margin before an echo, and before the line between two [m]
+   */
+  double of(int beam, double margin) {
     double end = ends[beam];
-    double beside = Math.max(end - margin * slant, Math.max(0.0, nearer - margin));
-    double itself = Math.max(end - beamMargin * slant, Math.max(0.0, nearer - beamMargin));
-    free[beam] = Math.min(free[beam], beside);
-    along[beam] = Math.min(along[beam], itself);
+    double range = echoes[beam] ? end - margin : end;
+    if (slants[beam] > 0.0) {
+      range = Math.min(range, before(end, ends[beam - 1], slants[beam], margin));
+    }
+    if (slants[beam + 1] > 0.0) {
+      range = Math.min(range, before(end, ends[beam + 1], slants[beam + 1], margin));
+    }
+    return Math.max(0.0, range);
   }
 
-  /** Free length of a beam itself [m]. */
-  double along(int beam) {
-    return along[beam];
+  /** Where a beam comes as near as the margin to a line, but never less than a nearer end. */
+  private static double before(double own, double other, double slant, double margin) {
+    return Math.max(own - margin * own * slant, Math.min(own, other) - margin);
   }
 
   /**

@@ -1,6 +1,6 @@
 package org.u2sa.core.world;
 
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.messages.RangeScan;
@@ -24,6 +24,8 @@ final class ScanEntry {
   /** One part of a scan, during which the scanner hardly moved. */
   static final int PARTS = 8;
 
+  private static final int MAX_SCANNERS = 64; // a message may name any number
+
   /** From a cell's middle to its corner [cells]: the polygon takes cells by their middles. */
   private static final double MARGIN = Math.sqrt(0.5);
 
@@ -33,7 +35,13 @@ final class ScanEntry {
   private final GridWindow window;
   private final LogOdds odds;
   private final PolygonFill polygon;
-  private final Map<String, FreeRanges> scanners = new HashMap<>(); // by sensor
+  private final Map<String, FreeRanges> scanners = // by sensor, the one heard last at the end
+      new LinkedHashMap<>(16, 0.75f, true) {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, FreeRanges> eldest) {
+          return size() > MAX_SCANNERS;
+        }
+      };
   private final MarkedCells hits;
   private final MarkedCells passed;
 
@@ -69,7 +77,7 @@ final class ScanEntry {
       parts[part] = new Part(scan, free, pose, band, up, from, to);
       parts[part].enterEnds(ranges, returns);
     }
-    free.cut(MARGIN * window.resolution(), BEAM_MARGIN * window.resolution());
+    free.cut(MARGIN * window.resolution());
     for (Part part : parts) {
       part.enterFree();
     }
@@ -77,6 +85,11 @@ final class ScanEntry {
     passed.replace(odds.passed());
     hits.replace(odds.ended());
     return beams;
+  }
+
+  /** Scanners of which something is remembered. */
+  int scanners() {
+    return scanners.size();
   }
 
   /** Takes cells that beams passed. Most were often passed before: these stay as they are. */
@@ -169,8 +182,9 @@ final class ScanEntry {
         lastX = x + after * toX;
         lastY = y + after * toY;
         double near = Math.min(before, after);
-        if (free.along(i) - near > window.resolution()) {
-          along(toX, toY, near, free.along(i));
+        double far = free.of(i, BEAM_MARGIN * window.resolution());
+        if (far - near > window.resolution()) {
+          along(toX, toY, near, far);
         }
         before = after;
       }

@@ -167,6 +167,43 @@ class ScanEntryTest {
   }
 
   @Test
+  void enter_somethingBeforeAWallIsGone_isClearedAlongSparseBeamsToo() {
+    double[] wall = new double[41]; // beams 2 degrees apart, far further apart than a cell
+    double step = Math.toRadians(2.0);
+    for (int i = 0; i < wall.length; i++) {
+      wall[i] = 9.0 / Math.cos((i - 20) * step);
+    }
+    double[] walker = wall.clone();
+    for (int i = 18; i <= 22; i++) {
+      walker[i] = 6.0;
+    }
+    for (int n = 0; n < 20; n++) {
+      enter(scan(-20.0 * step, step, walker), vehicle(0.0, 0.0, 0.0));
+    }
+    assertThat(at(window.message(MapFrame.of(vehicle(0.0, 0.0, 0.0))), 6.0, 0.0))
+        .isEqualTo((byte) 70);
+
+    OccupancyGrid grid = null;
+    for (int n = 0; n < 10; n++) { // 3.5 / 0.4 scans
+      grid = enter(scan(-20.0 * step, step, wall), vehicle(0.0, 0.0, 0.0));
+    }
+    for (int i = 18; i <= 22; i++) {
+      Point was = Point.polar((i - 20) * step, 0.0, 6.0);
+      assertThat(at(grid, was.x(), was.y())).as("beam %s", i).isLessThan((byte) 0);
+    }
+    assertThat(at(grid, 9.0, 0.0)).isGreaterThan((byte) 0);
+  }
+
+  @Test
+  void enter_moreScannersThanAVehicleHas_remembersOnlyTheNewest() {
+    for (int n = 0; n < 1_000; n++) {
+      enter(scan(0.0, 0.01, 5.0).sensorName("invented " + n), vehicle(0.0, 0.0, 0.0));
+    }
+
+    assertThat(entry.scanners()).isLessThanOrEqualTo(64);
+  }
+
+  @Test
   void enter_vehicleTurnsDuringTheScan_pointsAreWhereTheyWere() {
     int beams = 400; // 360° in 0.4 s while the vehicle turns by 0.4 rad
     double[] ranges = new double[beams];
