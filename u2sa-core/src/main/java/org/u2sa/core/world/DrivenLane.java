@@ -22,89 +22,52 @@ final class DrivenLane {
   private static final double SPREAD = 0.15; // more for each metre without that side
   private static final double OWN_SHARE = 0.75; // of its distance: nothing stands nearer to the way
   private static final double BRIDGE_GAPS = 2.0; // gaps of paint, one after the other
+  private static final double BEHIND_M = 6.0; // way that stays open for backing out of places
   private static final double HOLE_M = 1.5; // longest step along an inferred side
-
-  /** A place where the vehicle was, and its lane there. */
-  private static final class Place {
-    final Point at;
-    final boolean begins; // not reached from the place before
-    final Side left = new Side();
-    final Side right = new Side();
-    boolean isLane; // both lines are seen, as far apart as a lane is wide
-
-    Place(Point at, boolean begins) {
-      this.at = at;
-      this.begins = begins;
-    }
-
-    /** The side to the left (1) or right (−1). */
-    Side side(double sign) {
-      return sign > 0.0 ? left : right;
-    }
-
-    /** What is not seen is where the lane's width puts it, or as far away as before. */
-    void set(double widthM, Place before) {
-      boolean inLane = !Double.isNaN(widthM) && before != null;
-      for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
-        Side side = side(sign);
-        double otherM = side(-sign).seenM;
-        double heldM = inLane ? before.side(sign).awayM : Double.NaN;
-        double inferredM = Double.isNaN(otherM) ? heldM : widthM - otherM;
-        side.awayM = isLane || inLane && !Double.isNaN(side.seenM) ? side.seenM : inferredM;
-      }
-    }
-
-    /** The same between two places where both lines are seen. */
-    void between(Place one, Place other, double share) {
-      double widthM = 0.0;
-      for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
-        Side side = side(sign);
-        double fromM = one.side(sign).seenM;
-        side.awayM = fromM + share * (other.side(sign).seenM - fromM);
-        widthM += side.awayM;
-      }
-      double leftM = left.seenM;
-      double rightM = right.seenM;
-      if (!Double.isNaN(leftM) && Double.isNaN(rightM)) {
-        left.awayM = leftM;
-        right.awayM = widthM - leftM;
-      } else if (Double.isNaN(leftM) && !Double.isNaN(rightM)) {
-        left.awayM = widthM - rightM;
-        right.awayM = rightM;
-      }
-    }
-  }
-
-  /** One side of the lane at a place. */
-  private static final class Side {
-    double seenM = Double.NaN; // distance of a line
-    boolean sure; // and it is certain
-    double awayM = Double.NaN; // distance of the side, seen or inferred
-  }
 
   /** A line to look for, and whether it is certain. */
   record Known(List<Point> line, boolean sure) {}
 
-  private final List<Place> places = new ArrayList<>();
+  private final List<LanePlace> places = new ArrayList<>();
+  private int now = -1; // index of the place where the vehicle is
 
   void clear() {
     places.clear();
+    now = -1;
   }
 
   /** The vehicle is there now. */
   void at(Point at) {
-    Place last = places.isEmpty() ? null : places.get(places.size() - 1);
-    double gone = last == null ? STRAND_M : LineGeometry.metres(last.at, at);
-    if (gone < STEP_M) {
-      return;
+    now = -1;
+    for (int i = places.size() - 1; i >= 0 && now < 0; i--) {
+      now = LineGeometry.metres(places.get(i).at, at) < BACK_M ? i : now;
     }
-    boolean again = places.stream().anyMatch(place -> LineGeometry.metres(place.at, at) < BACK_M);
-    if (!again) {
-      places.add(new Place(at, gone >= STRAND_M));
+    LanePlace last = places.isEmpty() ? null : places.get(places.size() - 1);
+    double gone = last == null ? STRAND_M : LineGeometry.metres(last.at, at);
+    if (gone >= STEP_M && now < 0) {
+      places.add(new LanePlace(at, gone >= STRAND_M));
       if (places.size() > MAX_PLACES) {
         places.remove(0);
       }
     }
+    now = now < 0 ? places.size() - 1 : now;
+  }
+
+  /**
+   * From side to side across the lane that the vehicle has come from; empty if it was in none, or
+   * has gone back beyond. As of the last {@link #sides}.
+   */
+  List<Point> wayBack() {
+    double gone = 0.0;
+    for (int i = places.size() - 1; i > 0; i--) {
+      if (gone >= BEHIND_M && places.get(i).hasSides()) {
+        return i < now
+            ? List.of(beside(i, places.get(i).left.awayM), beside(i, -places.get(i).right.awayM))
+            : List.of();
+      }
+      gone += LineGeometry.metres(places.get(i).at, places.get(i - 1).at);
+    }
+    return List.of();
   }
 
   /**
@@ -129,7 +92,7 @@ final class DrivenLane {
     double blindM = 0.0; // since any was seen
     int inRow = 0;
     for (int i = from; i < places.size(); i++) {
-      Place place = places.get(i);
+      LanePlace place = places.get(i);
       widthM = place.begins ? Double.NaN : widthM;
       boolean inLane = !Double.isNaN(widthM);
       double gateM = inLane ? JUMP_M + SPREAD * missedM : Double.POSITIVE_INFINITY;
@@ -148,10 +111,11 @@ final class DrivenLane {
     }
   }
 
-  private void look(int i, Place before, double gateM, List<Known> known, LineGaps.Reach reach) {
+  private void look(
+      int i, LanePlace before, double gateM, List<Known> known, LineGaps.Reach reach) {
     double[] along = direction(i);
     for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
-      Side side = places.get(i).side(sign);
+      LanePlace.Side side = places.get(i).side(sign);
       double expectedM = before == null ? 0.0 : before.side(sign).awayM;
       LineRay ray =
           new LineRay(places.get(i).at, -sign * along[1], sign * along[0], reach.widestM());
@@ -182,8 +146,8 @@ final class DrivenLane {
   private void side(double sign, List<List<Point>> sides) {
     List<Point> string = new ArrayList<>();
     for (int i = 0; i < places.size(); i++) {
-      Place place = places.get(i);
-      Side side = place.side(sign);
+      LanePlace place = places.get(i);
+      LanePlace.Side side = place.side(sign);
       boolean isSide = !Double.isNaN(side.awayM) && !side.sure;
       Point at = isSide ? beside(i, sign * side.awayM) : place.at;
       isSide &= isClear(i, at, side.awayM);

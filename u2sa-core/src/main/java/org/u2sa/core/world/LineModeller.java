@@ -21,7 +21,7 @@ import org.u2sa.messages.shape.PolyLine;
  * PolyLines. Their confidence says how they are known: 1 seen from several places; 0.8 inferred
  * side of the lane that the vehicle has driven in; 0.7 gap between two lines of confidence 1, or
  * less well known, but a lane's width beside another line; 0.5 what else was seen from one place,
- * closes a gap, or goes on beyond an end.
+ * closes a gap, or goes on beyond an end, and the way back through the driven lane.
  */
 final class LineModeller implements Modeller {
   private static final double GUESS_CONFIDENCE = 0.5; // may lie across a lane
@@ -168,6 +168,7 @@ final class LineModeller implements Modeller {
       }
       sides(chains, gaps, tuning)
           .forEach(side -> publish(side, at, clear, type, LANE_CONFIDENCE, lines));
+      publish(lane.wayBack(), at, clear, type, GUESS_CONFIDENCE, lines);
     }
     published = lines.size();
     return lines;

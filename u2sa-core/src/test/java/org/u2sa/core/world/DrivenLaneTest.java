@@ -144,6 +144,58 @@ class DrivenLaneTest {
     }
   }
 
+  private void wholeLane(double toX) {
+    line(true, -6.0, toX, 2.0);
+    line(true, -6.0, toX, -2.0);
+  }
+
+  @Test
+  void wayBack_inALane_leadsAcrossItBehindTheVehicle() {
+    wholeLane(20.0);
+    drive(-5.0, 8.0);
+    sides();
+    assertThat(lane.wayBack())
+        .hasSize(2)
+        .allSatisfy(p -> assertThat(p.x()).isBetween(1.0, 2.0))
+        .anySatisfy(p -> assertThat(p.y()).isEqualTo(2.0))
+        .anySatisfy(p -> assertThat(p.y()).isEqualTo(-2.0));
+  }
+
+  @Test
+  void wayBack_beyondTheLane_leadsAcrossItsEnd() {
+    wholeLane(0.0);
+    drive(-5.0, 15.0);
+    sides();
+    assertThat(lane.wayBack()).hasSize(2).allSatisfy(p -> assertThat(p.x()).isBetween(-0.5, 1.5));
+  }
+
+  @Test
+  void wayBack_backedOutALittle_staysWhereItIs() {
+    wholeLane(20.0);
+    drive(-5.0, 8.0);
+    sides();
+    List<Point> before = lane.wayBack();
+    lane.at(Point.of(4.0, 0.1, 0.0));
+    assertThat(lane.wayBack()).isEqualTo(before);
+  }
+
+  @Test
+  void wayBack_drivenBackBeyondIt_isOpen() {
+    wholeLane(20.0);
+    drive(-5.0, 8.0);
+    sides();
+    lane.at(Point.of(0.0, 0.1, 0.0));
+    assertThat(lane.wayBack()).isEmpty();
+  }
+
+  @Test
+  void wayBack_noLane_isOpen() {
+    line(true, -6.0, 20.0, 2.0);
+    drive(-5.0, 8.0);
+    sides();
+    assertThat(lane.wayBack()).isEmpty();
+  }
+
   @Test
   void clear_everything_isForgotten() {
     line(true, -6.0, 20.0, 2.0);
