@@ -116,7 +116,7 @@ final class GridWindow {
         long at = column + dx;
         if (at >= 0 && at < side) {
           cells[(int) (to * side + at)] =
-              (byte) Math.min(LogOdds.HIT - 1, from[row * columns + column]);
+              (byte) Math.min(LogOdds.MARK - 1, from[row * columns + column]);
         }
       }
     }

@@ -9,11 +9,11 @@ import org.u2sa.messages.OccupancyGrid;
  * it was learnt).
  */
 final class LogOdds {
-  /** A value that no cell has: it marks the cells in which beams of the present scan end. */
-  static final byte HIT = Byte.MAX_VALUE;
+  /** A value that no cell has: it marks the cells that the present scan changes. */
+  static final byte MARK = Byte.MAX_VALUE;
 
   private static final int VALUES = 256;
-  private static final int MOST = HIT - 1;
+  private static final int MOST = MARK - 1;
   private static final int LEAST = OccupancyGrid.UNKNOWN + 1;
 
   private final byte freest;
@@ -51,8 +51,8 @@ final class LogOdds {
     return passed;
   }
 
-  /** A cell after a beam has ended in it. */
-  byte ended(byte cell) {
-    return ended[cell - Byte.MIN_VALUE];
+  /** The same after a beam has ended in it. */
+  byte[] ended() {
+    return ended;
   }
 }

@@ -1,16 +1,15 @@
 package org.u2sa.core.world;
 
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.messages.RangeScan;
 
 /**
- * Enters scans into a window of cells. The sectors of a scan's beams, each as long as its beam flew
- * free, are one polygon: what lies in it was seen to be free and is taken once, however many beams
- * cross a cell near the scanner. Cells in which beams end are taken once too, and are not free for
- * the beams that pass beside. Belongs to one thread.
+ * Enters scans into a window of cells. Where a scan's beams are less than a cell apart, all between
+ * them was seen to be free: that is one polygon. Further away, only the cells that a beam crosses
+ * are. A cell is taken once a scan, however many beams cross it or end in it; a cell in which a
+ * beam ends is not free for the others. Belongs to one thread.
  */
 final class ScanEntry {
   /**
@@ -25,18 +24,25 @@ final class ScanEntry {
   /** One part of a scan, during which the scanner hardly moved. */
   static final int PARTS = 8;
 
+  /** From a cell's middle to its corner [cells]: the polygon takes cells by their middles. */
+  private static final double MARGIN = Math.sqrt(0.5);
+
+  /** A beam takes cells whose middle is up to half a cell beside it. */
+  private static final double BEAM_MARGIN = MARGIN + 0.5;
+
   private final GridWindow window;
   private final LogOdds odds;
   private final PolygonFill polygon;
-  private final Map<String, BeamDirections> directions = new HashMap<>(); // by sensor
-  private int[] hits = new int[4_096];
-  private byte[] before = new byte[4_096]; // what these cells held
-  private int hitCount;
+  private final Map<String, FreeRanges> scanners = new HashMap<>(); // by sensor
+  private final MarkedCells hits;
+  private final MarkedCells passed;
 
   ScanEntry(GridWindow window, LogOdds odds) {
     this.window = window;
     this.odds = odds;
     polygon = new PolygonFill(window.side());
+    hits = new MarkedCells(window, LogOdds.MARK);
+    passed = new MarkedCells(window, odds.freest());
   }
 
   /**
@@ -53,22 +59,23 @@ final class ScanEntry {
     if (beams == 0) {
       return 0;
     }
-    BeamDirections sensor =
-        directions.computeIfAbsent(scan.sensorName(), name -> new BeamDirections());
-    sensor.of(scan, beams);
-    hitCount = 0;
-    int parts = poses.moved() ? Math.min(PARTS, beams) : 1;
-    for (int part = 0; part < parts; part++) {
-      int from = beams * part / parts;
-      int to = beams * (part + 1) / parts;
+    FreeRanges free = scanners.computeIfAbsent(scan.sensorName(), name -> new FreeRanges());
+    free.begin(scan, beams);
+    Part[] parts = new Part[poses.moved() ? Math.min(PARTS, beams) : 1];
+    for (int part = 0; part < parts.length; part++) {
+      int from = beams * part / parts.length;
+      int to = beams * (part + 1) / parts.length;
       SensorPose pose = poses.at(scan, (from + to) / 2.0 / beams);
-      new Part(scan, sensor, pose, band, up).enter(ranges, returns, from, to);
+      parts[part] = new Part(scan, free, pose, band, up, from, to);
+      parts[part].enterEnds(ranges, returns);
+    }
+    free.cut(MARGIN * window.resolution(), BEAM_MARGIN * window.resolution());
+    for (Part part : parts) {
+      part.enterFree();
     }
     polygon.fill(this::pass);
-    byte[] cells = window.cells();
-    for (int i = 0; i < hitCount; i++) {
-      cells[hits[i]] = odds.ended(before[i]);
-    }
+    passed.replace(odds.passed());
+    hits.replace(odds.ended());
     return beams;
   }
 
@@ -86,29 +93,13 @@ final class ScanEntry {
     }
   }
 
-  private void hit(double column, double row) {
-    int side = window.side();
-    if (column < 0.0 || row < 0.0 || column >= side || row >= side) {
-      return;
-    }
-    int cell = (int) row * side + (int) column;
-    byte[] cells = window.cells();
-    if (cells[cell] == LogOdds.HIT) {
-      return; // by another beam
-    }
-    if (hitCount == hits.length) {
-      hits = Arrays.copyOf(hits, 2 * hitCount);
-      before = Arrays.copyOf(before, 2 * hitCount);
-    }
-    hits[hitCount] = cell;
-    before[hitCount++] = cells[cell];
-    cells[cell] = LogOdds.HIT;
-  }
-
   /** The beams of one part, seen from one place. */
   private final class Part {
-    private final BeamDirections sensor;
+    private final FreeRanges free;
+    private final BeamDirections directions;
     private final Band band;
+    private final int from; // first beam
+    private final int to; // beam after the last
     private final double scale = 1.0 / window.resolution();
     private final double x; // of the scanner, in cells
     private final double y;
@@ -122,9 +113,12 @@ final class ScanEntry {
     private final double minRange;
     private final double maxRange;
 
-    Part(RangeScan scan, BeamDirections sensor, SensorPose pose, Band band, double up) {
-      this.sensor = sensor;
+    Part(RangeScan scan, FreeRanges free, SensorPose pose, Band band, double up, int from, int to) {
+      this.free = free;
       this.band = band;
+      this.from = from;
+      this.to = to;
+      directions = free.directions();
       x = window.column(pose.place().x());
       y = window.row(pose.place().y());
       height = up * (pose.place().z() - pose.vehicle().z());
@@ -138,42 +132,69 @@ final class ScanEntry {
       maxRange = scan.maxRange();
     }
 
-    void enter(List<Double> ranges, List<Boolean> returns, int from, int to) {
-      double lastX = x;
-      double lastY = y;
+    /** Marks the cells in which beams end, and notes how far each beam flew. */
+    void enterEnds(List<Double> ranges, List<Boolean> returns) {
       for (int i = from; i < to; i++) {
-        double cos = sensor.cos(i);
-        double sin = sensor.sin(i);
+        double cos = directions.cos(i);
+        double sin = directions.sin(i);
         double measured = ranges.get(i);
         boolean echo = returns.get(i) && measured <= maxRange;
-        double free = echo ? measured : Math.min(maxRange, band.freeRange());
-        double climb = cos * aheadUp + sin * asideUp;
-        double inBand = inBand(climb);
-        if (echo && measured >= minRange && measured <= inBand) {
-          hit(
+        double inBand = inBand(cos * aheadUp + sin * asideUp);
+        if (echo && measured < minRange) {
+          free.noEcho(i, 0.0); // of the vehicle itself
+        } else if (echo && measured <= inBand) {
+          free.echo(i, measured);
+          hits.mark(
               x + measured * (cos * aheadX + sin * asideX),
               y + measured * (cos * aheadY + sin * asideY));
+        } else if (echo) {
+          free.harmless(i, measured, inBand); // below or above all obstacles
+        } else {
+          free.noEcho(i, Math.min(inBand, Math.min(maxRange, band.freeRange())));
         }
-        free = echo && measured < minRange ? 0.0 : Math.min(free, inBand);
-        double c = sensor.beforeCos(i);
-        double s = sensor.beforeSin(i);
-        double startX = x + free * (c * aheadX + s * asideX);
-        double startY = y + free * (c * aheadY + s * asideY);
-        c = sensor.afterCos(i);
-        s = sensor.afterSin(i);
-        double endX = x + free * (c * aheadX + s * asideX);
-        double endY = y + free * (c * aheadY + s * asideY);
-        if (sensor.isApart(i)) {
-          polygon.edge(lastX, lastY, x, y);
-          lastX = x;
-          lastY = y;
+      }
+    }
+
+    /** Outlines what is free between the beams, and marks what further away is free along them. */
+    void enterFree() {
+      double lastX = x;
+      double lastY = y;
+      double before = 0.0;
+      for (int i = from; i < to; i++) {
+        double toX = directions.cos(i) * aheadX + directions.sin(i) * asideX;
+        double toY = directions.cos(i) * aheadY + directions.sin(i) * asideY;
+        double after = i + 1 < to ? free.between(i + 1, window.resolution()) : 0.0;
+        polygon.edge(lastX, lastY, x + before * toX, y + before * toY);
+        polygon.edge(x + before * toX, y + before * toY, x + after * toX, y + after * toY);
+        lastX = x + after * toX;
+        lastY = y + after * toY;
+        double near = Math.min(before, after);
+        if (free.along(i) - near > window.resolution()) {
+          along(toX, toY, near, free.along(i));
         }
-        polygon.edge(lastX, lastY, startX, startY);
-        polygon.edge(startX, startY, endX, endY);
-        lastX = endX;
-        lastY = endY;
+        before = after;
       }
       polygon.edge(lastX, lastY, x, y);
+    }
+
+    /** Marks cells between two ranges of a beam: of each column or row, the one it crosses. */
+    private void along(double toX, double toY, double near, double far) {
+      boolean isSteep = Math.abs(toY) > Math.abs(toX);
+      double start = isSteep ? y : x;
+      double pace = isSteep ? toY : toX; // cells a metre along the longer axis
+      double step = Math.signum(pace);
+      double middle = Math.floor(start + near * pace) + 0.5;
+      double slope = isSteep ? toX / toY : toY / toX;
+      double other = (isSteep ? x : y) + (middle - start) * slope;
+      double last = start + Math.min(far, 2.0 * window.side() / Math.abs(pace)) * pace;
+      for (; (last - middle) * step > 0.0; middle += step) {
+        if (isSteep) {
+          passed.mark(other, middle);
+        } else {
+          passed.mark(middle, other);
+        }
+        other += step * slope;
+      }
     }
 
     /** How far a beam stays between lowest and highest [m]; 0 if it starts outside. */

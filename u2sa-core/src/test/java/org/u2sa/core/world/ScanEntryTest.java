@@ -76,17 +76,35 @@ class ScanEntryTest {
   }
 
   @Test
-  void enter_noEcho_clearsToTheReachOrAsFarAsConfigured() {
+  void enter_noEcho_clearsAsFarAsTheScannerHasSeenOrAsConfigured() {
     double none = Double.NaN;
-    OccupancyGrid far = enter(scan(-0.02, 0.01, none, none, none, none), vehicle(0.0, 0.0, 0.0));
-    assertThat(at(far, 9.9, 0.0)).isEqualTo((byte) -8);
-    assertThat(at(far, 10.2, 0.0)).isEqualTo(OccupancyGrid.UNKNOWN);
+    RangeScan nothing = scan(-0.02, 0.01, none, none, none, none);
+    OccupancyGrid grid = enter(nothing, vehicle(0.0, 0.0, 0.0));
+    assertThat(at(grid, 1.0, 0.0)).isEqualTo(OccupancyGrid.UNKNOWN); // may be covered or blind
+
+    enter(scan(2.0, 0.01, 8.0), vehicle(0.0, 0.0, 0.0));
+    OccupancyGrid far = enter(nothing, vehicle(0.0, 0.0, 0.0));
+    assertThat(at(far, 7.7, 0.0)).isEqualTo((byte) -8);
+    assertThat(at(far, 8.2, 0.0)).isEqualTo(OccupancyGrid.UNKNOWN);
 
     window.clear();
     band = new ScanEntry.Band(-0.2, 2.0, 3.0);
-    OccupancyGrid near = enter(scan(-0.02, 0.01, none, none, none, none), vehicle(0.0, 0.0, 0.0));
+    OccupancyGrid near = enter(nothing, vehicle(0.0, 0.0, 0.0));
     assertThat(at(near, 2.9, 0.0)).isEqualTo((byte) -8);
     assertThat(at(near, 3.2, 0.0)).isEqualTo(OccupancyGrid.UNKNOWN);
+  }
+
+  @Test
+  void enter_droppedBeamBetweenEchoes_doesNotClearBehindThem() {
+    enter(scan(0.0, 0.02, 9.0), vehicle(0.0, 0.0, 0.0)); // something behind the wall to come
+    RangeScan dropped = scan(-0.04, 0.02, 5.0, 5.0, Double.NaN, 5.0, 5.0);
+    for (int n = 0; n < 20; n++) {
+      enter(dropped, vehicle(0.0, 0.0, 0.0));
+    }
+
+    OccupancyGrid grid = enter(dropped, vehicle(0.0, 0.0, 0.0));
+    assertThat(at(grid, 9.0, 0.0)).isGreaterThan((byte) 0);
+    assertThat(at(grid, 4.5, 0.0)).isLessThan((byte) 0);
   }
 
   @Test
