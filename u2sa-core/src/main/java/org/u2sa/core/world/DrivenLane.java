@@ -2,6 +2,7 @@ package org.u2sa.core.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -14,7 +15,7 @@ final class DrivenLane {
   private static final double STEP_M = 0.3; // from one place to the next
   private static final double BACK_M = 0.29; // nearer to an earlier place it is that place again
   private static final int MAX_PLACES = 300; // 90 m
-  private static final int LOOKED_AT = 80; // newest places, whose sides are still looked for
+  private static final int LOOKED_AT = 50; // newest places, whose sides are still looked for
   private static final int CHORD = 3; // places to either side that give the direction of the way
   private static final int LANE_PLACES = 4; // in a row with both lines make a lane
   private static final double STRAND_M = 0.9; // a farther place belongs to another piece of the way
@@ -22,89 +23,67 @@ final class DrivenLane {
   private static final double SPREAD = 0.15; // more for each metre without that side
   private static final double OWN_SHARE = 0.75; // of its distance: nothing stands nearer to the way
   private static final double BRIDGE_GAPS = 2.0; // gaps of paint, one after the other
+  private static final double BEHIND_M = 6.0; // way that stays open for backing out of places
+  private static final long HELD_UP_MICROS = 25 * Clock.MICROS_PER_SECOND;
   private static final double HOLE_M = 1.5; // longest step along an inferred side
-
-  /** A place where the vehicle was, and its lane there. */
-  private static final class Place {
-    final Point at;
-    final boolean begins; // not reached from the place before
-    final Side left = new Side();
-    final Side right = new Side();
-    boolean isLane; // both lines are seen, as far apart as a lane is wide
-
-    Place(Point at, boolean begins) {
-      this.at = at;
-      this.begins = begins;
-    }
-
-    /** The side to the left (1) or right (−1). */
-    Side side(double sign) {
-      return sign > 0.0 ? left : right;
-    }
-
-    /** What is not seen is where the lane's width puts it, or as far away as before. */
-    void set(double widthM, Place before) {
-      boolean inLane = !Double.isNaN(widthM) && before != null;
-      for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
-        Side side = side(sign);
-        double otherM = side(-sign).seenM;
-        double heldM = inLane ? before.side(sign).awayM : Double.NaN;
-        double inferredM = Double.isNaN(otherM) ? heldM : widthM - otherM;
-        side.awayM = isLane || inLane && !Double.isNaN(side.seenM) ? side.seenM : inferredM;
-      }
-    }
-
-    /** The same between two places where both lines are seen. */
-    void between(Place one, Place other, double share) {
-      double widthM = 0.0;
-      for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
-        Side side = side(sign);
-        double fromM = one.side(sign).seenM;
-        side.awayM = fromM + share * (other.side(sign).seenM - fromM);
-        widthM += side.awayM;
-      }
-      double leftM = left.seenM;
-      double rightM = right.seenM;
-      if (!Double.isNaN(leftM) && Double.isNaN(rightM)) {
-        left.awayM = leftM;
-        right.awayM = widthM - leftM;
-      } else if (Double.isNaN(leftM) && !Double.isNaN(rightM)) {
-        left.awayM = widthM - rightM;
-        right.awayM = rightM;
-      }
-    }
-  }
-
-  /** One side of the lane at a place. */
-  private static final class Side {
-    double seenM = Double.NaN; // distance of a line
-    boolean sure; // and it is certain
-    double awayM = Double.NaN; // distance of the side, seen or inferred
-  }
 
   /** A line to look for, and whether it is certain. */
   record Known(List<Point> line, boolean sure) {}
 
-  private final List<Place> places = new ArrayList<>();
+  /**
+   * A side where no certain line is.
+   *
+   * @param atVehicle whether it leads to where the vehicle is now, and may go on from there
+   */
+  record Inferred(List<Point> points, boolean atVehicle) {}
+
+  private final List<LanePlace> places = new ArrayList<>();
+  private int now = -1; // index of the place where the vehicle is
+  private long addedMicros; // when it came to the newest place
 
   void clear() {
     places.clear();
+    now = -1;
   }
 
-  /** The vehicle is there now. */
-  void at(Point at) {
-    Place last = places.isEmpty() ? null : places.get(places.size() - 1);
-    double gone = last == null ? STRAND_M : LineGeometry.metres(last.at, at);
-    if (gone < STEP_M) {
-      return;
+  /** The vehicle is there at a time [µs]. */
+  void at(Point at, long micros) {
+    now = -1;
+    for (int i = places.size() - 1; i >= 0 && now < 0; i--) {
+      now = LineGeometry.metres(places.get(i).at, at) < BACK_M ? i : now;
     }
-    boolean again = places.stream().anyMatch(place -> LineGeometry.metres(place.at, at) < BACK_M);
-    if (!again) {
-      places.add(new Place(at, gone >= STRAND_M));
+    LanePlace last = places.isEmpty() ? null : places.get(places.size() - 1);
+    double gone = last == null ? STRAND_M : LineGeometry.metres(last.at, at);
+    if (gone >= STEP_M && now < 0) {
+      places.add(new LanePlace(at, gone >= STRAND_M));
+      addedMicros = micros;
       if (places.size() > MAX_PLACES) {
         places.remove(0);
       }
     }
+    now = now < 0 ? places.size() - 1 : now;
+  }
+
+  /** Whether the vehicle has not come to a new place for long. */
+  boolean isHeldUp(long micros) {
+    return micros - addedMicros > HELD_UP_MICROS;
+  }
+
+  /**
+   * From side to side across the lane that the vehicle has come from; empty if it was in none, or
+   * has gone back beyond. As of the last {@link #sides}.
+   */
+  List<Point> wayBack() {
+    double gone = 0.0;
+    for (int i = places.size() - 1; i > 0; i--) {
+      if (gone >= BEHIND_M && places.get(i).hasSides()) {
+        return i < now
+            ? List.of(beside(i, places.get(i).left.awayM), beside(i, -places.get(i).right.awayM))
+            : List.of();
+      }
+      gone += LineGeometry.metres(places.get(i).at, places.get(i - 1).at);
+    }
+    return List.of();
   }
 
   /**
@@ -112,11 +91,11 @@ final class DrivenLane {
    *
    * @param known what is known of lines
    */
-  List<List<Point>> sides(List<Known> known, LineGaps.Reach reach) {
+  List<Inferred> sides(List<Known> known, LineGaps.Reach reach) {
     int from = Math.max(0, places.size() - LOOKED_AT);
     follow(from, known, reach);
     bridge(from, reach);
-    List<List<Point>> sides = new ArrayList<>();
+    List<Inferred> sides = new ArrayList<>();
     side(1.0, sides);
     side(-1.0, sides);
     return sides;
@@ -124,12 +103,14 @@ final class DrivenLane {
 
   /** Looks for the lines beside the newest places, and follows the lane where one is missing. */
   private void follow(int from, List<Known> known, LineGaps.Reach reach) {
-    double widthM = Double.NaN; // of the lane; NaN: the vehicle is in none
+    LanePlace earlier = from > 0 ? places.get(from - 1) : null;
+    double widthM = // of the lane; NaN: the vehicle is in none
+        earlier == null ? Double.NaN : earlier.left.awayM + earlier.right.awayM;
     double missedM = 0.0; // since both lines were seen
     double blindM = 0.0; // since any was seen
     int inRow = 0;
     for (int i = from; i < places.size(); i++) {
-      Place place = places.get(i);
+      LanePlace place = places.get(i);
       widthM = place.begins ? Double.NaN : widthM;
       boolean inLane = !Double.isNaN(widthM);
       double gateM = inLane ? JUMP_M + SPREAD * missedM : Double.POSITIVE_INFINITY;
@@ -148,10 +129,11 @@ final class DrivenLane {
     }
   }
 
-  private void look(int i, Place before, double gateM, List<Known> known, LineGaps.Reach reach) {
+  private void look(
+      int i, LanePlace before, double gateM, List<Known> known, LineGaps.Reach reach) {
     double[] along = direction(i);
     for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
-      Side side = places.get(i).side(sign);
+      LanePlace.Side side = places.get(i).side(sign);
       double expectedM = before == null ? 0.0 : before.side(sign).awayM;
       LineRay ray =
           new LineRay(places.get(i).at, -sign * along[1], sign * along[0], reach.widestM());
@@ -179,11 +161,11 @@ final class DrivenLane {
   }
 
   /** Strings one side (1: left) where no certain line is. */
-  private void side(double sign, List<List<Point>> sides) {
+  private void side(double sign, List<Inferred> sides) {
     List<Point> string = new ArrayList<>();
     for (int i = 0; i < places.size(); i++) {
-      Place place = places.get(i);
-      Side side = place.side(sign);
+      LanePlace place = places.get(i);
+      LanePlace.Side side = place.side(sign);
       boolean isSide = !Double.isNaN(side.awayM) && !side.sure;
       Point at = isSide ? beside(i, sign * side.awayM) : place.at;
       isSide &= isClear(i, at, side.awayM);
@@ -192,14 +174,14 @@ final class DrivenLane {
               && !string.isEmpty()
               && LineGeometry.metres(string.get(string.size() - 1), at) <= HOLE_M;
       if (!goesOn) {
-        add(string, sides);
+        add(string, false, sides);
         string = new ArrayList<>();
       }
       if (isSide) {
         string.add(at);
       }
     }
-    add(string, sides);
+    add(string, now == places.size() - 1, sides);
   }
 
   private Point beside(int i, double leftM) {
@@ -208,9 +190,9 @@ final class DrivenLane {
     return Point.of(at.x() - leftM * along[1], at.y() + leftM * along[0], 0.0);
   }
 
-  private static void add(List<Point> string, List<List<Point>> sides) {
+  private static void add(List<Point> string, boolean atVehicle, List<Inferred> sides) {
     if (string.size() > 1) {
-      sides.add(string);
+      sides.add(new Inferred(string, atVehicle));
     }
   }
 

@@ -57,6 +57,22 @@ final class LanePartner {
     return best;
   }
 
+  /** The same beyond an inferred side of the lane that the vehicle is in, beside its other line. */
+  List<Point> onward(LineEnd end, Point vehicle) {
+    List<Point> best = List.of();
+    for (List<Point> other : lines) {
+      Point across = other.get(LineGeometry.nearest(end.at(), other));
+      double toward =
+          (across.x() - end.at().x()) * (vehicle.x() - end.at().x())
+              + (across.y() - end.at().y()) * (vehicle.y() - end.at().y());
+      double square =
+          LineGeometry.metres(across, end.at()) * LineGeometry.metres(vehicle, end.at());
+      List<Point> found = toward > FACING * square ? beside(end, other) : List.of();
+      best = LineGeometry.lengthM(found) > LineGeometry.lengthM(best) ? found : best;
+    }
+    return best;
+  }
+
   /**
    * Whether the vehicle has driven between the last part of a line and another line, along a lane
    * of both: who passes an end on another way, as in no-man's land, was not in their lane.

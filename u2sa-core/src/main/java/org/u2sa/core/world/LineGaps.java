@@ -89,6 +89,11 @@ final class LineGaps {
     return extended;
   }
 
+  /** How an inferred side of the lane goes on beyond its last point, where the vehicle is. */
+  List<Point> onward(List<Point> side, Point vehicle) {
+    return partner.onward(LineEnd.last(side), vehicle);
+  }
+
   /**
    * Whether points run beside another line as far away as a lane is wide: then they are a side of a
    * lane, and do not lie across it.

@@ -9,26 +9,16 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
-import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.Line;
-import org.u2sa.messages.shape.PolyLine;
 
 /**
  * Keeps painted lines (thesis 4.1.1.2): puts together what a camera sees of them piece by piece,
  * and closes the gaps of dashed and worn paint, so that a lane is a lane for the planner. Publishes
- * PolyLines. Their confidence says how they are known: 1 seen from several places; 0.8 inferred
- * side of the lane that the vehicle has driven in; 0.7 gap between two lines of confidence 1, or
- * less well known, but a lane's width beside another line; 0.5 what else was seen from one place,
- * closes a gap, or goes on beyond an end.
+ * PolyLines, with a confidence that says how they are known ({@link LinePieces}).
  */
 final class LineModeller implements Modeller {
-  private static final double GUESS_CONFIDENCE = 0.5; // may lie across a lane
-  private static final double SIDE_CONFIDENCE = 0.7; // along a lane, or between two certain lines
-  private static final double LANE_CONFIDENCE = 0.8; // beside the vehicle's own way
-  private static final int POINTS_A_PIECE = 14; // short pieces are found and drawn faster
-
   private static final double FORGET = 3.0; // of LINE REACH: farther lines are dropped
   private static final long UNSURE_MICROS = 3 * Clock.MICROS_PER_SECOND;
 
@@ -64,7 +54,7 @@ final class LineModeller implements Modeller {
     beads.begin(sighting.micros(), tuning.lineWander() * tuning.lineWander());
     Point at = sighting.frame().vehicle(sighting.vehicle());
     driven.at(at);
-    lane.at(at);
+    lane.at(at, sighting.micros());
     beads.from(at.x(), at.y());
     hidden.lookFrom(at.x(), at.y(), sighting.micros());
     boolean isPicture = false;
@@ -148,90 +138,45 @@ final class LineModeller implements Modeller {
     Point at = frame.vehicle(now.vehicle());
     int hits = frame.frame().isBody() ? 1 : tuning.lineHits();
     LineChains chains = LineChains.of(beads.certain(at.x(), at.y(), tuning.lineReach(), hits));
-    List<ObjectDescription> lines = new ArrayList<>();
     String type = tuning.types().iterator().next();
+    LinePieces pieces = new LinePieces(frame, type, at, tuning.clearOfVehicle());
     LineGaps gaps =
         new LineGaps(chains.lines(), tuning.reach(), looked::isKnown, driven::passesBetween);
     for (List<Point> line : chains.lines()) {
-      pieces(line, type, chains.isSure(line) ? 1.0 : confidence(line, line, gaps), lines);
+      if (chains.isSure(line)) {
+        pieces.certain(line);
+      } else {
+        pieces.uncertain(line, piece -> gaps.isLaneSide(piece, line));
+      }
     }
     if (tuning.joinGap() > 0.0 || tuning.lineExtension() > 0.0) {
-      double clear = tuning.clearOfVehicle();
       for (LineGaps.Joint joint : gaps.joined()) {
         boolean sure = chains.isSure(joint.one()) && chains.isSure(joint.other());
-        double confidence = sure ? SIDE_CONFIDENCE : confidence(joint.points(), joint.one(), gaps);
-        publish(joint.points(), at, clear, type, confidence, lines);
+        pieces.guessed(joint.points(), piece -> sure || gaps.isLaneSide(piece, joint.one()));
       }
       for (LineGaps.Extension each : gaps.extended()) {
-        double confidence = confidence(each.points(), each.line(), gaps);
-        publish(each.points(), at, clear, type, confidence, lines);
+        pieces.guessed(each.points(), piece -> gaps.isLaneSide(piece, each.line()));
       }
-      sides(chains, gaps, tuning)
-          .forEach(side -> publish(side, at, clear, type, LANE_CONFIDENCE, lines));
+      for (DrivenLane.Inferred side : sides(chains, gaps, tuning)) {
+        pieces.inferred(side.points(), LinePieces.DRIVEN);
+        if (side.atVehicle()) {
+          pieces.guessed(gaps.onward(side.points(), at), piece -> true);
+        }
+      }
+      pieces.inferred(
+          lane.wayBack(), lane.isHeldUp(now.micros()) ? LinePieces.GUESS : LinePieces.DRIVEN);
     }
-    published = lines.size();
-    return lines;
+    published = pieces.all().size();
+    return pieces.all();
   }
 
   /** The sides of the driven lane; joins are lines for that, extensions are not. */
-  private List<List<Point>> sides(LineChains chains, LineGaps gaps, LineModelSettings tuning) {
+  private List<DrivenLane.Inferred> sides(
+      LineChains chains, LineGaps gaps, LineModelSettings tuning) {
     List<DrivenLane.Known> known = new ArrayList<>();
     chains.lines().forEach(line -> known.add(new DrivenLane.Known(line, chains.isSure(line))));
     gaps.joined().forEach(joint -> known.add(new DrivenLane.Known(joint.points(), false)));
     return lane.sides(known, tuning.reach());
-  }
-
-  private static double confidence(List<Point> points, List<Point> line, LineGaps gaps) {
-    return gaps.isLaneSide(points, line) ? SIDE_CONFIDENCE : GUESS_CONFIDENCE;
-  }
-
-  private void publish(
-      List<Point> guessed,
-      Point vehicle,
-      double clearM,
-      String type,
-      double confidence,
-      List<ObjectDescription> into) {
-    clear(guessed, vehicle, clearM).forEach(part -> pieces(part, type, confidence, into));
-  }
-
-  /** The parts of a line that are so far from a place. */
-  private static List<List<Point>> clear(List<Point> line, Point from, double leastM) {
-    List<List<Point>> parts = new ArrayList<>();
-    List<Point> part = new ArrayList<>();
-    for (Point point : line) {
-      if (Math.hypot(point.x() - from.x(), point.y() - from.y()) >= leastM) {
-        part.add(point);
-      } else if (!part.isEmpty()) {
-        parts.add(part);
-        part = new ArrayList<>();
-      }
-    }
-    parts.add(part);
-    parts.removeIf(each -> each.size() < 2);
-    return parts;
-  }
-
-  private void pieces(
-      List<Point> line, String type, double confidence, List<ObjectDescription> into) {
-    for (int from = 0; from == 0 || from < line.size() - 1; from += POINTS_A_PIECE) {
-      List<Point> points =
-          line.subList(from, Math.min(line.size(), from + POINTS_A_PIECE + 1)).stream()
-              .map(frame::point)
-              .collect(Collectors.toList());
-      PolyLine piece = new PolyLine();
-      piece
-          .points(points)
-          .width(LineBeads.WIDTH_M)
-          .uid("line " + (into.size() + 1))
-          .objectType(type)
-          .referenceFrame(frame.frame())
-          .x(points.get(0).x())
-          .y(points.get(0).y())
-          .level(ObjectLevel.AVOID_ALWAYS)
-          .confidence(confidence);
-      into.add(piece);
-    }
   }
 
   @Override

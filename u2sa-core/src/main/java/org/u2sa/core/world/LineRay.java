@@ -28,7 +28,11 @@ final class LineRay {
     metres = Double.NaN;
     for (DrivenLane.Known known : lines) {
       for (int i = 1; i < known.line().size(); i++) {
-        double at = met(known.line().get(i - 1), known.line().get(i));
+        Point end = known.line().get(i);
+        if (Math.abs(end.x() - from.x()) > reachM || Math.abs(end.y() - from.y()) > reachM) {
+          continue; // pieces are short
+        }
+        double at = met(known.line().get(i - 1), end);
         if (at <= reachM && !(Math.abs(at - expectedM) >= Math.abs(metres - expectedM))) {
           metres = at;
           found = known;

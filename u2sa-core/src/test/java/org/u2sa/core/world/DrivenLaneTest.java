@@ -25,12 +25,12 @@ class DrivenLaneTest {
 
   private void drive(double fromX, double toX) {
     for (double x = fromX; x <= toX; x += 0.1) {
-      lane.at(Point.of(x, 0.0, 0.0));
+      lane.at(Point.of(x, 0.0, 0.0), 0L);
     }
   }
 
   private List<Point> sides() {
-    return lane.sides(known, REACH).stream().flatMap(List::stream).toList();
+    return lane.sides(known, REACH).stream().flatMap(side -> side.points().stream()).toList();
   }
 
   /** Whether a side runs along y from one x to another, without a hole. */
@@ -122,7 +122,7 @@ class DrivenLaneTest {
     drive(-5.0, 5.0);
     List<Point> before = sides();
     for (double x = 4.9; x > 2.0; x -= 0.1) {
-      lane.at(Point.of(x, 0.05, 0.0));
+      lane.at(Point.of(x, 0.05, 0.0), 0L);
     }
     assertThat(sides()).isEqualTo(before);
   }
@@ -133,7 +133,7 @@ class DrivenLaneTest {
     line(true, -6.0, -2.0, -2.0);
     drive(-5.0, 0.0);
     for (double y = 0.0; y >= -6.0; y -= 0.1) { // a corner to the right
-      lane.at(Point.of(0.0, y, 0.0));
+      lane.at(Point.of(0.0, y, 0.0), 0L);
     }
     for (Point side : sides()) {
       double x = Math.max(-5.0, Math.min(0.0, side.x()));
@@ -142,6 +142,95 @@ class DrivenLaneTest {
           Math.min(Math.hypot(side.x() - x, side.y()), Math.hypot(side.x(), side.y() - y));
       assertThat(away).isGreaterThan(0.8);
     }
+  }
+
+  @Test
+  void sides_atTheVehicle_areThoseThatLeadToIt() {
+    line(true, -6.0, 20.0, 2.0);
+    line(true, -6.0, 0.0, -2.0);
+    line(true, 3.0, 6.0, -2.0);
+    drive(-5.0, 8.0);
+    assertThat(lane.sides(known, REACH))
+        .hasSize(2)
+        .anySatisfy(side -> assertThat(side.atVehicle()).isFalse())
+        .filteredOn(DrivenLane.Inferred::atVehicle)
+        .singleElement()
+        .satisfies(side -> assertThat(side.points().get(0).x()).isGreaterThan(5.5));
+  }
+
+  private void wholeLane(double toX) {
+    line(true, -6.0, toX, 2.0);
+    line(true, -6.0, toX, -2.0);
+  }
+
+  @Test
+  void wayBack_inALane_leadsAcrossItBehindTheVehicle() {
+    wholeLane(20.0);
+    drive(-5.0, 8.0);
+    sides();
+    assertThat(lane.wayBack())
+        .hasSize(2)
+        .allSatisfy(p -> assertThat(p.x()).isBetween(1.0, 2.0))
+        .anySatisfy(p -> assertThat(p.y()).isEqualTo(2.0))
+        .anySatisfy(p -> assertThat(p.y()).isEqualTo(-2.0));
+  }
+
+  @Test
+  void wayBack_beyondTheLane_leadsAcrossItsEnd() {
+    wholeLane(0.0);
+    drive(-5.0, 15.0);
+    sides();
+    assertThat(lane.wayBack()).hasSize(2).allSatisfy(p -> assertThat(p.x()).isBetween(-0.5, 1.5));
+  }
+
+  @Test
+  void wayBack_backedOutALittle_staysWhereItIs() {
+    wholeLane(20.0);
+    drive(-5.0, 8.0);
+    sides();
+    List<Point> before = lane.wayBack();
+    lane.at(Point.of(4.0, 0.1, 0.0), 0L);
+    assertThat(lane.wayBack()).isEqualTo(before);
+  }
+
+  @Test
+  void wayBack_drivenBackBeyondIt_isOpen() {
+    wholeLane(20.0);
+    drive(-5.0, 8.0);
+    sides();
+    lane.at(Point.of(0.0, 0.1, 0.0), 0L);
+    assertThat(lane.wayBack()).isEmpty();
+  }
+
+  @Test
+  void wayBack_noLane_isOpen() {
+    line(true, -6.0, 20.0, 2.0);
+    drive(-5.0, 8.0);
+    sides();
+    assertThat(lane.wayBack()).isEmpty();
+  }
+
+  @Test
+  void isHeldUp_noNewPlaceForHalfAMinute_is() {
+    lane.at(Point.of(0.0, 0.0, 0.0), 0L);
+    lane.at(Point.of(1.0, 0.0, 0.0), 10_000_000L);
+    assertThat(lane.isHeldUp(30_000_000L)).isFalse();
+    lane.at(Point.of(0.0, 0.1, 0.0), 30_000_000L); // back, which is no progress
+    assertThat(lane.isHeldUp(40_000_000L)).isTrue();
+  }
+
+  @Test
+  void sides_longStretchWithOneLine_stayKnownFarBehind() {
+    line(true, -6.0, 30.0, 2.0);
+    line(true, -6.0, 0.0, -2.0);
+    line(true, 9.0, 30.0, -2.0);
+    drive(-5.0, 13.0);
+    assertThat(runs(sides(), 0.3, 8.7, -2.0)).isTrue();
+    for (double x = 13.0; x < 28.0; x += 0.3) {
+      lane.at(Point.of(x, 0.0, 0.0), 0L);
+      sides();
+    }
+    assertThat(runs(sides(), 0.3, 8.7, -2.0)).isTrue();
   }
 
   @Test

@@ -276,6 +276,44 @@ class LineGapsTest {
     }
   }
 
+  @Test
+  void onward_besideTheLineBeyondTheVehicle_goesOnAsFarAsAllowed() {
+    paint.lookThrice(-6.0, 2.0, 12.0, 2.0, -6.0, -5.0, 12.0, -5.0);
+    LineGaps gaps =
+        new LineGaps(
+            paint.lines(),
+            new LineGaps.Reach(5.2, 1.2, 6.0, LANE_M, WIDEST_M),
+            (x, y) -> false,
+            (a, b) -> false);
+    List<Point> side = List.of(Point.of(-1.0, -2.0, 0.0), Point.of(0.0, -2.0, 0.0));
+    List<Point> onward = gaps.onward(side, Point.of(0.0, 0.0, 0.0));
+    assertThat(PaintedLines.length(onward)).isBetween(5.8, 6.3);
+    assertThat(onward).allSatisfy(p -> assertThat(p.y()).isCloseTo(-2.0, offset(0.05)));
+    assertThat(gaps.onward(side, Point.of(0.0, -3.5, 0.0)))
+        .as("beside the line on the vehicle's other side")
+        .allSatisfy(p -> assertThat(p.y()).isCloseTo(-2.0, offset(0.05)));
+    assertThat(gaps.onward(side, Point.of(1.0, -2.0, 0.0))).as("no line across").isEmpty();
+  }
+
+  @Test
+  void isLaneSide_alongALaneOrAcrossIt_isOrIsNot() {
+    paint.lookThrice(0.0, 2.0, 8.0, 2.0, 1.0, -2.0, 5.0, -2.0, 4.0, -1.0, 4.0, 1.0);
+    List<List<Point>> lines = paint.lines();
+    LineGaps gaps =
+        new LineGaps(
+            lines,
+            new LineGaps.Reach(5.2, 1.2, 6.0, LANE_M, WIDEST_M),
+            (x, y) -> false,
+            (a, b) -> false);
+    assertThat(lines)
+        .hasSize(3)
+        .allSatisfy(
+            line -> {
+              boolean across = Math.abs(line.get(0).y() - line.get(line.size() - 1).y()) > 1.0;
+              assertThat(gaps.isLaneSide(line, line)).isEqualTo(!across);
+            });
+  }
+
   private static double nearest(Point at, List<Point> line) {
     return LineGeometry.metres(at, line.get(LineGeometry.nearest(at, line)));
   }
