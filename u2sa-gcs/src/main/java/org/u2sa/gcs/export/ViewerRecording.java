@@ -15,6 +15,7 @@ import org.u2sa.gcs.message.ViewerJson;
 import org.u2sa.gcs.record.RecordedMessages;
 import org.u2sa.gcs.record.RecordedSpan;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.ChunkCompression;
 import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapCursor;
@@ -91,21 +92,18 @@ final class ViewerRecording {
         m = cursor.next()) {
       McapMessage message = m.get();
       McapChannel channel = reader.channels().get(message.channelId());
-      if (takes(channel, message)) {
+      Optional<Topic> topic = recording.topic(channel);
+      Optional<U2SAData> content = topic.flatMap(known -> recording.decode(known, message));
+      double timeS = span.seconds(message.logTimeNanos());
+      if (content.isPresent()
+          ? spacing.takes(topic.get(), content.get(), timeS)
+          : spacing.takes(channel.id(), timeS)) {
         announce(writer, channel);
-        writer.add(converted(channel, message));
+        writer.add(topic.isPresent() ? converted(message, content) : message);
         messages++;
       }
     }
     return messages;
-  }
-
-  private boolean takes(McapChannel channel, McapMessage message) {
-    double timeS = span.seconds(message.logTimeNanos());
-    return recording
-        .topic(channel)
-        .map(topic -> spacing.takes(topic, recording.decode(topic, message), timeS))
-        .orElseGet(() -> spacing.takes(channel.id(), timeS));
   }
 
   private void announce(McapWriter writer, McapChannel channel) throws IOException {
@@ -133,16 +131,9 @@ final class ViewerRecording {
         ViewerJson.schema(schema.name(), text).getBytes(StandardCharsets.UTF_8));
   }
 
-  private McapMessage converted(McapChannel channel, McapMessage message) {
-    Optional<Topic> topic = recording.topic(channel);
-    if (topic.isEmpty()) {
-      return message;
-    }
-    String json =
-        recording
-            .decode(topic.get(), message)
-            .map(each -> ViewerJson.fields(each).line())
-            .orElse("{}");
+  /** A message that cannot be decoded becomes an empty object. */
+  private static McapMessage converted(McapMessage message, Optional<U2SAData> content) {
+    String json = content.map(each -> ViewerJson.fields(each).line()).orElse("{}");
     return new McapMessage(
         message.channelId(),
         message.sequence(),
