@@ -145,18 +145,22 @@ class ForeignRecordingTest {
     AmplifierRun run = new AmplifierRun(outside);
     run.recordInLockstep(Amplifier::new);
     Path elsewhere = Files.createDirectory(outside.resolve("elsewhere"));
-    Rerun.Outcome outcome = rerun(run, "LOG PATH", elsewhere.toString());
+    rerunThatLogs(run, "LOG PATH", elsewhere.toString());
     assertThat(elsewhere).isEmptyDirectory();
-    assertThat(outcome.isIdentical()).isTrue();
   }
 
-  private static Rerun.Outcome rerun(AmplifierRun run, String variable, String value)
+  private static void rerunThatLogs(AmplifierRun run, String variable, String value)
       throws Exception {
     ExecutionStart start = ExecutionStart.all(run.files).get("Amplifier");
     Map<String, String> changed = new HashMap<>(start.texts());
     changed.put(ExecutionStart.OVERRIDE + variable, ExecutionStart.typed(value));
-    return new Rerun(run.files, "Amplifier", new ExecutionStart(changed, start.files()))
-        .run(Amplifier::new);
+    new Rerun(run.files, "Amplifier", new ExecutionStart(changed, start.files()))
+        .run(
+            context -> {
+              Amplifier service = new Amplifier(context);
+              service.log("somewhere");
+              return service;
+            });
   }
 
   @Test
