@@ -133,6 +133,12 @@ class ForeignRecordingTest {
   }
 
   @Test
+  void context_overriddenVariable_isOverriddenAgain() throws IOException {
+    texts.put(ExecutionStart.OVERRIDE + "GAIN", ExecutionStart.typed(2.5));
+    assertThat(context().configuration().overrides()).containsEntry("GAIN", 2.5);
+  }
+
+  @Test
   void context_toleratedVariables_areToleratedAgain() throws IOException {
     texts.put(ExecutionStart.TOLERATED, "WORLD\tOTHER");
     assertThat(context().configuration().tolerated()).containsExactlyInAnyOrder("WORLD", "OTHER");
