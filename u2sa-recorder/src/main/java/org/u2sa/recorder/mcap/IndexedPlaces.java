@@ -9,11 +9,7 @@ import java.util.List;
  * name one record thousands of times, and fill the memory with copies of it.
  */
 final class IndexedPlaces {
-  private record Place(long offset, long length) {
-    long end() {
-      return offset + length;
-    }
-  }
+  private record Place(long offset, long length) {}
 
   private final List<Place> places = new ArrayList<>();
 
@@ -31,28 +27,14 @@ final class IndexedPlaces {
     places.sort(Comparator.comparingLong(Place::offset));
     long end = Opcode.magic().length;
     for (Place place : places) {
-      if (place.length < Opcode.PREFIX || place.length > dataEnd || place.offset > dataEnd) {
+      boolean isFree = place.offset >= end && place.length <= dataEnd - place.offset;
+      if (!isFree || place.length < Opcode.PREFIX) {
         throw new McapException(
-            "the summary names a record at byte "
-                + place.offset
-                + " of "
-                + place.length
-                + " bytes; expected one before byte "
-                + dataEnd);
+            String.format(
+                "the summary names a record at byte %d of %d bytes; expected one of at least %d between bytes %d and %d, overlapping no other",
+                place.offset, place.length, Opcode.PREFIX, end, dataEnd));
       }
-      if (place.offset < end || place.end() > dataEnd) {
-        throw new McapException(
-            "the summary names a record at bytes "
-                + place.offset
-                + " to "
-                + place.end()
-                + "; expected one between bytes "
-                + end
-                + " and "
-                + dataEnd
-                + ", overlapping no other");
-      }
-      end = place.end();
+      end = place.offset + place.length;
     }
   }
 }

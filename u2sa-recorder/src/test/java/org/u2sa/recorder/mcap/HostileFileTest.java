@@ -191,6 +191,112 @@ class HostileFileTest {
     requireRefused("too few");
   }
 
+  @Test
+  void open_summaryWithoutChunkIndexes_isRefused() throws IOException {
+    writeWithIndexes(all -> List.of(), asTheyAre(), asTheyAre());
+    requireRefused("does not say where its messages are");
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void open_otherMagicBytes_isRefused(boolean atTheEnd) throws IOException {
+    writeWithIndexes(asTheyAre(), asTheyAre(), asTheyAre());
+    byte[] bytes = Files.readAllBytes(file());
+    bytes[atTheEnd ? bytes.length - 3 : 3] ^= 1;
+    Files.write(file(), bytes);
+    requireRefused("at byte " + (atTheEnd ? bytes.length - 8 : 0) + " are not the bytes");
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {0, 8, -5, Long.MAX_VALUE})
+  void open_footerAlone_hasNoSummary(long summaryStart) throws IOException {
+    RecordBuffer out = new RecordBuffer(100, false);
+    out.bytes(Opcode.magic(), 0, 8).uint8(Opcode.FOOTER).uint64(20);
+    out.uint64(summaryStart).uint64(0).uint32(0).bytes(Opcode.magic(), 0, 8);
+    Files.write(file(), Arrays.copyOf(out.array(), out.length()));
+    requireRefused("the file has no summary");
+  }
+
+  private static IndexedPlaces places(long... offsetsAndLengths) {
+    IndexedPlaces places = new IndexedPlaces();
+    for (int i = 0; i < offsetsAndLengths.length; i += 2) {
+      places.add(offsetsAndLengths[i], offsetsAndLengths[i + 1]);
+    }
+    return places;
+  }
+
+  @Test
+  void require_placesThatFillTheDataInAnyOrder_areRight() throws IOException {
+    places(17, 10, 8, 9).require(27);
+    places().require(8);
+  }
+
+  @Test
+  void require_placesOneByteOff_areRefused() {
+    for (IndexedPlaces wrong :
+        List.of(
+            places(8, 8),
+            places(7, 9),
+            places(8, 20),
+            places(8, 9, 16, 9),
+            places(19, 9),
+            places(28, 9),
+            places(8, Long.MAX_VALUE))) {
+      assertThatThrownBy(() -> wrong.require(27))
+          .isInstanceOf(McapException.class)
+          .hasMessageContaining("between bytes");
+    }
+  }
+
+  private static ChunkIndex of(int number, long endNanos, Map<Integer, Long> channels) {
+    return new ChunkIndex(0, endNanos, number, 10, channels, 0, "", 100, 100);
+  }
+
+  @Test
+  void next_chunksWithoutWantedMessages_areNotLoaded() throws IOException {
+    List<Long> loaded = new ArrayList<>();
+    BitSet wanted = new BitSet();
+    wanted.set(1);
+    McapCursor cursor =
+        new McapCursor(
+            "a.mcap",
+            List.of(
+                of(1, 4, Map.of()),
+                of(2, 5, Map.of()),
+                of(3, 9, Map.of(2, 0L)),
+                of(4, 9, Map.of(1, 0L))),
+            5,
+            wanted,
+            chunk -> {
+              loaded.add(chunk.offset());
+              return new byte[0];
+            },
+            1_000);
+    assertThat(cursor.next()).isEmpty();
+    assertThat(loaded).containsExactly(2L, 4L);
+  }
+
+  @Test
+  void next_messagesOfAChunkOutOfOrder_comeInTheOrderOfTime() throws IOException {
+    BitSet wanted = new BitSet();
+    wanted.set(1);
+    RecordBuffer out = new RecordBuffer(100, false);
+    for (long nanos : new long[] {3, 1, 2}) {
+      new McapMessage(1, 0, nanos, nanos, new byte[0]).write(out);
+    }
+    McapCursor cursor =
+        new McapCursor(
+            "a.mcap",
+            List.of(chunk(1, 0, 100)),
+            0,
+            wanted,
+            chunk -> Arrays.copyOf(out.array(), out.length()),
+            1_000);
+    assertThat(SmallRecording.read(cursor))
+        .extracting(McapMessage::logTimeNanos)
+        .containsExactly(1L, 2L, 3L);
+  }
+
   private static ChunkIndex chunk(int number, long startNanos, long size) {
     return new ChunkIndex(startNanos, 1_000, number, 10, Map.of(), 0, "", size, size);
   }
@@ -328,7 +434,9 @@ class HostileFileTest {
     try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
       RecordStream stream = new RecordStream(channel, 40);
       assertThat(stream.bytes(60)).hasSize(60);
-      assertThatThrownBy(() -> stream.bytes(61)).isInstanceOf(EOFException.class);
+      assertThatThrownBy(() -> stream.bytes(61))
+          .isInstanceOf(EOFException.class)
+          .hasMessageContaining("within a record");
       assertThatThrownBy(() -> stream.bytes(ReadLimits.MAX_LENGTH))
           .isInstanceOf(EOFException.class);
       assertThatThrownBy(() -> stream.bytes(ReadLimits.MAX_LENGTH + 1))
