@@ -153,6 +153,39 @@ class ClientSubscriptionsTest {
     assertThat(subscriptions.questions(unsubscribe("a"))).isEqualTo(1.0);
   }
 
+  @Test
+  void answerTo_grantsAtMostOneOrRefusesEach() {
+    MqttSubscribeMessage packet =
+        MqttMessageBuilders.subscribe()
+            .messageId(9)
+            .addSubscription(MqttQoS.AT_MOST_ONCE, "a")
+            .addSubscription(MqttQoS.AT_LEAST_ONCE, "b")
+            .addSubscription(MqttQoS.EXACTLY_ONCE, "c")
+            .build();
+
+    assertThat(ClientSubscriptions.answerTo(packet, false).payload().grantedQoSLevels())
+        .containsExactly(0, 1, 1);
+    assertThat(ClientSubscriptions.answerTo(packet, true).payload().grantedQoSLevels())
+        .containsExactly(0x80, 0x80, 0x80);
+    assertThat(ClientSubscriptions.answerTo(packet, true).variableHeader().messageId())
+        .isEqualTo(9);
+  }
+
+  /** Who asks for everything that is retained, again and again, has to wait. */
+  @Test
+  void sendRetained_manyMessages_countAsQuestions() {
+    for (int i = 0; i < 640; i++) {
+      filter.retained().enterLocal("u2sa/cessna/own/Tide" + i, new byte[] {1});
+    }
+    pipeline.introduced();
+    MqttSubscribeMessage all = subscribe(MqttQoS.AT_MOST_ONCE, List.of("u2sa/#"));
+    for (int i = 0; i < 5; i++) {
+      assertThat(subscriptions.isInTurn(unsubscribe("x"))).isTrue();
+      subscriptions.sendRetained(all, pipeline.session);
+    }
+    assertThat(subscriptions.isInTurn(unsubscribe("x"))).isFalse();
+  }
+
   private static MqttMessage message(String topic) {
     return MqttMessageBuilders.publish()
         .topicName(topic)
