@@ -56,6 +56,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private long reports;
   private long resets;
   private boolean isStartTold;
+  private boolean isHeadingTold;
 
   /** Called by the launcher. */
   public FusingStateEstimator(ServiceContext context) {
@@ -100,8 +101,16 @@ public final class FusingStateEstimator extends StateEstimator {
     return publishedMicros == Long.MIN_VALUE || isDue ? Optional.of(state(at)) : Optional.empty();
   }
 
-  /** The place where the vehicle was put, as soon as a receiver says where it is about. */
+  /**
+   * The heading in which it was put, and the place, as soon as a receiver says where it is about.
+   */
   private void tellStart() {
+    if (!isHeadingTold && variables.startPsiSigma() > 0.0) {
+      isHeadingTold = true;
+      double sigma = Math.toRadians(variables.startPsiSigma());
+      measurement.begin(START, filter.micros());
+      filter.add(measurement.heading(Math.toRadians(variables.startPsi()), sigma));
+    }
     if (!isStartTold && variables.startSigma() > 0.0 && filter.at(filter.micros()).isOnEarth()) {
       isStartTold = true;
       double sigma = variables.startSigma();
@@ -195,6 +204,7 @@ public final class FusingStateEstimator extends StateEstimator {
   protected void takeOver(HandOver state) {
     state.message(LOCAL, StateInformation.class).ifPresent(odometry::resume);
     isStartTold = true; // it has left there
+    isHeadingTold = true;
     if (!FilterMemory.read(filter, state::text)) {
       for (StateInformation each : state.messages("MEASUREMENTS", StateInformation.class)) {
         filter.add(

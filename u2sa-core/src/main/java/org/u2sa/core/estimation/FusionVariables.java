@@ -119,7 +119,7 @@ record FusionVariables(
     @Variable(
             unit = "s",
             min = 0,
-            ifAbsent = 0,
+            ifAbsent = 30,
             text =
                 "Time for which errors of position sources persist: a receiver's error wanders over many seconds and does not average out. 0: each error is new.")
         double positionCorrelation,
@@ -160,6 +160,21 @@ record FusionVariables(
             text =
                 "How well it is put there, 1 sigma; 0: nobody knows where it starts. A receiver that contradicts the place by more than the gate is believed instead.")
         double startSigma,
+    @Variable(
+            unit = "deg",
+            min = -360,
+            max = 360,
+            ifAbsent = 0,
+            text = "Heading in which the vehicle is put there, clockwise from true north.")
+        double startPsi,
+    @Variable(
+            unit = "deg",
+            min = 0,
+            max = 90,
+            ifAbsent = 0,
+            text =
+                "How well that is known, 1 sigma; 0: not at all, and without a compass the first way tells it.")
+        double startPsiSigma,
     @Variable(
             ifAbsentText = "",
             text =

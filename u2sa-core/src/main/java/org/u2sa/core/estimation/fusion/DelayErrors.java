@@ -15,6 +15,8 @@ final class DelayErrors {
   static final int NONE = -1;
   static final int SLOTS = 3;
 
+  static final double MAX_S = 0.5; // no receiver is later, and none measures ahead of time
+
   private static final double NOISE = 1e-3; // of a delay, s per √s
   private static final double LEAST_S = 0.03; // worth telling
   private static final double SIGMAS = 3.0; // by which it must be known for that
@@ -102,12 +104,17 @@ final class DelayErrors {
     }
   }
 
+  /** What makes a delay negative, or large, is another error, such as a reflected signal. */
+  static double possible(double seconds) {
+    return Math.min(MAX_S, Math.max(0.0, seconds));
+  }
+
   /** By how much later a source measures than it says [s], 0 if that is too little or not sure. */
   static double lateS(FilterState s, int source) {
     for (int slot = 0; slot < SLOTS; slot++) {
       double late = s.x[FilterState.DELAYS + slot];
       double sigma = Math.sqrt(s.variance(FilterState.DELAY + slot));
-      if (s.delaySource[slot] == source && Math.abs(late) > Math.max(LEAST_S, SIGMAS * sigma)) {
+      if (s.delaySource[slot] == source && late > Math.max(LEAST_S, SIGMAS * sigma)) {
         return late;
       }
     }

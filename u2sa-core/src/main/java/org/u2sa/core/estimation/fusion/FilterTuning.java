@@ -68,7 +68,7 @@ public record FilterTuning(
         isGround ? 0.03 : 0.0,
         4.0,
         100,
-        0.0,
+        30.0,
         60.0,
         0.1,
         5.0,

@@ -182,7 +182,8 @@ final class KalmanUpdate {
       x[FilterState.PERSISTENT_ERRORS + i] += dx[FilterState.PERSISTENT + i];
     }
     for (int i = 0; i < DelayErrors.SLOTS; i++) {
-      x[FilterState.DELAYS + i] += dx[FilterState.DELAY + i];
+      double seconds = x[FilterState.DELAYS + i] + dx[FilterState.DELAY + i];
+      x[FilterState.DELAYS + i] = DelayErrors.possible(seconds);
     }
   }
 }

@@ -24,6 +24,8 @@ final class PersistentErrors {
   /** Share of a claimed sigma that is new with each measurement. The rest persists. */
   private static final double NEW_SHARE = 0.2;
 
+  private static final double OUTGROWN = 9.0; // variance over that of the newest claim
+
   private static final double NEW_VARIANCE = NEW_SHARE * NEW_SHARE;
 
   private final double positionS;
@@ -74,7 +76,7 @@ final class PersistentErrors {
       boolean isFree = s.persistentSource[slot] == FilterState.NO_SOURCE;
       if (isFree || s.persistentSource[slot] == source) {
         note(s, m, quantity, slot);
-        if (isFree) {
+        if (isFree || isOutgrown(s, slot)) {
           s.persistentSource[slot] = source;
           begin(s, slot);
         }
@@ -91,6 +93,12 @@ final class PersistentErrors {
       claim = Math.max(claim, sigma * sigma);
     }
     s.x[FilterState.PERSISTENT_VARIANCE + slot] = (1.0 - NEW_VARIANCE) * claim;
+  }
+
+  /** Whether the source has claimed much more before: that error is over. */
+  private static boolean isOutgrown(FilterState s, int slot) {
+    double known = s.variance(FilterState.PERSISTENT + first(slot));
+    return known > OUTGROWN * s.x[FilterState.PERSISTENT_VARIANCE + slot];
   }
 
   private static void begin(FilterState s, int slot) {

@@ -6,7 +6,7 @@ package org.u2sa.core.estimation.fusion;
 final class QuantityStart {
   private static final double AGAIN_S = 30.0;
   private static final double DISTRUST_STEP = 4.0; // of a variance
-  private static final double MAX_DISTRUST = 1e6;
+  private static final double MAX_DISTRUST = 1e4;
   private final FilterTuning tuning;
   private final LeverArm lever = new LeverArm();
 
@@ -68,7 +68,7 @@ final class QuantityStart {
     if (SpeedDoubt.isHeadingGuessed(s)) {
       s.hasHeading = false;
       s.isolate(FilterState.ATTITUDE + 2, Math.PI * Math.PI / 3.0);
-    } else if (SpeedDoubt.isOfPosition(quantity) && !s.isInertial) {
+    } else if (SpeedDoubt.isOfPosition(quantity) && MotionInput.drivesSpeed(s)) {
       double factor = SourceTrust.factor(s, at);
       t[at + SourceTrust.DISTRUST] = Math.min(MAX_DISTRUST, DISTRUST_STEP * factor);
     }

@@ -10,6 +10,8 @@ final class SourceJudge {
   private static final int TRUSTED_AFTER = 5;
   private static final int RESET_AFTER = 3;
   private static final double FROZEN_RUN = 3.0;
+  private static final double SILENT_AFTER_S = 1.0;
+  private static final double SILENT_INTERVALS = 5.0;
 
   private final FilterTuning tuning;
   private final SourceTrust trust;
@@ -119,14 +121,16 @@ final class SourceJudge {
   }
 
   /**
-   * Whether what another source measures is refused, time after time. Turn rates do not count: they
-   * are often of the same gyroscopes as the rates that they would speak for.
+   * Whether what another source measures is refused, time after time. One that fell silent while it
+   * was refused speaks no longer. Turn rates do not count: they are often of the same gyroscopes as
+   * the rates that they would speak for.
    */
   boolean isContradicted(FilterState s, int source) {
     for (int other = 0; other < trust.sources(); other++) {
       for (int q = SensedQuantity.PLACE.ordinal(); q < SensedQuantity.count(); q++) {
         SensedQuantity quantity = SensedQuantity.at(q);
         if (other != source
+            && isHeard(s, other)
             && quantity != SensedQuantity.EULER_RATES
             && trust.isKnown(other, quantity)
             && s.trust[trust.of(s, other, quantity) + SourceTrust.STREAK] >= RESET_AFTER) {
@@ -135,6 +139,13 @@ final class SourceJudge {
       }
     }
     return false;
+  }
+
+  private boolean isHeard(FilterState s, int source) {
+    int at = trust.of(s, source);
+    double since = (s.micros - s.trust[at + SourceTrust.LAST_MICROS]) / MICROS;
+    double interval = s.trust[at + SourceTrust.INTERVAL];
+    return since <= Math.max(SILENT_AFTER_S, SILENT_INTERVALS * interval);
   }
 
   /** Whether another source's measurements of the same thing were used lately. */

@@ -17,6 +17,7 @@ class DelayErrorsTest {
   private final SimulatedMotion truth = new SimulatedMotion(5);
   private final Measurement m = new Measurement();
   private final Deque<double[]> underWay = new ArrayDeque<>();
+  private boolean isAhead;
   private double worst; // error in claimed sigmas, since the start
 
   /** Drives a rectangle: 8 s at 1 m/s, 2 s for a turn of a right angle on the spot. */
@@ -51,6 +52,9 @@ class DelayErrorsTest {
       underWay.remove();
     }
     double[] then = underWay.peek();
+    if (isAhead) {
+      then = new double[] {now, 2.0 * truth.p[0] - then[1], 2.0 * truth.p[1] - then[2]};
+    }
     Geodetic at =
         SimulatedMotion.HOME.fromNed(
             Point.of(then[1] + truth.gauss(SIGMA), then[2] + truth.gauss(SIGMA), 0.0));
@@ -95,5 +99,13 @@ class DelayErrorsTest {
     Estimate e = filter.at(60_000_000L);
     assertThat(e.positionSigmaM(0)).isBetween(0.05, 0.12);
     assertThat(e.positionSigmaM(1)).isLessThan(0.03);
+  }
+
+  /** A receiver never measures ahead of time, whatever the positions look like. */
+  @Test
+  void add_fixesAheadOfTheVehicle_delayIsNotNegative() {
+    isAhead = true;
+    drive(60.0, 200_000L, false);
+    assertThat(gps().lateS()).isZero();
   }
 }

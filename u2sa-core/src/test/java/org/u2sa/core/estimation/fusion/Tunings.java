@@ -22,7 +22,7 @@ final class Tunings {
         0.0,
         t.gate(),
         t.window(),
-        t.positionCorrelationS(),
+        0.0,
         0.0,
         0.0,
         t.resetAfterS(),
