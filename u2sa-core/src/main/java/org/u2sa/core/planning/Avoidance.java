@@ -23,7 +23,6 @@ import org.u2sa.core.planning.seen.PlanningPlane;
 import org.u2sa.core.planning.seen.SeenWorld;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
-import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
@@ -46,11 +45,6 @@ final class Avoidance {
   /** Below this share of its speed, what cannot stand has not taken off. */
   private static final double SHARE_FLYING = 0.5;
 
-  /** Without a way, it looks to one side after the other, each for so long. */
-  private static final double LOOK_STEP_RAD = Math.toRadians(60.0);
-
-  private static final long LOOKS_MICROS = 5 * Clock.MICROS_PER_SECOND / 2;
-
   /** Progress by less than this many cells is none. */
   private static final double PROGRESS_CELLS = 2.0;
 
@@ -63,6 +57,8 @@ final class Avoidance {
   private final Passages passages;
   private final Guesses guesses;
   private final Nearing nearing = new Nearing();
+  private final TrafficHold hold = new TrafficHold();
+  private final LookAround lookAround = new LookAround();
   private final PathNews news;
   private PlanningPlane plane;
 
@@ -80,8 +76,6 @@ final class Avoidance {
   private int recoveries;
   private long recoversUntil;
   private long overlooksUntil = Long.MIN_VALUE;
-  private long lookedMicros = Long.MIN_VALUE; // when it turned to look for a way
-  private double lookHeadingRad;
   private boolean makesRoom; // to turn on the spot
   private boolean begun;
 
@@ -220,6 +214,7 @@ final class Avoidance {
       begun = true;
       progressMicros = micros;
       nearing.begin(micros);
+      hold.begin(micros);
       routelessSince = micros;
       leastRemainingM = Double.POSITIVE_INFINITY;
       plannedMicros = Long.MIN_VALUE / 2;
@@ -231,6 +226,7 @@ final class Avoidance {
     maintain(pose, wanted, limits, now, micros, off);
     ArcChoice choice = choose(pose, vehicle, limits, now, micros);
     makesRoom = choice.kind() == ArcChoice.Kind.MAKE_ROOM;
+    leaveOut(hold.pass(choice.kind(), isTrafficNear(pose, limits, now, micros), micros));
     Optional<String> givenUp = progress(choice, limits, now, micros);
     announce(choice, givenUp, wanted, at);
     return new Step(
@@ -395,20 +391,23 @@ final class Avoidance {
       return arcs.backOut(1.5 * body(now).circleM());
     }
     if (track.isPresent()) {
-      lookedMicros = Long.MIN_VALUE;
+      lookAround.end();
       return arcs.along(track.get());
     }
     boolean looks = now.overlookAfter() > 0.0 && micros - routelessSince > 2 * now.overlookMicros();
-    return looks ? arcs.lookTo(lookHeading(pose, micros)) : arcs.withoutRoute();
+    return looks ? arcs.lookTo(lookAround.headingRad(pose, micros)) : arcs.withoutRoute();
   }
 
-  /** Where to look for a way: to one side after the other. */
-  private double lookHeading(Pose pose, long micros) {
-    if (lookedMicros == Long.MIN_VALUE || micros - lookedMicros > LOOKS_MICROS) {
-      lookedMicros = micros;
-      lookHeadingRad = Pose.wrapped(pose.headingRad() + LOOK_STEP_RAD);
-    }
-    return lookHeadingRad;
+  private boolean isTrafficNear(
+      Pose pose, MotionLimits limits, AvoidanceSettings now, long micros) {
+    double kept = body(now).circleM() + limits.trafficM() + limits.lookAheadM();
+    return TrafficHold.isNear(world.movers(), pose, kept, limits.horizonS(), micros);
+  }
+
+  private void leaveOut(long heldMicros) {
+    progressMicros += heldMicros;
+    routelessSince += heldMicros;
+    nearing.leaveOut(heldMicros);
   }
 
   /** Looks whether the vehicle gets on; frees it if not; answers why it gives up. */

@@ -24,6 +24,11 @@ final class Nearing {
     longestM = 0.0;
   }
 
+  /** Some of the time does not count: something else held the vehicle up. */
+  void leaveOut(long micros) {
+    nearestMicros += micros;
+  }
+
   /**
    * Why what goes to and fro gives up; empty if it does not.
    *

@@ -76,25 +76,29 @@ class PlannerSeesTest extends PlannedVehicle {
   }
 
   /** What the way costs of a vehicle 0.92 m wide to behind a wall with a gap of 1.25 m. */
-  private double costThroughAGap(double narrowestPassageM) {
+  private double costThroughAGap(double narrowestPassageM, double wallReachesM) {
     kit.with("PLANNER", "GRID").with("CLEARANCE", 0.03).with("INFLATION COST", 0.0);
     kit.with("VEHICLE FRONT", 0.4).with("VEHICLE REAR", 0.2).with("VEHICLE WIDTH", 0.92);
     kit.with("NARROWEST PASSAGE", narrowestPassageM).start(PathPlanner::new);
     goals(waypoint("1", 10, 0));
-    see(wall("west", -8.0, -0.625), wall("east", 0.625, 8.0));
-    drive(1, 0, 0, 0);
+    see(wall("west", -wallReachesM, -0.625), wall("east", 0.625, wallReachesM));
+    drive(10, 0, 0, 0);
     return path().cost().orElseThrow();
   }
 
   @Test
-  void state_gapNarrowerThanThePassage_goesAround() {
-    assertThat(costThroughAGap(1.4)).isGreaterThan(15.0);
+  void state_gapTooNarrowToTurnIn_goesAround() {
+    assertThat(costThroughAGap(0.0, 8.0)).isGreaterThan(15.0);
   }
 
-  @ParameterizedTest
-  @ValueSource(doubles = {0.0, 1.0}) // by default what the vehicle's width fits
-  void state_gapTooNarrowToTurnInButNoNarrowerThanThePassage_goesThrough(double passageM) {
-    assertThat(costThroughAGap(passageM)).isBetween(9.9, 10.5);
+  @Test
+  void state_gapTooNarrowToTurnInAndNoWayAround_goesThrough() {
+    assertThat(costThroughAGap(0.0, 25.0)).isBetween(9.9, 10.5);
+  }
+
+  @Test
+  void state_gapTooNarrowToTurnInButNoNarrowerThanThePassage_goesThrough() {
+    assertThat(costThroughAGap(1.0, 8.0)).isBetween(9.9, 10.5);
   }
 
   @Test
@@ -197,6 +201,25 @@ class PlannerSeesTest extends PlannedVehicle {
 
     assertThat(logged("stuck: frees itself, attempt 2 of 2")).isEqualTo(1);
     assertThat(kit.published(Channels.NAVIGATION)).anyMatch(NavigationPoint::backwards);
+    assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().reason().orElseThrow())
+        .contains("stuck after 2 attempts");
+  }
+
+  @Test
+  void state_walkerComesOnForLong_keepsTheGoalAsLongAsHeIsThere() {
+    kit.with("PLANNER", "GRID").with("STUCK AFTER", 1.0).with("RECOVERIES", 2);
+    kit.with("REVERSES", true).start(PathPlanner::new);
+    goals(waypoint("1", 10, 0));
+    Circle walker = disc("walker", 2.5, 0, 0.3);
+    walker.motion().velocity(Point.of(-0.3, 0.0, 0.0));
+    for (int second = 0; second < 60; second++) {
+      see((Circle) walker.copy());
+      drive(10, 0, 0, 0);
+    }
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
+
+    see(disc("rock", 30, 30, 1.0));
+    drive(60, 0, 0, 0);
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().reason().orElseThrow())
         .contains("stuck after 2 attempts");
   }

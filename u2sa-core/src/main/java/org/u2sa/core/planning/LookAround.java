@@ -1,0 +1,30 @@
+package org.u2sa.core.planning;
+
+import org.u2sa.core.planning.curve.Pose;
+import org.u2sa.interfaces.time.Clock;
+
+/**
+ * Where a vehicle without a route looks for one: to one side after the other. Belongs to the
+ * planner's thread.
+ */
+final class LookAround {
+  private static final double STEP_RAD = Math.toRadians(60.0);
+  private static final long EACH_MICROS = 5 * Clock.MICROS_PER_SECOND / 2;
+
+  private long turnedMicros = Long.MIN_VALUE;
+  private double headingRad;
+
+  /** There is a route. */
+  void end() {
+    turnedMicros = Long.MIN_VALUE;
+  }
+
+  /** The heading to look to now [rad]. */
+  double headingRad(Pose pose, long micros) {
+    if (turnedMicros == Long.MIN_VALUE || micros - turnedMicros > EACH_MICROS) {
+      turnedMicros = micros;
+      headingRad = Pose.wrapped(pose.headingRad() + STEP_RAD);
+    }
+    return headingRad;
+  }
+}

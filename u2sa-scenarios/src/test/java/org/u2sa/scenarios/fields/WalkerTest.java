@@ -1,0 +1,74 @@
+package org.u2sa.scenarios.fields;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * The rover meets one who walks straight on, whatever is in his way. It may be touched while it
+ * stands or backs off, but never drives into him, and does not give its goal up for him.
+ */
+class WalkerTest {
+  private static final double WALKER_M = 0.3;
+  private static final double ROVER_MPS = 0.95;
+
+  private final RandomField field =
+      new RandomField(
+          new RandomField.Kind(28.0, 0.25, 1.6, 0.0, 1.2, 0, WALKER_M, 0.5, 0, false), 1);
+  private final double wayM =
+      Math.hypot(field.goalEast - field.startEast, field.goalNorth - field.startNorth);
+
+  /** A place by its way from start to goal, and to the right of that: east, north [m]. */
+  private double[] at(double along, double right) {
+    double east = (field.goalEast - field.startEast) / wayM;
+    double north = (field.goalNorth - field.startNorth) / wayM;
+    return new double[] {
+      field.startEast + along * east + right * north,
+      field.startNorth + along * north - right * east
+    };
+  }
+
+  private void walks(double[] from, double[] to, double mps) {
+    double[] ends = {from[0], from[1], to[0], to[1]};
+    field.traffic.add(new RandomField.Traffic(ends, WALKER_M, mps, 0.0));
+  }
+
+  private FieldResult drive(boolean modelled) {
+    try (RoverRun run = new RoverRun(field, modelled)) {
+      return run.run();
+    }
+  }
+
+  private void requireReached(boolean modelled) {
+    FieldResult result = drive(modelled);
+    assertThat(result.contacts()).isEmpty();
+    assertThat(result.reason()).isEmpty();
+    assertThat(result.reached()).isTrue();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.3, 0.0", "0.3, 0.25", "1.5, 0.0", "1.5, 0.25", "1.5, -0.25"})
+  void headOn_asWorldModelerSeesHim_isNotDrivenInto(double mps, double aside) {
+    walks(at(wayM + 3.0, aside), at(-40.0, aside), mps);
+    requireReached(true);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.3, 0.0", "1.0, 0.75", "1.5, 0.0", "1.5, -0.75"})
+  void crossing_asWorldModelerSeesHim_isNotDrivenInto(double mps, double laterS) {
+    double meetS = 2.0 + 0.5 * wayM / ROVER_MPS + laterS;
+    walks(at(0.5 * wayM, mps * meetS), at(0.5 * wayM, -60.0), mps);
+    requireReached(true);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.0", "0.25", "0.5"})
+  void headOn_fastAndItsVelocityKnown_isNotTouched(double aside) {
+    walks(at(wayM + 3.0, aside), at(-40.0, aside), 1.5);
+    FieldResult result = drive(false);
+    assertThat(result.contacts()).isEmpty();
+    assertThat(result.touchedBy()).isEmpty();
+    assertThat(result.reached()).isTrue();
+  }
+}
