@@ -12,10 +12,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.health.HealthMonitor;
+import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.gcs.Main;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.services.Lidar;
@@ -104,16 +106,34 @@ class SeparateProcessesTest {
     }
   }
 
+  @Test
+  void separate_serviceKilledWithoutAMonitor_isRestarted() throws Exception {
+    Process supervisor = run(system(Lidar.class, SafetyManager.class)).start();
+    try {
+      awaitLine(supervisor, "System boat runs");
+      supervisor.descendants().findFirst().orElseThrow().destroyForcibly();
+
+      awaitLine(supervisor, line -> line.matches("Service \\w+ was restarted\\."));
+    } finally {
+      supervisor.destroy(); // ends its services first
+      supervisor.waitFor();
+    }
+  }
+
   private static void awaitLine(Process process, String begin) throws Exception {
+    awaitLine(process, line -> line.startsWith(begin));
+  }
+
+  private static void awaitLine(Process process, Predicate<String> wanted) throws Exception {
     BufferedReader lines =
         new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
     List<String> seen = new ArrayList<>();
     for (String line = lines.readLine(); line != null; line = lines.readLine()) {
       seen.add(line);
-      if (line.startsWith(begin)) {
+      if (wanted.test(line)) {
         return;
       }
     }
-    throw new AssertionError("ended without \"" + begin + "\": " + seen);
+    throw new AssertionError("ended without the wanted line: " + seen);
   }
 }
