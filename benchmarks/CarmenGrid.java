@@ -10,13 +10,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.zip.GZIPInputStream;
 import javax.imageio.ImageIO;
-import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
@@ -24,47 +26,53 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Enters a published CARMEN lidar log with its corrected poses into the World Modeler's grid, prints
- * how well the map explains the scans that it was made of, and draws it: {@code CarmenGrid
- * intel-corrected.log.gz out.png [cell size in m]}.
+ * Enters a published CARMEN lidar log with its corrected poses into the World Modeler's grid and
+ * prints how well the grid explains the scans that it was made of: {@code java -Ddeg=2
+ * … CarmenGrid intel-corrected.log.gz}. System properties: {@code deg}, angle between the beams used
+ * [deg], 1 if absent; {@code cell}, side of a cell [m], 0.05; {@code png}, a file to draw the grid
+ * into. The window covers the whole recording and does not roll.
  */
 final class CarmenGrid {
   private static final double REACH = 40.0; // larger values are the scanner's "nothing"
-  private static final double HALF_TURN = Math.PI;
+  private static final int STANDING_SCANS = 20; // between two echoes of a thing that stands
 
-  private record Shot(StateInformation vehicle, RangeScan scan) {}
+  private record Shot(int number, StateInformation vehicle, RangeScan scan) {}
+
+  /** The grid's window, with what a message of it would say. */
+  private record Grid(GridWindow window) {
+    byte at(Point point) {
+      double column = window.column(point.x());
+      double row = window.row(point.y());
+      boolean inside =
+          column >= 0.0 && row >= 0.0 && column < window.side() && row < window.side();
+      return inside
+          ? window.cells()[(int) row * window.side() + (int) column]
+          : OccupancyGrid.UNKNOWN;
+    }
+  }
 
   public static void main(String[] arguments) throws IOException {
-    double cell = arguments.length > 2 ? Double.parseDouble(arguments[2]) : 0.05;
+    double cell = Double.parseDouble(System.getProperty("cell", "0.05"));
     List<Shot> shots = read(Path.of(arguments[0]));
-    double[] box = box(shots);
-    double side = Math.max(box[2] - box[0], box[3] - box[1]) + 2.0 * 15.0;
-    GridModeller modeller =
-        new GridModeller(
-            XmlConfiguration.inMemory(
-                "benchmark",
-                Map.of("CELL SIZE", cell, "GRID SIZE", 2.0 * side, "FREE WITHOUT ECHO", 0.0)));
-    StateInformation first = shots.get(0).vehicle();
-    MapFrame frame = MapFrame.of(first);
-    Sighting start = new Sighting(0L, frame, Optional.of(first));
-    modeller.enter(frame, start);
+    GridWindow window = window(shots, cell);
+    ScanEntry entry = new ScanEntry(window, new LogOdds(0.85, 0.4, -2.0, 3.5));
+    ScanEntry.Band band = new ScanEntry.Band(-0.1, 2.0, 0.0);
+    MapFrame frame = MapFrame.of(shots.get(0).vehicle());
+    long beams = 0;
     long began = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
     for (Shot shot : shots) {
-      Sighting sighting =
-          new Sighting(shot.scan().timestamp().orElseThrow(), frame, Optional.of(shot.vehicle()));
-      modeller.scan(shot.scan(), ScanPoses.still(sighting));
+      Sighting sighting = new Sighting(0L, frame, Optional.of(shot.vehicle()));
+      beams += entry.enter(shot.scan(), ScanPoses.still(sighting), band, 1.0);
     }
     double seconds =
         (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - began) / 1e9;
-    OccupancyGrid grid = modeller.grid(start).orElseThrow();
     System.out.printf(
-        "%s: %d scans, %d beams, %.2f s of one core (%.1f M beams/s, cold start included)%n",
-        arguments[0], shots.size(), 180 * shots.size(), seconds, 180e-6 * shots.size() / seconds);
-    score(grid, shots);
-    System.out.printf(
-        "message: %d x %d cells of %.2f m in %d bytes%n",
-        grid.columns(), grid.rows(), cell, grid.serialize().length);
-    draw(grid, new File(arguments[1]));
+        "%s: %d scans, %d beams, %.2f s of one core (cold start included), %d x %d cells of %.2f m%n",
+        arguments[0], shots.size(), beams, seconds, window.side(), window.side(), cell);
+    score(new Grid(window), shots);
+    if (System.getProperty("png") != null) {
+      draw(window, new File(System.getProperty("png")));
+    }
   }
 
   private static List<Shot> read(Path log) throws IOException {
@@ -75,104 +83,145 @@ final class CarmenGrid {
                 new GZIPInputStream(Files.newInputStream(log)), StandardCharsets.US_ASCII))) {
       for (String line = in.readLine(); line != null; line = in.readLine()) {
         if (line.startsWith("FLASER ")) {
-          shots.add(shot(line.trim().split("\\s+")));
+          shots.add(shot(shots.size(), line.trim().split("\\s+")));
         }
       }
+    }
+    if (shots.isEmpty()) {
+      throw new IOException(log + ": no FLASER line; expected a CARMEN log");
     }
     return shots;
   }
 
-  /** FLASER count ranges… x y theta odom_x odom_y odom_theta time host time. */
-  private static Shot shot(String[] part) {
+  /**
+   * FLASER count ranges… x y theta odom_x odom_y odom_theta time host time. The beams cover 180°: an
+   * odd number of them both ends, an even number all but the last.
+   */
+  private static Shot shot(int number, String[] part) {
     int beams = Integer.parseInt(part[1]);
+    double stepDeg = 180.0 / (beams % 2 == 1 ? beams - 1 : beams);
+    double usedDeg = Double.parseDouble(System.getProperty("deg", "1"));
+    int every = Math.max(1, (int) Math.round(usedDeg / stepDeg));
     List<OptionalDouble> ranges = new ArrayList<>();
-    for (int i = 0; i < beams; i++) {
+    for (int i = 0; i < beams; i += every) {
       double range = Double.parseDouble(part[2 + i]);
       ranges.add(range < REACH ? OptionalDouble.of(range) : OptionalDouble.empty());
     }
+    int pose = 2 + beams;
     StateInformation vehicle =
         new StateInformation()
             .referenceFrame(ReferenceFrame.LOCAL_ENU)
-            .x(Double.parseDouble(part[2 + beams]))
-            .y(Double.parseDouble(part[3 + beams]))
-            .psi(Double.parseDouble(part[4 + beams]));
+            .x(Double.parseDouble(part[pose]))
+            .y(Double.parseDouble(part[pose + 1]))
+            .psi(Double.parseDouble(part[pose + 2]));
     RangeScan scan =
         new RangeScan()
             .sensorName("FLASER")
             .maxRange(REACH)
-            .beams(-HALF_TURN / 2.0, HALF_TURN / beams, ranges); // from the right to the left
-    scan.timestamp(Math.round(1e6 * Double.parseDouble(part[8 + beams])));
-    return new Shot(vehicle, scan);
+            .beams(-Math.PI / 2.0, Math.toRadians(every * stepDeg), ranges); // right to left
+    return new Shot(number, vehicle, scan);
   }
 
-  private static double[] box(List<Shot> shots) {
-    double[] box = {1e9, 1e9, -1e9, -1e9};
-    for (Shot shot : shots) {
-      double x = shot.vehicle().x().orElseThrow();
-      double y = shot.vehicle().y().orElseThrow();
-      box[0] = Math.min(box[0], x);
-      box[1] = Math.min(box[1], y);
-      box[2] = Math.max(box[2], x);
-      box[3] = Math.max(box[3], y);
-    }
-    return box;
+  /** A window that holds all places from which scans were taken, and what they reached. */
+  private static GridWindow window(List<Shot> shots, double cell) {
+    double[] x = shots.stream().mapToDouble(shot -> shot.vehicle().x().orElseThrow()).toArray();
+    double[] y = shots.stream().mapToDouble(shot -> shot.vehicle().y().orElseThrow()).toArray();
+    DoubleSummaryStatistics wide = Arrays.stream(x).summaryStatistics();
+    DoubleSummaryStatistics high = Arrays.stream(y).summaryStatistics();
+    double side =
+        Math.max(wide.getMax() - wide.getMin(), high.getMax() - high.getMin()) + 2.0 * REACH;
+    GridWindow window = new GridWindow(cell, (int) Math.ceil(side / cell));
+    window.move(
+        Math.round((wide.getMin() - REACH) / cell), Math.round((high.getMin() - REACH) / cell));
+    return window;
   }
 
-  /** How many echoes lie on or beside an occupied cell, and how many beams fly through one. */
-  private static void score(OccupancyGrid grid, List<Shot> shots) {
-    long echoes = 0;
-    long explained = 0;
-    long through = 0;
+  /**
+   * How many echoes lie on or beside an occupied cell; how many of those do so of which another scan
+   * saw an echo beside them at least {@link #STANDING_SCANS} scans earlier or later, as people who walk
+   * about are not to stay on the grid; and how many beams cross an occupied cell.
+   */
+  private static void score(Grid grid, List<Shot> shots) {
+    double cell = grid.window().resolution();
+    Map<Long, int[]> spans = new HashMap<>(); // first and last scan with an echo in each cell
+    forEachEcho(
+        shots,
+        (shot, pose, beam) -> {
+          Point end = pose.at(beam.angle(), beam.range().getAsDouble());
+          int[] span =
+              spans.computeIfAbsent(
+                  key(end, cell, 0, 0), key -> new int[] {shot.number(), shot.number()});
+          span[0] = Math.min(span[0], shot.number());
+          span[1] = Math.max(span[1], shot.number());
+        });
+    long[] counts = new long[5]; // echoes, kept, standing, standing and kept, beams that cross
+    forEachEcho(
+        shots,
+        (shot, pose, beam) -> {
+          double range = beam.range().getAsDouble();
+          Point end = pose.at(beam.angle(), range);
+          boolean kept = false;
+          boolean standing = false;
+          for (int i = -1; i <= 1; i++) {
+            for (int k = -1; k <= 1; k++) {
+              kept |= grid.at(Point.of(end.x() + i * cell, end.y() + k * cell, 0.0)) > 0;
+              int[] span = spans.get(key(end, cell, i, k));
+              standing |=
+                  span != null
+                      && (span[0] <= shot.number() - STANDING_SCANS
+                          || span[1] >= shot.number() + STANDING_SCANS);
+            }
+          }
+          boolean blocked = false;
+          for (double r = 0.3; r < range - 0.3; r += cell) {
+            blocked |= grid.at(pose.at(beam.angle(), r)) > 0;
+          }
+          counts[0]++;
+          counts[1] += kept ? 1 : 0;
+          counts[2] += standing ? 1 : 0;
+          counts[3] += standing && kept ? 1 : 0;
+          counts[4] += blocked ? 1 : 0;
+        });
+    System.out.printf(
+        "%.2f %% of %d echoes on or beside an occupied cell; %.2f %% of the %d seen again %d scans "
+            + "apart; %.2f %% of beams cross one before their end%n",
+        100.0 * counts[1] / counts[0],
+        counts[0],
+        100.0 * counts[3] / counts[2],
+        counts[2],
+        STANDING_SCANS,
+        100.0 * counts[4] / counts[0]);
+  }
+
+  @FunctionalInterface
+  private interface Echo {
+    void take(Shot shot, SensorPose pose, RangeScan.Beam beam);
+  }
+
+  private static void forEachEcho(List<Shot> shots, Echo echo) {
     for (Shot shot : shots) {
       SensorPose pose =
           SensorPose.of(shot.scan(), MapFrame.of(shot.vehicle()), Optional.of(shot.vehicle()));
       for (RangeScan.Beam beam : shot.scan().beams()) {
-        if (beam.range().isEmpty()) {
-          continue;
-        }
-        double range = beam.range().getAsDouble();
-        echoes++;
-        explained += occupiedNear(grid, pose.at(beam.angle(), range)) ? 1 : 0;
-        boolean blocked = false;
-        for (double r = 0.3; r < range - 0.3; r += grid.resolution()) {
-          blocked |= grid.cellAt(pose.at(beam.angle(), r)) > 0;
-        }
-        through += blocked ? 1 : 0;
-      }
-    }
-    long occupied = 0;
-    long free = 0;
-    for (byte cell : grid.cells()) {
-      occupied += cell > 0 ? 1 : 0;
-      free += cell < 0 && cell != OccupancyGrid.UNKNOWN ? 1 : 0;
-    }
-    double area = grid.resolution() * grid.resolution();
-    System.out.printf(
-        "%.2f %% of %d echoes on or beside an occupied cell; %.2f %% of beams cross one before their "
-            + "end; occupied %.1f m2, free %.1f m2%n",
-        100.0 * explained / echoes, echoes, 100.0 * through / echoes, occupied * area, free * area);
-  }
-
-  private static boolean occupiedNear(OccupancyGrid grid, Point point) {
-    for (int i = -1; i <= 1; i++) {
-      for (int k = -1; k <= 1; k++) {
-        Point near =
-            Point.of(
-                point.x() + i * grid.resolution(), point.y() + k * grid.resolution(), point.z());
-        if (grid.cellAt(near) > 0) {
-          return true;
+        if (beam.range().isPresent()) {
+          echo.take(shot, pose, beam);
         }
       }
     }
-    return false;
   }
 
-  private static void draw(OccupancyGrid grid, File file) throws IOException {
+  private static long key(Point point, double cell, int asideX, int asideY) {
+    long column = (long) Math.floor(point.x() / cell) + asideX;
+    long row = (long) Math.floor(point.y() / cell) + asideY;
+    return column << 32 | row & 0xFFFFFFFFL;
+  }
+
+  private static void draw(GridWindow grid, File file) throws IOException {
     byte[] cells = grid.cells();
-    int columns = grid.columns();
+    int columns = grid.side();
     int left = columns;
     int right = 0;
-    int bottom = grid.rows();
+    int bottom = columns;
     int top = 0;
     for (int i = 0; i < cells.length; i++) {
       if (cells[i] != OccupancyGrid.UNKNOWN) {

@@ -20,6 +20,7 @@ import numpy as np
 import unicycle
 
 ODOMETRY_S = 0.1
+SLOWEST_IMU_S = 0.05
 
 
 def replay(java, domain, lines, work, name, needs_position=True):
@@ -66,6 +67,18 @@ def at(times, stamps, values):
     return np.interp(times, stamps, values)
 
 
+def sampled(data):
+    """When measurements were made; older logs say only when they were published [µs]."""
+    return data["timestamp_sample"] if "timestamp_sample" in data else data["timestamp"]
+
+
+def place(gps):
+    """Longitude and latitude [deg] and altitude above mean sea level [m]; older logs have integers of 1e-7 deg and of mm."""
+    if "longitude_deg" in gps:
+        return gps["longitude_deg"], gps["latitude_deg"], gps["altitude_msl_m"]
+    return gps["lon"] * 1e-7, gps["lat"] * 1e-7, gps["alt"] * 1e-3
+
+
 def px4_lines(log):
     def data(name):
         found = [d for d in log.data_list if d.name == name and d.multi_id == 0]
@@ -84,21 +97,22 @@ def px4_lines(log):
                 last = field
         return [line for _, line in sorted(events, key=lambda each: each[0])], data
     gps = data("vehicle_gps_position")
+    longitude, latitude, altitude = place(gps)
     delay = int(log.initial_parameters.get("EKF2_GPS_DELAY", 110.0) * 1000)
     for i, t in enumerate(gps["timestamp"]):
         if gps["fix_type"][i] >= 3:
             events.append((int(t), "S %d GPS GLOBAL x=%.9f y=%.9f z=%.4f xSigma=%.3f ySigma=%.3f zSigma=%.3f xDot=%.4f yDot=%.4f zDot=%.4f "
                            "xDotSigma=%.3f yDotSigma=%.3f zDotSigma=%.3f" % (
-                               int(t) - delay, gps["longitude_deg"][i], gps["latitude_deg"][i], gps["altitude_msl_m"][i],
+                               int(t) - delay, longitude[i], latitude[i], altitude[i],
                                gps["eph"][i], gps["eph"][i], gps["epv"][i], gps["vel_e_m_s"][i], gps["vel_n_m_s"][i], -gps["vel_d_m_s"][i],
                                gps["s_variance_m_s"][i], gps["s_variance_m_s"][i], gps["s_variance_m_s"][i])))
     mag = data("vehicle_magnetometer")
     declination = math.radians(log.initial_parameters.get("EKF2_MAG_DECL", 0.0))
-    for i, t in enumerate(mag["timestamp_sample"]):
+    for i, t in enumerate(sampled(mag)):
         field = [mag["magnetometer_ga[%d]" % k][i] for k in range(3)]
         events.append((int(t), "M %d Magnetometer %s %.6f 0.1" % (t, " ".join("%.7g" % v for v in field), declination)))
     air = data("vehicle_air_data")
-    for i, t in enumerate(air["timestamp_sample"]):
+    for i, t in enumerate(sampled(air)):
         events.append((int(t), "S %d Barometer GLOBAL z=%.4f zSigma=1.0" % (t, air["baro_alt_meter"][i])))
     return [line for _, line in sorted(events, key=lambda each: each[0])], data
 
@@ -116,24 +130,35 @@ def attitude_differences(attitude, stamps, ours, start):
 
 
 def px4(java, path, work):
+    """Prints how far the filter is from EKF2's own answer; returns the same as pairs of metric and value, none if it cannot be judged."""
     from pyulog import ULog
     log = ULog(str(path))
+    imu = log.get_dataset("sensor_combined").data["timestamp"]
+    if np.median(np.diff(imu)) > SLOWEST_IMU_S * 1e6:
+        print("\n**%s**: not judged, the log has an IMU reading only every %.2f s" % (path.name, np.median(np.diff(imu)) / 1e6))
+        return []
     lines, data = px4_lines(log)
     has_gps = data("vehicle_gps_position") is not None
     ours, words = replay(java, "AIR", lines, work, path.stem, needs_position=has_gps)
     answer, attitude = data("vehicle_local_position"), data("vehicle_attitude")
     if not has_gps:
-        start = max(ours[0, 0], attitude["timestamp"][0]) + 5e6
+        start = max(ours[0, 0], attitude["timestamp"][0]) + 5e6 if len(ours) else math.inf
+        if start > attitude["timestamp"][-1]:
+            print("\n**%s**: not judged, shorter than 5 s after the start" % path.name)
+            return []
         tilt, heading = attitude_differences(attitude, attitude["timestamp"], ours, start)
         print("\n**%s** (a real board without GPS) against EKF2's own answer, last %.0f s\n" % (path.name, (attitude["timestamp"][-1] - start) / 1e6))
         print("| roll, pitch | heading less its mean |\n| --- | --- |\n| %.2f° | %.2f° |" % (math.degrees(rms(tilt)), math.degrees(np.std(heading))))
         print("\n```\n" + words.strip() + "\n```")
-        return
+        return [("roll, pitch RMS [deg]", math.degrees(rms(tilt))), ("heading less its mean [deg]", math.degrees(np.std(heading)))]
     valid = (answer["xy_valid"] == 1) & (answer["z_valid"] == 1) & (answer["xy_global"] == 1) & ~np.isnan(answer["ref_lat"])
-    t = answer["timestamp_sample"][valid].astype(float)
-    t0 = max(t[0], ours[0, 0]) + 5e6  # both have settled
+    t = sampled(answer)[valid].astype(float)
+    t0 = max(t[0], ours[0, 0]) + 5e6 if len(t) and len(ours) else math.inf  # both have settled
     use = t > t0
     t = t[use]
+    if not len(t):
+        print("\n**%s**: not judged, no global position of both EKF2 and the filter for more than 5 s" % path.name)
+        return []
     pick = {k: answer[k][valid][use].astype(float) for k in ("x", "y", "z", "vx", "vy", "vz", "ref_lat", "ref_lon", "ref_alt", "eph")}
     ref = np.stack([pick["x"], pick["y"], pick["z"]], axis=1)
     lat, lon, alt = (at(t, ours[:, 0], ours[:, k]) for k in (1, 2, 3))
@@ -144,12 +169,14 @@ def px4(java, path, work):
     horizontal = rms(np.hypot(est[:, 0] - ref[:, 0], est[:, 1] - ref[:, 1]))
     velocity = rms([np.hypot(np.hypot(at(t, ours[:, 0], ours[:, 7]) - pick["vx"], at(t, ours[:, 0], ours[:, 8]) - pick["vy"]),
                              at(t, ours[:, 0], ours[:, 9]) - pick["vz"])])
-    tilt, heading = (rms(each) for each in attitude_differences(attitude, attitude["timestamp_sample"], ours, t0))
+    tilt, heading = (rms(each) for each in attitude_differences(attitude, sampled(attitude), ours, t0))
     print("\n**%s** against EKF2's own answer, last %.0f s (moved %.1f m north, %.1f m east, %.1f m up)\n" % (path.name, (t[-1] - t[0]) / 1e6, *moved))
     print("| position, evo APE | horizontal | altitude | velocity | roll, pitch | heading |\n| --- | --- | --- | --- | --- | --- |")
     print("| %.2f m | %.2f m | %.2f m | %.2f m/s | %.2f° | %.2f° |" % (
         ape(t / 1e6, ref, est), horizontal, rms(est[:, 2] - ref[:, 2]), velocity, math.degrees(tilt), math.degrees(heading)))
     print("\n```\n" + words.strip() + "\n```")
+    return [("horizontal RMS [m]", horizontal), ("altitude RMS [m]", rms(est[:, 2] - ref[:, 2])), ("velocity RMS [m/s]", velocity),
+            ("roll, pitch RMS [deg]", math.degrees(tilt)), ("heading RMS [deg]", math.degrees(heading))]
 
 
 def table(path):
