@@ -2,27 +2,25 @@ package org.u2sa.core.world;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.u2sa.messages.frame.Point;
 
 /** Lines with closed gaps as one: dashes, and what is left of worn paint. */
 final class JoinedLines {
   private final List<List<Point>> all = new ArrayList<>();
-  private final Map<List<Point>, List<Point>> with = new IdentityHashMap<>(); // by each part
+  private final List<List<Point>> parts;
+  private final List<List<Point>> with; // what each part belongs to
 
   JoinedLines(List<List<Point>> lines) {
-    for (List<Point> line : lines) {
-      all.add(line);
-      with.put(line, line);
-    }
+    parts = lines;
+    with = new ArrayList<>(lines);
+    all.addAll(lines);
   }
 
   /** Joins two lines by a curve from an end of one to an end of the other. */
   void join(LineEnd one, List<Point> curve, LineEnd other) {
-    List<Point> first = with.get(one.line());
-    List<Point> second = with.get(other.line());
+    List<Point> first = with(one.line());
+    List<Point> second = with(other.line());
     if (first == second) {
       return; // a ring is not longer than the line that it is made of
     }
@@ -38,7 +36,7 @@ final class JoinedLines {
     joined.addAll(rest);
     all.removeIf(line -> line == first || line == second);
     all.add(joined);
-    with.replaceAll((part, line) -> line == first || line == second ? joined : line);
+    with.replaceAll(line -> line == first || line == second ? joined : line);
   }
 
   /** All lines, as far as they are joined. */
@@ -46,8 +44,12 @@ final class JoinedLines {
     return all;
   }
 
-  /** What a line is a part of. */
+  /** What one of the lines is a part of. */
   List<Point> with(List<Point> line) {
-    return with.get(line);
+    int part = 0;
+    while (parts.get(part) != line) {
+      part++;
+    }
+    return with.get(part);
   }
 }

@@ -148,7 +148,8 @@ final class LanePartner {
         double[] way = LineGeometry.direction(points, i);
         double[] otherWay = LineGeometry.direction(other, nearest);
         boolean parallel = Math.abs(way[0] * otherWay[0] + way[1] * otherWay[1]) > PARALLEL;
-        boolean square = Math.abs(asideM(points.get(i), other)) > SQUARE * wide;
+        double aside = LineGeometry.leftM(points.get(i), other, nearest);
+        boolean square = Math.abs(aside) > SQUARE * wide;
         beside += reach.isLane(wide) && parallel && square ? 1 : 0;
       }
       if (beside > SHARE_BESIDE * points.size()) {

@@ -277,6 +277,21 @@ class LineGapsTest {
   }
 
   @Test
+  void beside_sameSideBeginsAgain_leadsToItsEnd() {
+    paint.lookThrice(-6.0, 2.0, 12.0, 2.0, -6.0, -2.0, 0.0, -2.0, 3.0, -2.5, 8.0, -2.5);
+    List<List<Point>> lines = paint.lines();
+    LineGaps.Reach reach = new LineGaps.Reach(5.2, 1.2, 6.0, LANE_M, WIDEST_M);
+    List<Point> own =
+        lines.stream().filter(line -> Math.abs(line.get(0).y() + 2.0) < 0.1).findFirst().get();
+    boolean leadsOut = own.get(0).x() < own.get(own.size() - 1).x();
+    LineEnd end = leadsOut ? LineEnd.last(own) : LineEnd.first(own);
+    List<Point> beside = new LanePartner(lines, reach, (a, b) -> false).beside(end).points();
+    Point last = beside.get(beside.size() - 1);
+    assertThat(last.x()).isCloseTo(3.0, offset(0.2));
+    assertThat(last.y()).isCloseTo(-2.5, offset(0.05));
+  }
+
+  @Test
   void onward_besideTheLineBeyondTheVehicle_goesOnAsFarAsAllowed() {
     paint.lookThrice(-6.0, 2.0, 12.0, 2.0, -6.0, -5.0, 12.0, -5.0);
     LineGaps gaps =
