@@ -36,7 +36,7 @@ class RerunDifferenceTest {
     Unordered(ServiceContext context) {
       super(context);
       for (int i = 0; i < 64; i++) {
-        terms.put(new Object(), Math.pow(10.0, i % 17) / 3.0);
+        terms.put(new Object(), Math.pow(10.0, i % 17 - 13) / 3.0);
       }
     }
 
