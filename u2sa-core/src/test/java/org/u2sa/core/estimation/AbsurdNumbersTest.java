@@ -106,17 +106,29 @@ class AbsurdNumbersTest {
   void callback_absurdNumber_estimateIsGoodAgainSoonAfter(String estimator) {
     start(estimator);
     drive(10.0);
-    for (double absurd : new double[] {1e200, -1e200, 1e155, Double.MAX_VALUE, 2e9}) {
+    int heard = 0;
+    for (double absurd : new double[] {1e200, 1e15, -1e15, 2e9, 9e8}) {
       int number = 0;
       for (Consumer<Double> field : fields()) {
-        field.accept(absurd);
+        heard += isHeard(field, absurd) ? 1 : 0;
         drive(1.0);
         requireSound("field " + number++ + ": " + absurd);
       }
     }
+    assertThat(heard).isGreaterThan(100);
     assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError))
         .hasValueSatisfying(said -> assertThat(said).contains("outside ±"));
     kit.close();
+  }
+
+  /** Messages themselves refuse numbers beyond what their fields can mean. */
+  private static boolean isHeard(Consumer<Double> field, double value) {
+    try {
+      field.accept(value);
+      return true;
+    } catch (IllegalArgumentException e) {
+      return false;
+    }
   }
 
   /** What is possible, if only just, may mislead for a while. */
