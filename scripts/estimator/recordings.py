@@ -228,6 +228,8 @@ def judged(t, truth, stamp, x, y, psi, variance):
 
 
 def mrclam(java, folder, work):
+    """Prints a table, and returns for each robot what judged() says of the filter and of the textbook filter."""
+    answers = []
     print("\n**UTIAS %s**: odometry and landmarks of known place against ground truth\n" % folder.name)
     print("| robot | minutes | odometry alone | filter, evo APE | worst | drift per 5 m, evo RPE | heading | within 3 σ | "
           "textbook EKF | its heading | within 3 σ |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
@@ -245,10 +247,12 @@ def mrclam(java, folder, work):
         own = judged(t, truth, stamp, ours[:, 5], ours[:, 4], math.pi / 2 - ours[:, 12], ours[:, 13] ** 2 + ours[:, 14] ** 2)
         judge = unicycle.track(lines)
         other = judged(t, truth, judge[:, 0], judge[:, 1], judge[:, 2], judge[:, 3], judge[:, 4] + judge[:, 5])
+        answers.append((own, other))
         print("| %d | %.0f | %.2f m | %.3f m | %.2f m | %.3f m | %.1f° | %.0f %% | %.3f m | %.1f° | %.0f %% |" % (
             robot, (end - start) / 60, dead_reckoning(odometry, truth, start, end, t), ape(t, ref, est),
             np.hypot(east - x, north - y).max(), rpe(t, ref, est, psi, own_psi, 5.0), own[1], own[2], *other))
     print("\n```\n" + words.strip() + "\n```")
+    return answers
 
 
 def main():
