@@ -19,12 +19,16 @@ final class InertialVote {
   private static final double UNLIKELY = 4.0; // standard deviations
   private static final double AGREED = 25.0; // samples in a row: two liars meet by chance
   private static final double LEFT_OUT_S = 30.0; // a turn shows a lie that a straight line hides
+  private static final double SHORTEST_S = 1e-3; // between samples
+  private static final double LONGEST_S = 0.6; // over which a rate's change is known
   private static final double MISLED_RAD = 0.5; // by a lie, until it is noticed
   private static final double MISLED_MPS = 3.0;
 
   private final FilterTuning tuning;
   private final SourceTrust trust;
   private final double[] limits = new double[AXES];
+  private final double[] rate = new double[3];
+  private final double[] change = new double[3];
 
   InertialVote(FilterTuning tuning, SourceTrust trust) {
     this.tuning = tuning;
@@ -36,9 +40,28 @@ final class InertialVote {
     int at = trust.of(s, source, SensedQuantity.BODY_RATES);
     boolean hasForce = m.isWhole(SensedQuantity.SPECIFIC_FORCE);
     s.trust[trust.of(s, source) + SourceTrust.INERTIAL] = hasForce ? AXES : AXES / 2;
+    release(s, m, trust.of(s, source));
     if (isLeftOut(s, source)) {
       s.trust[at + SourceTrust.GATED]++;
     }
+  }
+
+  /**
+   * Sensors in different places feel different forces where the vehicle turns, and all are right.
+   */
+  private void release(FilterState s, Measurement m, int own) {
+    double[] t = s.trust;
+    double seconds = (m.micros() - t[own + SourceTrust.RATES_MICROS]) * 1e-6;
+    boolean continues = seconds < LONGEST_S && t[own + SourceTrust.MESSAGES] > 1.0;
+    for (int i = 0; i < 3; i++) {
+      rate[i] = m.value(SensedQuantity.BODY_RATES, i);
+      double turned = rate[i] - t[own + SourceTrust.RATES + i];
+      change[i] = continues ? turned / Math.max(SHORTEST_S, seconds) : 0.0;
+      t[own + SourceTrust.RATES + i] = rate[i];
+      t[own + SourceTrust.RELEASED + i] = m.value(SensedQuantity.SPECIFIC_FORCE, i);
+    }
+    t[own + SourceTrust.RATES_MICROS] = m.micros();
+    LeverArm.release(m, rate, change, t, own + SourceTrust.RELEASED);
   }
 
   /** Whether a source has lately differed from one that is believed. */
@@ -62,7 +85,7 @@ final class InertialVote {
     int accuser = FilterState.NO_SOURCE;
     for (int source = 0; source < trust.sources(); source++) {
       if (source != main && isFresh(s, source, m.micros())) {
-        if (!differs(s, m, source)) {
+        if (!differs(s, m, main, source)) {
           hasSupport = true;
         } else if (against != FilterState.NO_SOURCE && agree(s, against, source)) {
           accuser = source;
@@ -98,7 +121,7 @@ final class InertialVote {
     return at + (axis < 3 ? SourceTrust.STREAK_MEAN : SourceTrust.RUN_START) + axis % 3;
   }
 
-  private boolean differs(FilterState s, Measurement m, int source) {
+  private boolean differs(FilterState s, Measurement m, int main, int source) {
     double[] t = s.trust;
     int at = trust.of(s, source, SensedQuantity.BODY_RATES);
     int own = trust.of(s, source);
@@ -111,9 +134,10 @@ final class InertialVote {
       double bias = isRate ? tuning.gyroBiasSigma() : tuning.forceBiasSigma();
       double noise = m.sigma(quantity, axis % 3);
       limits[axis] = UNLIKELY * Math.sqrt(2.0 * (bias * bias + MEAN_SHARE * noise * noise));
-      double said = Measurement.inertial(t, own + SourceTrust.KEPT, axis);
+      int numbers = isRate ? SourceTrust.RATES : SourceTrust.RELEASED;
+      double apart = t[own + numbers + axis % 3] - t[trust.of(s, main) + numbers + axis % 3];
       int mean = mean(s, source, axis);
-      t[mean] += MEAN_SHARE * (said - m.value(quantity, axis % 3) - t[mean]);
+      t[mean] += MEAN_SHARE * (apart - t[mean]);
       differs |= Math.abs(t[mean]) > limits[axis];
     }
     if (differs) {

@@ -232,13 +232,6 @@ public final class Measurement {
     return true;
   }
 
-  /** A rate (0, 1, 2) or force (3, 4, 5) of the numbers that {@link #keep} kept. */
-  static double inertial(double[] kept, int from, int axis) {
-    SensedQuantity quantity =
-        axis < WIDTH ? SensedQuantity.BODY_RATES : SensedQuantity.SPECIFIC_FORCE;
-    return kept[from + quantity.ordinal() * WIDTH + axis % WIDTH];
-  }
-
   int keep(double[] to, int from) {
     System.arraycopy(values, 0, to, from, values.length);
     return values.length;

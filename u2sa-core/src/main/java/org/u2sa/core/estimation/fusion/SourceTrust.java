@@ -23,7 +23,10 @@ final class SourceTrust {
   static final int IS_FROZEN = 4;
   static final int INERTIAL = 5; // rates and forces that it measures: 0, 3 or 6
   static final int KEPT = 6; // the values themselves
-  private static final int SOURCE_SIZE = KEPT + Measurement.SIZE;
+  static final int RATES_MICROS = KEPT + Measurement.SIZE; // of the newest angular rates
+  static final int RATES = RATES_MICROS + 1; // those: three
+  static final int RELEASED = RATES + 3; // specific force at the reference point: three
+  private static final int SOURCE_SIZE = RELEASED + 3;
 
   // Of a quantity of a source.
   static final int FACTOR = 0; // true over claimed variance, unbounded estimate

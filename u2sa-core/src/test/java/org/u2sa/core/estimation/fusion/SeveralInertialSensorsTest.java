@@ -14,6 +14,7 @@ class SeveralInertialSensorsTest {
   private static final int SECONDS = 60;
   private static final int LIES_FROM = 2000; // steps: biases are known by then
   private static final int STEPS = 100 * SECONDS;
+  private static final double[][] APART = {{0.5, 0.0, 0.0}, {-0.5, 0.5, 0.0}, {0.0, -0.5, 0.5}};
 
   /** What becomes of an inertial measurement. */
   enum Lie {
@@ -58,7 +59,9 @@ class SeveralInertialSensorsTest {
         new ErrorStateFilter(Tunings.withoutConstraint(MotionDomain.AIR));
     private final Measurement m = new Measurement();
     private final double[][] last = new double[3][3];
+    private final double[] rateBefore = new double[3];
     private boolean tellsEulerRates;
+    private boolean isApart;
     private double squares;
     private int samples;
 
@@ -90,6 +93,7 @@ class SeveralInertialSensorsTest {
         bias[i] = truth.biases(0.01, 0.1);
       }
       for (int i = 1; i <= STEPS; i++) {
+        System.arraycopy(truth.rate, 0, rateBefore, 0, 3);
         truth.fly(i < 200 ? 0.0 : 1.0, i < 200 ? 0.0 : 0.3);
         for (int k = 0; k < 3; k++) {
           truth.imu(m, "IMU " + k, bias[k], 0.02, 0.2); // drawn always: one motion for all
@@ -97,6 +101,9 @@ class SeveralInertialSensorsTest {
             falsify(lies[k], last[k], i - LIES_FROM);
           } else {
             keep(last[k]);
+          }
+          if (isApart) {
+            mount(APART[k]);
           }
           if (k < sensors) {
             filter.add(m);
@@ -116,6 +123,32 @@ class SeveralInertialSensorsTest {
         }
       }
       return this;
+    }
+
+    /** Adds what the sensor feels for being away from the reference point: ω̇ × l + ω × (ω × l). */
+    private void mount(double[] at) {
+      Point l = Point.of(at[0], at[1], at[2]);
+      Point rate = Point.of(truth.rate[0], truth.rate[1], truth.rate[2]);
+      double dt = SimulatedMotion.STEP_MICROS * 1e-6;
+      Point change =
+          Point.of(
+              (rate.x() - rateBefore[0]) / dt,
+              (rate.y() - rateBefore[1]) / dt,
+              (rate.z() - rateBefore[2]) / dt);
+      Point felt = cross(change, l).plus(cross(rate, cross(rate, l)));
+      double[] more = {felt.x(), felt.y(), felt.z()};
+      SensedQuantity force = SensedQuantity.SPECIFIC_FORCE;
+      for (int axis = 0; axis < 3; axis++) {
+        m.set(force, axis, m.value(force, axis) + more[axis], m.sigma(force, axis));
+      }
+      m.mounted(at[0], at[1], at[2]);
+    }
+
+    private static Point cross(Point a, Point b) {
+      return Point.of(
+          a.y() * b.z() - a.z() * b.y(),
+          a.z() * b.x() - a.x() * b.z(),
+          a.x() * b.y() - a.y() * b.x());
     }
 
     /** What an IMU's own filter makes of the same gyroscopes. */
@@ -181,6 +214,29 @@ class SeveralInertialSensorsTest {
             .isEqualTo(sensor == liar ? Standing.BIASED : Standing.USED);
       }
     }
+  }
+
+  @Test
+  void add_threeSoundOnesApart_allAreUsed() {
+    Flight alone = new Flight(3).fly(1, new Lie[3]);
+    Flight apart = new Flight(3);
+    apart.isApart = true;
+    apart.fly(3, new Lie[3]);
+    assertThat(apart.filter.state().accusedMicros).isZero();
+    assertThat(apart.attitudeRms()).isLessThan(1.5 * alone.attitudeRms());
+    for (int sensor = 0; sensor < 3; sensor++) {
+      assertThat(apart.standing(sensor)).as("sensor %d", sensor).isEqualTo(Standing.USED);
+    }
+  }
+
+  @Test
+  void add_oneOfThreeApartLies_isOutvotedAndNamed() {
+    Flight apart = new Flight(3);
+    apart.isApart = true;
+    apart.fly(3, 0, Lie.JUMPED);
+    assertThat(apart.standing(0)).isEqualTo(Standing.BIASED);
+    assertThat(apart.standing(1)).isEqualTo(Standing.USED);
+    assertThat(apart.standing(2)).isEqualTo(Standing.USED);
   }
 
   @ParameterizedTest
