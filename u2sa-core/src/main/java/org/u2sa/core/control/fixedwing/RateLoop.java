@@ -31,7 +31,7 @@ final class RateLoop {
         gains.forward() * scale * demanded + gains.proportional() * scale * scale * error;
     double next = integral + gains.integral() * scale * scale * error * dtS;
     double raw = direct + next;
-    // Anti-windup: at the stop the integral may only decrease.
+    // Anti-windup: at a stop, the integral may only move away from it.
     boolean deeper = (raw > 1.0 && error > 0.0) || (raw < -1.0 && error < 0.0);
     if (!deeper) {
       integral = Limit.symmetric(next, gains.integralLimit());
