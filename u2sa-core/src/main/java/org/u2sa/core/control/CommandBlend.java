@@ -13,7 +13,7 @@ final class CommandBlend {
   private static final String NAME = "COMMAND ";
 
   private final Map<String, Double> last = new LinkedHashMap<>(); // [%] by actuator
-  private final Map<String, Double> from = new LinkedHashMap<>(); // commands of the other control system
+  private final Map<String, Double> from = new LinkedHashMap<>(); // the other system's commands
   private long beganMicros = Clock.NEVER;
 
   /** Saves the last commands for the control system that takes over. */

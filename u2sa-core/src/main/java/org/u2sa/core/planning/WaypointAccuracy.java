@@ -15,7 +15,7 @@ final class WaypointAccuracy {
   /** Standard deviations for 86 % probability. */
   private static final double SURE_SIGMAS = 2.0;
 
-  private static final double SMALLEST_SHARE = 0.5; // limit of the reduction, as share of a threshold
+  private static final double SMALLEST_SHARE = 0.5; // limit of the reduction
   private static final double FULL_PERCENT = 100.0;
 
   private WaypointAccuracy() {}

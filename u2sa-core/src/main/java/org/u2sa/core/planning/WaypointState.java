@@ -245,7 +245,7 @@ final class WaypointState implements PlannerState {
    */
   private boolean isNearEnough(Waypoint waypoint, StateInformation state) {
     double nearM = settings.get().lines().turns().nearM(aimedAtM(waypoint, state));
-    if (!avoidance.turnsOnTheSpot()) { // its routes end nearer; only vehicles that turn in place leave at once
+    if (!avoidance.turnsOnTheSpot()) { // its routes end nearer
       nearM = Math.min(nearM, SHARE_NEAR * waypoint.horizontalThreshold());
     }
     return nowM <= nearM || nowM > nearestM;

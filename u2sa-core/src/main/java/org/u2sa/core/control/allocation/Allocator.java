@@ -33,7 +33,7 @@ public final class Allocator {
   private double[] costs = {};
   private double[][] effects = {}; // [effector][axis], at the current speed
   private final double[] scales = new double[DegreeOfFreedom.COUNT];
-  private final double[] references = new double[DegreeOfFreedom.COUNT]; // scales of the healthy effectors
+  private final double[] references = new double[DegreeOfFreedom.COUNT]; // healthy scales
   private double[][] soundReach = {}; // [effector][axis]
   private double[] percents = {};
   private double[] lowest = {};

@@ -42,7 +42,7 @@ final class FlightStateReader {
   private static final double SLOWEST_MPS = 1.0; // below this, airflow has no direction
 
   private Geodetic origin; // of north and east
-  private final Map<StateField, Double> last = new EnumMap<>(StateField.class); // last values of fields that may be lost
+  private final Map<StateField, Double> last = new EnumMap<>(StateField.class); // may be lost
 
   /** Saves the origin of north and east. */
   void handOver(HandOver state) {

@@ -82,9 +82,9 @@ final class GroundSteering {
               text = "Aileron per crosswind at a standstill; less with speed.")
           double aileronIntoWind) {}
 
-  private static final double SLOWEST_MPS = 4.0; // below this, the wheel's geometry would demand too much
-  private static final double GENTLE_MPS2 = 55.0; // lateral acceleration per radian of heading error
-  private static final double GENTLE_SHARE = 0.3; // bandwidth of the offset as share of the heading's
+  private static final double SLOWEST_MPS = 4.0; // below, geometry would demand too much
+  private static final double GENTLE_MPS2 = 55.0; // lateral, per radian of heading error
+  private static final double GENTLE_SHARE = 0.3; // of the heading's bandwidth
   private static final double VANE_SHARE = 0.4; // the tyres hold the rest
   private static final double VANE_RAD = 0.4; // beyond this it is slow, and the nose wheel holds
   private static final double CLOSING_MPS = 2.0; // maximum closing speed toward the line

@@ -56,7 +56,7 @@ final class TouchDown {
   private static final double FULL_BRAKES_MPS = 8.0;
   private static final double NOSE_UP_RAD = Math.toRadians(4.5);
   private static final double ROLLING_MPS = 2.0;
-  private static final double ELEVATOR_BACK = -0.6; // full deflection could strike the tail on a bump
+  private static final double ELEVATOR_BACK = -0.6; // full could strike the tail
   private static final double ELEVATOR_BACK_FAST = -0.1; // takes load off the nose wheel
   private static final double NO_LIFT_MPS = 22.0; // below this airspeed it does not lift off
   private static final double THROTTLE_PER_SINK = 0.25; // [s/m]

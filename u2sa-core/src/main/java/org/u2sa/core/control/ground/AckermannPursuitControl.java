@@ -176,7 +176,7 @@ public final class AckermannPursuitControl extends ControlSystem {
 
   @Override
   protected Map<String, Double> neutral() {
-    Map<String, Double> all = new LinkedHashMap<>(); // the order of Map.of differs between processes
+    Map<String, Double> all = new LinkedHashMap<>(); // Map.of's order varies by process
     all.put(steering.get().throttleActuator(), 0.0);
     all.put(steering.get().steeringActuator(), 0.0);
     return all;

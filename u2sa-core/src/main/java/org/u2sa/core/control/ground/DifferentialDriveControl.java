@@ -91,7 +91,7 @@ public final class DifferentialDriveControl extends ControlSystem {
               * Math.max(0.0, Math.cos(bearing)); // do not drive away from a point behind
       turn = gains.get().headingGain() * bearing;
       if (measured.yawRateRadPerS().isPresent() && Math.abs(bearing) < ALIGNED_RAD) {
-        error = OptionalDouble.of(bearing); // bearing integrates yaw rate: this makes a PI controller
+        error = OptionalDouble.of(bearing); // integral of yaw rate: a PI controller
       }
     }
     WheelShares shares =

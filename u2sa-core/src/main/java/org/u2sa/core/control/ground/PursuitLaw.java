@@ -118,7 +118,7 @@ final class PursuitLaw {
     double wanted =
         Math.max(Math.min(inCurve, nearGoal), Math.min(settings.tuning().approachSpeed(), cruise));
     double steerable =
-        settings.tuning().turnRateRadPerS() / Math.abs(curvature); // keep the speed that holds the arc
+        settings.tuning().turnRateRadPerS() / Math.abs(curvature); // holds the arc
     return Math.min(wanted, steerable);
   }
 

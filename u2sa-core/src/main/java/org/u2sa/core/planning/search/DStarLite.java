@@ -18,7 +18,7 @@ public final class DStarLite {
   private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final double ROUNDING = 1.0e-6; // sums of floats in different order
   private static final int BLOCK = 64; // costs compared at a time
-  private static final double SAME_GOAL = 0.01; // share of a cell: a goal relative to the vehicle jitters
+  private static final double SAME_GOAL = 0.01; // of a cell; goals jitter
 
   private final CostGrid grid;
   private final GridFrame frame;
