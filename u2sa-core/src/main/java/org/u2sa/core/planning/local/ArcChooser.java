@@ -15,7 +15,7 @@ public final class ArcChooser {
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
   private static final double CREEPS_MPS = 0.15;
   private static final double LOOKS_RAD = Math.toRadians(12.0); // near enough
-  private static final double CLEARLY_MORE = 0.8; // share of room to prefer a nearer point
+  private static final double CLEARLY_MORE = 0.8; // shortfall ratio to prefer a nearer point
   private static final double SAME_M = 0.005;
   private static final double SLOWEST = 0.4; // share of the speed, close to a route
   private static final double NEVER = Double.POSITIVE_INFINITY;

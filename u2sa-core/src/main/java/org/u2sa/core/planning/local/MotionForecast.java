@@ -155,7 +155,7 @@ final class MotionForecast {
   }
 
   /**
-   * Speed in an arc; for vehicles that turn in place, the outer side must not be faster.
+   * Factor on the speed in an arc: if the vehicle turns in place, its outer side is no faster.
    */
   private double turning(Motion motion) {
     double across = Math.abs(motion.curvature()) * body.radiusM();
