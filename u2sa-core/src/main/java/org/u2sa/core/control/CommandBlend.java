@@ -7,26 +7,25 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.HandOver;
 
 /**
- * The commands said last, and the way from another control system's commands to one's own: where
- * one law takes over from another, surfaces move over in a short time instead of jumping.
+ * Keeps the last commands, and blends from another control system's commands to this one's: when one law takes over from another, surfaces move gradually instead of jumping.
  */
 final class CommandBlend {
   private static final String NAME = "COMMAND ";
 
   private final Map<String, Double> last = new LinkedHashMap<>(); // [%] by actuator
-  private final Map<String, Double> from = new LinkedHashMap<>(); // of the other control system
+  private final Map<String, Double> from = new LinkedHashMap<>(); // the other system's commands
   private long beganMicros = Clock.NEVER;
 
-  /** Writes the last commands down for a control system that takes over. */
+  /** Saves the last commands for the control system that takes over. */
   void handOver(HandOver state) {
     state.texts("COMMANDED", last.keySet());
     last.forEach((actuator, percentage) -> state.number(NAME + actuator, percentage));
   }
 
   /**
-   * Takes note of the last commands of the control system before.
+   * Reads the last commands of the previous control system.
    *
-   * @param alike whether it was of the same class: then its state says all, and nothing is blended
+   * @param alike whether it was of the same class: then its state is complete, and nothing is blended
    */
   void takeOver(HandOver state, boolean alike) {
     for (String actuator : state.texts("COMMANDED")) {
@@ -37,17 +36,17 @@ final class CommandBlend {
     }
   }
 
-  /** What was commanded last [%]. */
+  /** Last command [%]. */
   OptionalDouble last(String actuator) {
     Double percentage = last.get(actuator);
     return percentage == null ? OptionalDouble.empty() : OptionalDouble.of(percentage);
   }
 
   /**
-   * What to command now [%].
+   * Command for now [%].
    *
-   * @param wanted by the present law [%]
-   * @param spanS of the way from one law to the other [s]; 0 for none
+   * @param wanted command of the current law [%]
+   * @param spanS duration of the blend [s]; 0 for none
    */
   double command(String actuator, double wanted, long nowMicros, double spanS) {
     double commanded = wanted;

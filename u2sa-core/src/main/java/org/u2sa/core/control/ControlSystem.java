@@ -25,13 +25,10 @@ import org.u2sa.service.ServiceRole;
  * Turns navigation points into actuator commands (thesis 3.2.3.5). In: navigation, state. Out:
  * actuation.
  *
- * <p>{@link #control} is called once for each new state, on the service's thread. A navigation
- * point that is older than STALE AFTER counts as absent. When states stop coming nothing is
- * commanded, and what was commanded last expires after COMMAND EXPIRY; when the service ends,
+ * <p>{@link #control} is called once per new state, on the service's thread. A navigation point older than STALE AFTER counts as absent. When states stop, nothing is commanded, and the last commands expire after COMMAND EXPIRY; when the service ends,
  * actuators are left {@linkplain #neutral() neutral}.
  *
- * <p>A control system that {@linkplain #obeysWithoutState() needs no state} obeys each navigation
- * point when it comes, while no state has come for STALE AFTER (thesis 4.3.2).
+ * <p>A control system that {@linkplain #obeysWithoutState() needs no state} obeys each navigation point on arrival if no state has arrived for STALE AFTER (thesis 4.3.2).
  */
 public abstract class ControlSystem extends EventDrivenService {
   /** The subsystem of navigation points for the vehicle as a whole. */
@@ -68,13 +65,13 @@ public abstract class ControlSystem extends EventDrivenService {
   private StateHistory states = new StateHistory();
   private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
   private final Map<String, NavigationPoint> placed =
-      new HashMap<>(); // newest whose state is remembered
+      new HashMap<>(); // newest point whose state is remembered
   private double stepS;
-  private long heardStateMicros = Long.MIN_VALUE; // of the run's clock
-  private boolean isStateless; // then the states are origins, one for each navigation point
+  private long heardStateMicros = Long.MIN_VALUE; // by the run's clock
+  private boolean isStateless; // if so, states are origins, one per navigation point
 
   /**
-   * @param serviceName the name, unless the variable SERVICE NAME says another
+   * @param serviceName default name, overridden by the variable SERVICE NAME
    */
   protected ControlSystem(ServiceContext context, String serviceName) {
     super(context, ServiceRole.CONTROL_SYSTEM, serviceName);
@@ -85,30 +82,26 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * Commands the actuators, by {@link #command}. Called for each state that is newer than the one
-   * before.
+   * Commands the actuators, by {@link #command}. Called for each state newer than the previous one.
    *
    * @param state the newest estimate
-   * @param point where the vehicle is to go, in its own frame (BODY) at its timestamp; empty if
-   *     there is none or it is stale
+   * @param point target, in the vehicle's own frame (BODY) at the point's timestamp; empty if absent or stale
    */
   protected abstract void control(StateInformation state, Optional<NavigationPoint> point);
 
   /**
-   * The percentages at which the actuators of this control system do no harm, by actuator name [%,
-   * −100…100].
+   * Safe commands of this control system's actuators, by actuator name [%, −100…100].
    */
   protected abstract Map<String, Double> neutral();
 
   /**
-   * Whether a navigation point alone tells where to go. Such a control system is called with the
-   * origin of LOCAL_NED, heading north, in place of a state: it says nothing of speed or attitude.
+   * Whether a navigation point alone suffices. Without states, such a control system is called with the origin of LOCAL_NED, heading north, in place of a state, without speed or attitude.
    */
   protected boolean obeysWithoutState() {
     return false;
   }
 
-  /** Whether {@link #control} is called for navigation points, as no state comes. */
+  /** Whether {@link #control} is currently called for navigation points because no states arrive. */
   public final boolean isStateless() {
     return isStateless;
   }
@@ -125,7 +118,7 @@ public abstract class ControlSystem extends EventDrivenService {
     }
   }
 
-  /** Whether a navigation point is fresh, and no state is. */
+  /** Whether the navigation point is fresh but no state is. */
   private boolean isAllThereIs(NavigationPoint point) {
     long now = clock().micros();
     long span = Clock.micros(limits.get().staleAfter());
@@ -135,7 +128,7 @@ public abstract class ControlSystem extends EventDrivenService {
         && Math.abs(now - point.timestamp().getAsLong()) <= span;
   }
 
-  /** Forgets what was computed from states of the other kind: they have another origin. */
+  /** Discards results computed from states of the other kind, which have a different origin. */
   private void begin(boolean stateless) {
     if (stateless != isStateless) {
       isStateless = stateless;
@@ -170,18 +163,14 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * Time from the state before to the present one [s], by their timestamps; 0 for the first one,
-   * and for one after a gap longer than STALE AFTER, so that integrators neither start nor resume
-   * with a jump.
+   * Time between the previous and the current state [s], by timestamps; 0 for the first state and after a gap longer than STALE AFTER, so that integrators neither start nor resume with a jump.
    */
   protected final double stepS() {
     return stepS;
   }
 
   /**
-   * The newest navigation point of a subsystem, unless it is stale by the newest state's time. One
-   * whose state was not seen, because it is still on its way or a newer one took its place in the
-   * inbox, gives way to the last one whose state was.
+   * The newest navigation point of a subsystem, unless it is stale by the newest state's time. If its state was not seen, because it has not arrived yet or was replaced by a newer one in the inbox, the last point whose state was seen is used.
    */
   protected final Optional<NavigationPoint> navigationPoint(String subsystem) {
     Optional<NavigationPoint> newest =
@@ -195,8 +184,7 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * The state from which a navigation point was computed: the one with the same timestamp, if it is
-   * remembered.
+   * State from which a navigation point was computed, that is the one with the same timestamp; empty if no longer remembered.
    */
   protected final Optional<StateInformation> stateOf(NavigationPoint point) {
     return point.timestamp().isEmpty()
@@ -205,8 +193,7 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * Where a navigation point of BODY lies from the vehicle: north, east, down [m], turned by the
-   * attitude from which it was computed; empty if that state is no longer remembered.
+   * Rotates a navigation point from BODY to north, east, down relative to the vehicle [m], by the attitude from which it was computed; empty if that state is no longer remembered.
    */
   protected final Optional<Point> nedOf(NavigationPoint point) {
     return stateOf(point).map(state -> ned(point.point(), state));
@@ -220,7 +207,7 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * Commands an actuator until the next command, or until COMMAND EXPIRY has passed.
+   * Commands an actuator until the next command or until COMMAND EXPIRY.
    *
    * @param percentage bounded to −100…100 [%]
    * @throws IllegalArgumentException if the percentage is not a number
@@ -230,10 +217,10 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * Commands an actuator until the next command, or until the given time has passed.
+   * Commands an actuator until the next command or the given expiry.
    *
    * @param percentage bounded to −100…100 [%]
-   * @param expiryS how long it holds without another command [s]
+   * @param expiryS how long the command stays valid [s]
    * @throws IllegalArgumentException if a value is not a number
    */
   protected final void command(String actuator, double percentage, double expiryS) {
@@ -243,11 +230,10 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * Commands an actuator by an angle, speed or force, for one that announced to take such; while
-   * commands blend from those of another control system, by a percentage.
+   * Commands an actuator by angle, speed or force, if it announced support for it; by a percentage while blending from another control system's commands.
    *
-   * @param typed addressed to the actuator
-   * @param percentage that it stands for [%]
+   * @param typed command addressed to the actuator
+   * @param percentage equivalent percentage [%]
    */
   protected final void command(ActuatorCommand typed, double percentage) {
     String actuator = typed.actuatorName();
@@ -261,27 +247,27 @@ public abstract class ControlSystem extends EventDrivenService {
             : PercentageCommand.of(actuator, blended).expiry(expiryS));
   }
 
-  /** Commands an actuator a share of all that it can [−1…1]. */
+  /** Commands an actuator by a share of full command [−1…1]. */
   protected final void commandShare(String actuator, double share) {
     command(actuator, FULL_PERCENT * share);
   }
 
-  /** What an actuator was commanded last, by this or the control before [−1…1]; 0 if nothing. */
+  /** Last command of an actuator, by this or the previous control system [−1…1]; 0 if none. */
   protected final double lastShare(String actuator) {
     return lastCommand(actuator).orElse(0.0) / FULL_PERCENT;
   }
 
-  /** The percentage that was commanded last, by this control system or the one before [%]. */
+  /** Last command of an actuator, by this or the previous control system [%]. */
   protected final OptionalDouble lastCommand(String actuator) {
     return blend.last(actuator);
   }
 
-  /** Whether a control of the same class hands over: then its state says all. */
+  /** Whether a control system of the same class hands over, so that its state is complete. */
   protected final boolean isOfMyClass(HandOver state) {
     return state.className().equals(getClass().getName());
   }
 
-  /** {@inheritDoc} Subclasses that override it call it too. */
+  /** {@inheritDoc} Overrides must call super. */
   @Override
   protected void handOver(HandOver state) {
     if (!isStateless) {
@@ -292,7 +278,7 @@ public abstract class ControlSystem extends EventDrivenService {
     blend.handOver(state);
   }
 
-  /** {@inheritDoc} Subclasses that override it call it first. */
+  /** {@inheritDoc} Overrides must call super first. */
   @Override
   protected void takeOver(HandOver state) {
     state.messages("STATES", StateInformation.class).forEach(states::add);
@@ -308,7 +294,7 @@ public abstract class ControlSystem extends EventDrivenService {
     blend.takeOver(state, isOfMyClass(state));
   }
 
-  /** Leaves the actuators neutral; subclasses that override it call it too. */
+  /** Leaves the actuators neutral; overrides must call super. */
   @Override
   protected void release() {
     neutral().forEach(this::command);

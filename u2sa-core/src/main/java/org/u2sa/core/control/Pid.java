@@ -3,25 +3,24 @@ package org.u2sa.core.control;
 import org.u2sa.service.HandOver;
 
 /**
- * A PID controller in parallel form, with filtered derivative of the measurement, set-point weight,
- * anti-windup by back-calculation, and bumpless take-over:
+ * A PID controller in parallel form, with filtered derivative on measurement, set-point weighting, back-calculation anti-windup and bumpless transfer:
  *
  * <p>u = K (b r − y) + I − K T_d s / (1 + s T_d / N) y, dI/dt = K / T_i (r − y) + (u_attained − u)
  * / T_t
  *
  * <p>Åström &amp; Hägglund: Advanced PID Control (2006), sections 3.3–3.5; the discrete form is
  * that of Åström &amp; Wittenmark: Computer-Controlled Systems (3rd ed.), section 8.4: forward
- * difference for the integral, backward difference for the derivative. For one thread.
+ * difference for the integral, backward difference for the derivative. Not thread-safe.
  */
 public final class Pid {
   /**
    * Gains.
    *
-   * @param gain K, output by error; 0 switches all off
+   * @param gain K, output per error; 0 disables the controller
    * @param integralS T_i [s]; 0: no integral
    * @param derivativeS T_d [s]; 0: no derivative
-   * @param filter N, how many times faster than T_d the derivative's filter is, 2…100
-   * @param setpointWeight b, share of the set point in the proportional part, 0…1
+   * @param filter N, ratio of T_d to the time constant of the derivative filter, 2…100
+   * @param setpointWeight b, set-point weight of the proportional part, 0…1
    */
   public record Gains(
       double gain, double integralS, double derivativeS, double filter, double setpointWeight) {
@@ -38,7 +37,7 @@ public final class Pid {
       require("set-point weight", setpointWeight, 0.0, 1.0);
     }
 
-    /** With the usual filter (10) and the full set point in the proportional part. */
+    /** Uses the usual filter (N = 10) and full set-point weight. */
     public static Gains of(double gain, double integralS, double derivativeS) {
       return new Gains(gain, integralS, derivativeS, USUAL_FILTER, 1.0);
     }
@@ -56,7 +55,7 @@ public final class Pid {
   private double derivative;
   private double measuredBefore = Double.NaN;
   private double output;
-  private double pending; // I's growth by the error, due at the next step
+  private double pending; // error part of I's increment, applied at the next step
 
   /** At rest. */
   public Pid(Gains gains) {
@@ -64,8 +63,7 @@ public final class Pid {
   }
 
   /**
-   * Goes on with other gains; the output does not jump by the integral. What is switched off is
-   * forgotten.
+   * Replaces the gains; the integral does not make the output jump. States of disabled parts are reset.
    */
   public void gains(Gains newGains) {
     gains = newGains;
@@ -84,12 +82,11 @@ public final class Pid {
   }
 
   /**
-   * The output for a measurement.
+   * Computes the output for a measurement.
    *
-   * @param setpoint wanted
+   * @param setpoint set point
    * @param measured in the same unit
-   * @param stepS since the call before [s]; 0: at the first one or after a gap: neither integral
-   *     nor derivative move
+   * @param stepS time since the previous call [s]; 0 on the first call or after a gap: integral and derivative are held
    */
   public double step(double setpoint, double measured, double stepS) {
     if (stepS > 0.0 && !Double.isNaN(measuredBefore) && gains.derivativeS > 0.0) {
@@ -106,11 +103,10 @@ public final class Pid {
   }
 
   /**
-   * Takes note of what became of the output, once after each {@link #step}: where actuators
-   * saturate, the integral follows them, with a tracking time of √(T_i T_d), or T_i / 2 without a
+   * Reports the attained output, once after each {@link #step}: when actuators saturate, the integral tracks them with a tracking time of √(T_i T_d), or T_i / 2 without a
    * derivative.
    *
-   * @param attained what the actuators do of the output, in its unit
+   * @param attained output the actuators achieve, in the unit of the output
    */
   public void attained(double attained, double stepS) {
     integral += pending;
@@ -127,8 +123,7 @@ public final class Pid {
   }
 
   /**
-   * Chooses the integral so that the next output is this one: takes over without a bump. Without an
-   * integral, only the next output is.
+   * Sets the integral so that the next output is the given one (bumpless transfer). Without an integral, only the next output is affected.
    */
   public void takeOver(double wantedOutput, double setpoint, double measured) {
     derivative = 0.0;
@@ -138,7 +133,7 @@ public final class Pid {
     integral = gains.gain > 0.0 ? wantedOutput - proportional : 0.0;
   }
 
-  /** Forgets all. */
+  /** Resets all states. */
   public void reset() {
     integral = 0.0;
     derivative = 0.0;
@@ -146,7 +141,7 @@ public final class Pid {
     measuredBefore = Double.NaN;
   }
 
-  /** Writes down what was learnt, under a name. */
+  /** Saves the learnt state under a name. */
   public void handOver(HandOver state, String name) {
     state.number(name + " INTEGRAL", integral).number(name + " DERIVATIVE", derivative);
     if (!Double.isNaN(measuredBefore)) {
@@ -154,7 +149,7 @@ public final class Pid {
     }
   }
 
-  /** Goes on from what {@link #handOver} wrote. */
+  /** Restores the state saved by {@link #handOver}. */
   public void takeOver(HandOver state, String name) {
     integral = state.number(name + " INTEGRAL").orElse(0.0);
     derivative = state.number(name + " DERIVATIVE").orElse(0.0);

@@ -8,11 +8,11 @@ import java.util.Optional;
  * oscillate with a bounded amplitude, K_u = 4 d / (π √(a² − ε²)).
  *
  * <p>Åström &amp; Hägglund: Automatic tuning of simple regulators with specifications on phase and
- * amplitude margins, Automatica 20 (1984) 5. For one thread.
+ * amplitude margins, Automatica 20 (1984) 5. Not thread-safe.
  */
 public final class RelayTuner {
-  private static final int AGREEING = 3; // periods in a row
-  private static final double ALIKE = 0.1; // by which these may differ
+  private static final int AGREEING = 3; // consecutive periods that must agree
+  private static final double ALIKE = 0.1; // tolerance of their agreement
 
   private final double amplitude;
   private final double hysteresis;
@@ -31,11 +31,11 @@ public final class RelayTuner {
   /**
    * The loop at its limit of stability.
    *
-   * @param gain K_u, output by measurement
+   * @param gain K_u, output per measurement
    * @param periodS T_u [s]
    */
   public record Found(double gain, double periodS) {
-    /** PI gains by Tyreus &amp; Luyben, Ind. Eng. Chem. Res. 31 (1992): calm and robust. */
+    /** PI gains by Tyreus &amp; Luyben, Ind. Eng. Chem. Res. 31 (1992): smooth and robust. */
     public Pid.Gains tyreusLuybenPi() {
       return Pid.Gains.of(gain / 3.2, 2.2 * periodS, 0.0);
     }
@@ -45,12 +45,12 @@ public final class RelayTuner {
       return Pid.Gains.of(gain / 2.2, 2.2 * periodS, periodS / 6.3);
     }
 
-    /** PID gains by Ziegler &amp; Nichols, Trans. ASME 64 (1942): quick, a quarter is left. */
+    /** PID gains by Ziegler &amp; Nichols, Trans. ASME 64 (1942): fast, quarter-amplitude decay. */
     public Pid.Gains zieglerNicholsPid() {
       return Pid.Gains.of(0.6 * gain, 0.5 * periodS, 0.125 * periodS);
     }
 
-    /** For people. */
+    /** Human-readable summary. */
     @Override
     public String toString() {
       return String.format(Locale.ROOT, "ultimate gain %.4g, period %.3g s", gain, periodS);
@@ -58,9 +58,9 @@ public final class RelayTuner {
   }
 
   /**
-   * @param amplitude of the output, d, above 0
-   * @param hysteresis of the measurement, ε, 0 or more: above its noise
-   * @param limitS after which it gives up [s]
+   * @param amplitude relay amplitude d of the output, above 0
+   * @param hysteresis hysteresis ε of the measurement, 0 or more: choose it above the noise
+   * @param limitS timeout [s]
    */
   public RelayTuner(double amplitude, double hysteresis, double limitS) {
     if (!(amplitude > 0.0) || !(hysteresis >= 0.0) || !(limitS > 0.0)) {
@@ -79,9 +79,9 @@ public final class RelayTuner {
   }
 
   /**
-   * The output now: ± the amplitude.
+   * Computes the relay output: ± the amplitude.
    *
-   * @param measured what the loop controls; oscillates about its first value
+   * @param measured controlled variable; oscillates about its first value
    */
   public double step(double measured, double stepS) {
     setpoint = Double.isNaN(setpoint) ? measured : setpoint;
@@ -118,12 +118,12 @@ public final class RelayTuner {
     lowest = Double.POSITIVE_INFINITY;
   }
 
-  /** The result; empty until some periods in a row agree. */
+  /** Result; empty until enough consecutive periods agree. */
   public Optional<Found> found() {
     return found;
   }
 
-  /** Whether it found nothing within its time. */
+  /** Whether it timed out without a result. */
   public boolean hasFailed() {
     return found.isEmpty() && timeS >= limitS;
   }

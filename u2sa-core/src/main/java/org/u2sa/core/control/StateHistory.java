@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 
-/** The states of the last moments by their timestamps. */
+/** Recent states by timestamp. */
 final class StateHistory {
   private long spanMicros;
   private final TreeMap<Long, StateInformation> states = new TreeMap<>();
@@ -19,10 +19,9 @@ final class StateHistory {
   }
 
   /**
-   * Takes a state that has a timestamp.
+   * Adds a state that has a timestamp.
    *
-   * @return false if it is not newer than the newest; but one that is older by more than the span
-   *     begins a new history, for then the clock was set back
+   * @return false if it is not newer than the newest; a state older by more than the span starts a new history, because the clock was set back
    */
   boolean add(StateInformation state) {
     long time = state.timestamp().orElseThrow();
@@ -42,22 +41,22 @@ final class StateHistory {
     return true;
   }
 
-  /** Time between the two newest states [µs]; 0 if the newest begins a history. */
+  /** Time between the two newest states [µs]; 0 if the newest starts a history. */
   long lastStepMicros() {
     return lastStepMicros;
   }
 
-  /** All that are remembered, oldest first. */
+  /** All remembered states, oldest first. */
   Collection<StateInformation> all() {
     return states.values();
   }
 
-  /** The state of exactly that time. */
+  /** State with exactly this timestamp. */
   Optional<StateInformation> at(long micros) {
     return Optional.ofNullable(states.get(micros));
   }
 
-  /** Whether a message is no older than the span, seen from the newest state. */
+  /** Whether a message is no older than the span, relative to the newest state. */
   boolean isFresh(U2SAData message) {
     Map.Entry<Long, StateInformation> newest = states.lastEntry();
     return newest != null

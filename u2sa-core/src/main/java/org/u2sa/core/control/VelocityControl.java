@@ -13,12 +13,10 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Control of a vehicle that keeps velocities by itself, such as one with an ArduPilot or PX4
- * autopilot: the way to the navigation point becomes speeds along the vehicle's axes and a rate of
- * turn. In: navigation, state. Out: actuation of FORWARD SPEED, LEFT SPEED, CLIMB SPEED and TURN
+ * Controls a vehicle that regulates its own velocity, such as one with an ArduPilot or PX4 autopilot: converts the vector to the navigation point to speeds along the vehicle's axes and a turn rate. In: navigation, state. Out: actuation of FORWARD SPEED, LEFT SPEED, CLIMB SPEED and TURN
  * RATE.
  *
- * <p>Without fresh navigation all four are 0: the vehicle stands.
+ * <p>Without fresh navigation all four are 0 and the vehicle stops.
  */
 public final class VelocityControl extends ControlSystem {
   static final String FORWARD = "FORWARD SPEED";
@@ -113,8 +111,7 @@ public final class VelocityControl extends ControlSystem {
   }
 
   /**
-   * A way by north, east, down as forward, left, up of the level vehicle [m]; empty without a
-   * heading.
+   * Rotates north, east, down to forward, left, up of the level vehicle [m]; empty without a heading.
    */
   private static Optional<Point> ahead(Point ned, StateInformation state) {
     boolean local = state.referenceFrame().isLocal();

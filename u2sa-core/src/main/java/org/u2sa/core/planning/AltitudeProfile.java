@@ -10,7 +10,7 @@ enum AltitudeProfile {
     }
   },
   /**
-   * In proportion to the way along the leg, where both ends have an altitude; otherwise at once.
+   * In proportion to the distance along the leg, if both ends have an altitude; otherwise at once.
    */
   LINEAR {
     @Override
@@ -26,14 +26,14 @@ enum AltitudeProfile {
 
   /** Altitudes on a leg. */
   interface Slope {
-    /** How far below the vehicle the path is [m], at that share of the leg's length. */
+    /** Depth of the path below the vehicle [m], at a share of the leg's length. */
     double downM(double share);
   }
 
   /**
-   * The altitudes between two places.
+   * Altitudes between two places.
    *
-   * @param targetDownM how far below the vehicle the present target lies [m]
+   * @param targetDownM depth of the current target below the vehicle [m]
    */
   abstract Slope along(Place start, Place end, Vehicle vehicle, double targetDownM);
 }

@@ -29,30 +29,28 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Leads a vehicle around what the World Modeler sees: plans a route, follows it past traffic, plans
- * anew when it is blocked or a better one is there, frees the vehicle when it is stuck, and gives
- * up with a reason. Belongs to the planner's thread.
+ * Avoids the obstacles in the world model: plans a route, follows it past traffic, replans when it is blocked or a better one exists, frees a stuck vehicle, and gives up with a reason. Confined to the planner's thread.
  */
 final class Avoidance {
   private static final String NONE = "NONE";
 
-  /** What moves on begins its search anew, and may never come to its end. */
+  /** A moving vehicle restarts its search, which may therefore not terminate. */
   private static final String NOT_IN_TIME = "no way to the goal was found in time";
 
-  /** A new route is taken if it costs no more than this share of what is left of the old one. */
+  /** Hysteresis: a new route replaces the old one if it costs no more than this share of the old one's remainder. */
   private static final double BETTER = 0.9;
 
-  /** Below this share of its speed, what cannot stand has not taken off. */
+  /** Below this share of its speed, a vehicle that cannot hover or stop has not taken off. */
   private static final double SHARE_FLYING = 0.5;
 
-  /** Progress by less than this many cells is none. */
+  /** Smaller movements do not count as progress [cells]. */
   private static final double PROGRESS_CELLS = 2.0;
 
   private final Supplier<String> chosen;
   private final Map<String, RoutePlanner> planners;
   private final Supplier<AvoidanceSettings> settings;
   private final Supplier<LineSettings> lines;
-  private final BiConsumer<String, Boolean> say; // what, and whether it is trouble
+  private final BiConsumer<String, Boolean> say; // message, and whether it is a warning
   private final SeenWorld world;
   private final Passages passages;
   private final Guesses guesses;
@@ -63,12 +61,12 @@ final class Avoidance {
   private PlanningPlane plane;
 
   private Optional<RouteTrack> track = Optional.empty();
-  private String obstacle = ""; // why there is no route
-  private boolean searches; // a search goes on: there is no route until it ends
+  private String obstacle = ""; // reason for the absence of a route
+  private boolean searches; // search in progress: no route until it ends
   private double goalNorthM;
   private double goalEastM;
-  private int revision; // of the world when it was looked at last
-  private int triedRevision = -1; // of the world when a route was sought last
+  private int revision; // world revision last checked
+  private int triedRevision = -1; // world revision of the last search
   private long plannedMicros;
   private long routelessSince;
   private long progressMicros;
@@ -76,20 +74,20 @@ final class Avoidance {
   private int recoveries;
   private long recoversUntil;
   private long overlooksUntil = Long.MIN_VALUE;
-  private boolean makesRoom; // to turn on the spot
+  private boolean makesRoom; // to turn in place
   private boolean begun;
 
   /**
-   * Where the vehicle is to go now.
+   * Next step of the vehicle.
    *
-   * @param ned from the vehicle, without the way down [m]
-   * @param speedMps at which [m/s]
-   * @param backwards whether with the rear first
-   * @param givenUp why the goal is given up; empty if it is not
+   * @param ned vector from the vehicle [m]; down is unset
+   * @param speedMps speed [m/s]
+   * @param backwards whether in reverse
+   * @param givenUp reason for giving up the goal, or empty
    */
   record Step(Point ned, double speedMps, boolean backwards, Optional<String> givenUp) {}
 
-  /** What a goal asks for. */
+  /** Requirements of a goal. */
   record Wanted(
       String goal,
       Place target,
@@ -98,8 +96,8 @@ final class Avoidance {
       OptionalDouble speedMps) {}
 
   /**
-   * @param configuration the planner's, in which PLANNER names the planner of routes
-   * @param say tells the operator something; true if it is trouble
+   * @param configuration configuration of the planner, in which PLANNER selects the route planner
+   * @param say reports a message to the operator; true for a warning
    */
   Avoidance(
       Configurator configuration,
@@ -119,34 +117,34 @@ final class Avoidance {
             .describedAs(
                 "NONE sees no obstacles; GRID plans around them for vehicles that turn on the spot, HYBRID for those with a turning circle; others are planners of extensions.");
     chosen = () -> configuration.getVariable(planner);
-    chosen.get(); // a wrong value must fail before the vehicle moves
+    chosen.get(); // an invalid value must fail before the vehicle moves
     passages = new Passages(settings, this::turnsOnTheSpot);
     world = new SeenWorld(passages::reading);
     guesses = new Guesses(world);
     news = new PathNews(settings, say);
   }
 
-  /** Whether routes are planned. */
+  /** Whether route planning is enabled. */
   boolean isOn() {
     return !chosen.get().equals(NONE);
   }
 
-  /** What the World Modeler sees. */
+  /** World as received from the World Modeler. */
   SeenWorld world() {
     return world;
   }
 
-  /** Whether the vehicle turns on the spot. */
+  /** Whether the vehicle can turn in place. */
   boolean turnsOnTheSpot() {
     return turnRadiusM(0.0) == 0.0;
   }
 
-  /** Way left on the route [m]; empty without one. */
+  /** Remaining length of the route [m]; empty without one. */
   OptionalDouble remainingM() {
     return track.isPresent() ? OptionalDouble.of(track.get().remainingM()) : OptionalDouble.empty();
   }
 
-  /** The way to another goal begins. */
+  /** Called when another goal is started. */
   void begin() {
     track = Optional.empty();
     begun = false;
@@ -160,7 +158,7 @@ final class Avoidance {
     news.begin();
   }
 
-  /** A waypoint was reached: from there it goes on, not back. */
+  /** Called when a waypoint was reached: closes the way back. */
   void reached(Vehicle vehicle, StateInformation state) {
     AvoidanceSettings now = settings.get();
     if (now.closeBehind() > 0.0) {
@@ -178,7 +176,7 @@ final class Avoidance {
     }
   }
 
-  /** What is new for screens; empty if nothing. */
+  /** Returns path changes for displays once; empty if none. */
   Optional<PlannedPath> news() {
     return news.take();
   }
@@ -193,7 +191,7 @@ final class Avoidance {
     return now.turnRadius() > 0.0 ? now.turnRadius() : lines.get().turns().radiusM(speed);
   }
 
-  /** The next step to a goal. */
+  /** Plans the next step to a goal. */
   Step step(Vehicle vehicle, StateInformation state, Wanted wanted) {
     AvoidanceSettings now = settings.get();
     long micros = vehicle.timestampMicros();
@@ -203,7 +201,7 @@ final class Avoidance {
     goalNorthM = at.x() + toGoal.x();
     goalEastM = at.y() + toGoal.y();
     overlook(now, micros);
-    // What flies goes where the wind takes it, not where it points.
+    // An aircraft moves along its course, not its heading.
     double ahead = now.stops() ? vehicle.headingRad() : vehicle.courseRad();
     Pose pose = new Pose(at.x(), at.y(), ahead);
     if (!now.passSides().isEmpty()) {
@@ -236,7 +234,7 @@ final class Avoidance {
         givenUp);
   }
 
-  /** Without any way for a while, what is only guessed gives way: a gap closed in error, say. */
+  /** Discards guesses after a while without any route, because a gap may have been closed in error. */
   private void overlook(AvoidanceSettings now, long micros) {
     boolean isStuck = begun && track.isEmpty() && micros >= recoversUntil;
     if (now.overlookAfter() > 0.0 && isStuck && micros - routelessSince > now.overlookMicros()) {
@@ -249,7 +247,7 @@ final class Avoidance {
     world.overlook(micros < overlooksUntil);
   }
 
-  /** Of the vehicle itself: through the air, for what flies [m/s]. */
+  /** Wanted speed of the vehicle; airspeed for aircraft [m/s]. */
   private static double wantedMps(Wanted wanted, AvoidanceSettings now) {
     return Math.max(now.leastSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
   }
@@ -260,7 +258,7 @@ final class Avoidance {
 
   private MotionLimits limits(Vehicle vehicle, Wanted wanted, AvoidanceSettings now) {
     double wantedMps = wantedMps(wanted, now);
-    // The wind adds to what flies: as fast as it goes over ground, it goes on.
+    // Wind adds to an aircraft's speed: plan with its ground speed.
     boolean drifts = !now.stops() && vehicle.speedMps() > SHARE_FLYING * wantedMps;
     return new MotionLimits(
         drifts ? vehicle.speedMps() : wantedMps,
@@ -278,7 +276,7 @@ final class Avoidance {
         Math.toRadians(now.plannedTurnRate()));
   }
 
-  /** Plans if there is no route, it is blocked or left, or perhaps a better one is there. */
+  /** Plans if there is no route, if it is blocked or was left, or if a better one may exist. */
   private void maintain(
       Pose pose,
       Wanted wanted,
@@ -307,7 +305,7 @@ final class Avoidance {
       obstacle = route.obstacle();
       searches = route.goesOn();
       take(route, micros);
-      revision = triedRevision; // a longer search may not have seen what is there by now
+      revision = triedRevision; // a longer search may have missed recent changes
       if (!route.exists() && !route.goesOn()) {
         guesses.forgetGaps();
         if (passages.narrow()) {
@@ -356,7 +354,7 @@ final class Avoidance {
     }
   }
 
-  /** What is left of the route costs now [m]; infinite if something stands on it. */
+  /** Current cost of the rest of the route [m]; infinite if it is blocked. */
   private double costLeft() {
     RouteTrack route = track.get();
     double north = route.northAheadM(0.0);
@@ -410,7 +408,7 @@ final class Avoidance {
     nearing.leaveOut(heldMicros);
   }
 
-  /** Looks whether the vehicle gets on; frees it if not; answers why it gives up. */
+  /** Checks progress and frees the vehicle if stuck; returns the reason for giving up. */
   private Optional<String> progress(
       ArcChoice choice, MotionLimits limits, AvoidanceSettings now, long micros) {
     if (track.isEmpty()) {
@@ -449,7 +447,7 @@ final class Avoidance {
     say.accept("stuck: frees itself, attempt " + recoveries + " of " + now.recoveries(), false);
     recoversUntil = micros + now.stuckMicros() / 3;
     progressMicros = recoversUntil;
-    track = Optional.empty(); // plans anew from where it will be
+    track = Optional.empty(); // replan from the resulting pose
     searches = false;
     plannedMicros = recoversUntil - now.replanMicros();
     triedRevision = -1;

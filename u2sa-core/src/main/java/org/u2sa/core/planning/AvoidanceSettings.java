@@ -9,7 +9,7 @@ import org.u2sa.core.planning.seen.SeenWorld;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
-/** The variables of a {@link PathPlanner} that sees: they matter if PLANNER is not NONE. */
+/** Obstacle-avoidance variables of a {@link PathPlanner}; used if PLANNER is not NONE. */
 record AvoidanceSettings(
     @Variable(
             unit = "m",
@@ -227,18 +227,18 @@ record AvoidanceSettings(
             text =
                 "Time without any route after which obstacles of a confidence below 0.6 are passed through, until a route has led on for as long; 0: never.")
         double overlookAfter) {
-  /** Distances nearer than this to an obstacle are a collision, to rounding [share of a cell]. */
+  /** Smaller distances to an obstacle are a collision, allowing for rounding [share of a cell]. */
   private static final double TOUCH_CELLS = 0.5;
 
-  private static final double COVER_CELLS = 1.5; // from disc to disc that cover it closely
+  private static final double COVER_CELLS = 1.5; // spacing of discs that cover it closely
   private static final int EFFORTS_IN_FLIGHT = 5;
 
-  /** Refuses what is no list of sides. */
+  /** Validates the list of sides. */
   AvoidanceSettings {
     PassSides.parse(passSides);
   }
 
-  /** The vehicle, with its corners where passages may be hardly wider than it is. */
+  /** Shape of the vehicle, including corners if passages may be hardly wider than it. */
   BodyDiscs body(boolean onTheSpot) {
     return onTheSpot || narrowestPassage > 0.0
         ? BodyDiscs.closely(vehicleFront, vehicleRear, vehicleWidth, COVER_CELLS * planningCell)
@@ -246,9 +246,9 @@ record AvoidanceSettings(
   }
 
   /**
-   * How the surroundings are read, for a vehicle that turns on the spot or not.
+   * How the world is read, for a vehicle that can turn in place or not.
    *
-   * @param narrow whether routes lead through all passages that it fits through
+   * @param narrow whether routes may use every passage that it fits through
    */
   SeenWorld.Reading reading(boolean onTheSpot, boolean narrow) {
     double radius = onTheSpot ? turningM() : body(false).radiusM() + clearance;
@@ -265,7 +265,7 @@ record AvoidanceSettings(
         verticalClearance);
   }
 
-  /** Whether there are passages that it fits through but cannot turn in, to be tried in need. */
+  /** Whether some passages are wide enough to pass but not to turn in; used as a last resort. */
   boolean hasNarrower(boolean onTheSpot) {
     return onTheSpot && narrowestPassage == 0.0 && 0.5 * passageM() < turningM();
   }
@@ -295,7 +295,7 @@ record AvoidanceSettings(
     return leastSpeed == 0.0;
   }
 
-  /** Nodes to search at one state: what cannot stand needs its way sooner. */
+  /** Number of nodes to search per state; larger for vehicles that cannot stop, which need their route sooner. */
   int effort() {
     return stops() ? planningEffort : EFFORTS_IN_FLIGHT * planningEffort;
   }

@@ -13,8 +13,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * The guidance that the configuration names at the moment; both know of each leg, so that it may
- * change on the way.
+ * Delegates to the guidance currently configured; both are kept up to date on each leg, so that it can change en route.
  */
 final class ChosenGuidance implements WaypointGuidance {
   private static final String LINE = "LINE";
@@ -26,7 +25,7 @@ final class ChosenGuidance implements WaypointGuidance {
   private final WaypointGuidance direct = new DirectGuidance();
 
   /**
-   * @param configuration the planner's, in which GUIDANCE names LINE, DIRECT or an extension's law
+   * @param configuration configuration of the planner, in which GUIDANCE names LINE, DIRECT or an extension's law
    */
   ChosenGuidance(Configurator configuration, Supplier<LineSettings> settings) {
     laws.put(LINE, GuidanceLaw.carrot());
@@ -42,13 +41,13 @@ final class ChosenGuidance implements WaypointGuidance {
             .describedAs(
                 "LINE follows the lines between waypoints; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4); others are laws of extensions.");
     name = () -> configuration.getVariable(guidance);
-    name.get(); // a wrong value must fail before the vehicle moves
+    name.get(); // an invalid value must fail before the vehicle moves
     lines =
         new LineGuidance(
             settings, (leg, lookAheadM) -> laws.get(lawName()).pointAhead(leg, lookAheadM));
   }
 
-  /** Legs and turns are a line's even while DIRECT is chosen: it may change on the way. */
+  /** Line law used for legs and turns, even while DIRECT is selected, because that can change en route. */
   private String lawName() {
     return name.get().equals(DIRECT) ? LINE : name.get();
   }

@@ -4,22 +4,21 @@ import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The thesis's own guidance (4.5.2.4), kept for teaching: always straight towards the waypoint.
+ * Guidance of the thesis (4.5.2.4), kept for teaching: always straight toward the waypoint.
  *
- * <p>The point is a unit vector in the vehicle's level plane; its z is the climb wanted, −1 (down,
- * full climb) … 1 (full descent), 0 to hold altitude. It follows no line and knows no finish line:
- * a vehicle that misses circles until it hits.
+ * <p>The point is a unit vector in the vehicle's horizontal plane; its z is the wanted climb, −1 (down,
+ * full climb) … 1 (full descent), 0 to hold altitude. It follows no line and has no finish line: a vehicle that misses the waypoint circles until it hits.
  */
 final class DirectGuidance implements WaypointGuidance {
-  /** Differences of altitude up to this hold altitude: 10 ft [m]. */
+  /** Altitude is held within this difference: 10 ft [m]. */
   static final double HOLD_M = 10.0 * 0.3048;
 
-  /** Differences of altitude from this on are full climb or descent: 1000 ft [m]. */
+  /** Altitude difference from which climb or descent is full: 1000 ft [m]. */
   static final double FULL_M = 1000.0 * 0.3048;
 
   @Override
   public void begin(Optional<Place> start) {
-    // Neither where the vehicle comes from nor where it was matters.
+    // Neither the start of the leg nor past positions matter.
   }
 
   @Override
@@ -34,7 +33,7 @@ final class DirectGuidance implements WaypointGuidance {
     return vehicle.levelBody(Point.of(scale * ned.x(), scale * ned.y(), scaled(ned.z())));
   }
 
-  /** The share of full descent for a difference of height [m, down positive]. */
+  /** Share of full descent for a height difference [m, down positive]. */
   static double scaled(double downM) {
     double share = (Math.abs(downM) - HOLD_M) / (FULL_M - HOLD_M);
     return Math.copySign(Math.max(0.0, Math.min(1.0, share)), downM);

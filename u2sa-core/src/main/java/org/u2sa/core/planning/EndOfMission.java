@@ -7,7 +7,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
-/** What a planner does while it has no goal to pursue: hold at a place, or nothing. */
+/** Behaviour of a planner without a goal: hold at a place, or nothing. */
 final class EndOfMission {
   private final Supplier<PlanningSettings> settings;
   private final Supplier<LineSettings> lines;
@@ -15,9 +15,9 @@ final class EndOfMission {
   private Optional<LoiterCircle> circle = Optional.empty();
 
   /**
-   * @param settings whether to hold, and on what circle
-   * @param lines how far ahead on the circle to go
-   * @param guidance for the form of the point handed to control
+   * @param settings whether to hold, and on which circle
+   * @param lines look-ahead on the circle
+   * @param guidance for the representation of the point passed to control
    */
   EndOfMission(
       Supplier<PlanningSettings> settings,
@@ -28,36 +28,34 @@ final class EndOfMission {
     this.guidance = guidance;
   }
 
-  /** Writes down where it holds, for a planner that takes over. */
+  /** Saves the holding position for the planner that takes over. */
   void handOver(HandOver state) {
     circle.ifPresent(held -> held.handOver(state));
   }
 
-  /** Holds where the planner before held. */
+  /** Resumes holding where the previous planner held. */
   void takeOver(HandOver state) {
     circle = LoiterCircle.takenOver(state);
   }
 
-  /** Forgets where it held: a goal is pursued again. */
+  /** Discards the holding position because a goal is pursued again. */
   void leave() {
     circle = Optional.empty();
   }
 
   /**
-   * The next step of holding.
+   * Plans the next step of holding.
    *
-   * @param place where to hold; if empty or without coordinates, where the vehicle was when holding
-   *     began; at the altitude that it had then if the place has none
+   * @param place where to hold; if empty or without coordinates, the vehicle's position when holding began; its altitude at that time if the place has none
    */
   List<NavigationPoint> plan(Vehicle vehicle, Optional<Place> place) {
     return settings.get().holdsAtEnd() ? hold(vehicle, place) : List.of();
   }
 
   /**
-   * The next step of holding because a failsafe says so, whatever AT END says: what cannot stand
-   * circles. A vehicle that is to stop at the end and has no circle stops here too.
+   * Plans the next step of holding for a failsafe, whatever AT END says: vehicles that cannot stop circle. A vehicle with AT END = STOP and no circle stops here too.
    *
-   * @param place as {@link #plan} says
+   * @param place as in {@link #plan}
    */
   List<NavigationPoint> planFailsafe(Vehicle vehicle, Optional<Place> place) {
     PlanningSettings now = settings.get();

@@ -9,19 +9,16 @@ import org.u2sa.core.planning.seen.PlanarShape;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Gaps that look open from afar only. A scanner's errors widen obstacles where it sees them best,
- * so a gap may close as the vehicle comes near and open again as it leaves. Two of these would send
- * it to and fro; so a gap that closed twice counts as closed as long as there is another way.
- * Belongs to the planner's thread.
+ * Gaps that appear open only from a distance. Scanner errors widen obstacles where they are seen best, so a gap may close as the vehicle approaches and open again as it leaves. Two such gaps would make it oscillate; so a gap that closed twice counts as closed while another route exists. Confined to the planner's thread.
  */
 final class FalseGaps {
-  /** Farther away than this, a gap is not looked at well [radii of the vehicle with clearance]. */
+  /** Maximum distance at which a gap is seen reliably [radii of the vehicle with clearance]. */
   private static final double NEAR_RADII = 5.0;
 
-  /** Nearer than this the vehicle would stand in what counts as closed. */
+  /** Minimum distance: nearer, the vehicle would be inside the closed region. */
   private static final double LEAST_RADII = 1.5;
 
-  /** Sooner than this it is still the same attempt. */
+  /** Sooner closures belong to the same attempt. */
   private static final long AGAIN_MICROS = 3 * Clock.MICROS_PER_SECOND;
 
   private record Closure(double northM, double eastM, long micros) {
@@ -33,18 +30,18 @@ final class FalseGaps {
   private final List<Closure> closures = new ArrayList<>();
   private List<PlanarShape> closed = List.of();
 
-  /** What counts as closed. */
+  /** Shapes of the closed gaps. */
   List<PlanarShape> shapes() {
     return closed;
   }
 
-  /** Begins anew, as for another goal, or where there is no other way. */
+  /** Resets, such as for another goal or if no other route exists. */
   void forget() {
     closures.clear();
     closed = List.of();
   }
 
-  /** The vehicle's route has just been closed. */
+  /** Called when the vehicle's route has just been blocked. */
   void blocked(RouteTrack route, CostGrid costs, long micros) {
     double radius = costs.inflation().radiusM();
     OptionalDouble ahead = firstClosedM(route, costs, NEAR_RADII * radius);
@@ -69,7 +66,7 @@ final class FalseGaps {
     }
   }
 
-  /** How far ahead on the route the first closed cell is [m]; empty if there is none so near. */
+  /** Distance along the route to the first closed cell [m]; empty if none is near enough. */
   private static OptionalDouble firstClosedM(RouteTrack route, CostGrid costs, double withinM) {
     double step = 0.5 * costs.frame().cellM();
     double farthest = Math.min(withinM, route.remainingM());

@@ -7,7 +7,7 @@ import java.util.function.ToDoubleFunction;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 
-/** Chooses among the current goals, and foresees which comes after the chosen one. Immutable. */
+/** Chooses among the current goals, and predicts the one after. Immutable. */
 final class GoalChoice {
   private final GoalList list;
 
@@ -16,16 +16,15 @@ final class GoalChoice {
   }
 
   /**
-   * The goal to pursue: the preferred one if it is current, otherwise the nearest; of equally near
-   * ones the first.
+   * Goal to pursue: the preferred one if it is current, otherwise the nearest; on ties the first.
    *
-   * @param preferred UID of the goal that is pursued already or was foreseen; empty if none
+   * @param preferred UID of the goal being pursued or predicted; empty if none
    */
   Optional<GoalInformation> goal(String preferred, ToDoubleFunction<GoalInformation> distance) {
     return choose(list.goals(), preferred, distance);
   }
 
-  /** The goal that most likely comes after the chosen one. */
+  /** Most likely goal after the chosen one. */
   Optional<GoalInformation> after(
       GoalInformation goal, String preferred, ToDoubleFunction<GoalInformation> distance) {
     return choose(candidates(goal), preferred, distance);

@@ -12,8 +12,7 @@ import org.u2sa.core.planning.seen.SeenWorld;
 import org.u2sa.messages.StateInformation;
 
 /**
- * What the planner itself closes, as long as there is another way: the way back, gaps that were
- * found closed, and the wrong sides of marks. Belongs to the planner's thread.
+ * Virtual obstacles that the planner adds while another route exists: the way back, gaps found closed, and the wrong sides of marks. Confined to the planner's thread.
  */
 final class Guesses {
   private final SeenWorld world;
@@ -22,38 +21,38 @@ final class Guesses {
   private List<PlanarShape> wayBack = List.of();
 
   /**
-   * @param world that is told of them
+   * @param world world to which they are added
    */
   Guesses(SeenWorld world) {
     this.world = world;
   }
 
-  /** There is no other way, or another goal: gaps may be open. */
+  /** Reopens the gaps, because no other route exists or the goal changed. */
   void forgetGaps() {
     gaps.forget();
     tell();
   }
 
-  /** None of them lies where the plane is now; seen from the next change on. */
+  /** Discards all, because the plane changed; takes effect with the next change. */
   void forgetAll() {
     wayBack = List.of();
     gaps.forget();
     sides.forget();
   }
 
-  /** Closes the way back, at most so far to each side. */
+  /** Closes the way back, up to a distance to each side. */
   void closeBehind(Pose pose, double circleM, double mostM) {
     wayBack = WayBack.closed(world.shapes(), pose, circleM, mostM).map(List::of).orElse(List.of());
     tell();
   }
 
-  /** A route is blocked; seen from the next state on. */
+  /** Called when a route is blocked; takes effect with the next state. */
   void blocked(RouteTrack track, long micros) {
     gaps.blocked(track, world.costs(), micros);
     tell();
   }
 
-  /** Closes the wrong sides of what is to be passed on one. */
+  /** Closes the wrong sides of marks to be passed on one side. */
   void keepSides(
       Pose pose, StateInformation state, Optional<RouteTrack> track, AvoidanceSettings now) {
     Map<PassSides.Side, List<PlanarShape>> seen = new EnumMap<>(PassSides.Side.class);

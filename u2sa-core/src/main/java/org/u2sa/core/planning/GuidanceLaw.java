@@ -4,20 +4,19 @@ import java.util.function.DoubleSupplier;
 import org.u2sa.messages.frame.Point;
 
 /**
- * How a vehicle is led onto a line and along it. A law of your own comes by a {@link
- * GuidanceLawProvider}.
+ * Law that guides a vehicle onto a line and along it. Extensions supply their own through a {@link GuidanceLawProvider}.
  */
 public interface GuidanceLaw {
   /**
-   * The point to go to now: north, east [m] from the vehicle, z 0.
+   * Target point: north, east [m] from the vehicle, z 0.
    *
-   * @param leg with the vehicle at the origin; not a point
-   * @param lookAheadM how far ahead the point is to lie [m], positive
+   * @param leg leg with the vehicle at the origin; not a point
+   * @param lookAheadM look-ahead distance [m], positive
    */
   Point pointAhead(Leg leg, double lookAheadM);
 
   /**
-   * Leads to a point on the line, the look-ahead ahead of the vehicle's foot on it (after Park,
+   * Law that aims at a point on the line, one look-ahead ahead of the vehicle's projection (after Park,
    * Deyst, How: A New Nonlinear Guidance Logic for Trajectory Tracking, AIAA 2004-4900).
    */
   static GuidanceLaw carrot() {
@@ -28,14 +27,12 @@ public interface GuidanceLaw {
   }
 
   /**
-   * Leads along a field of courses around the line: far off it, towards it at the intercept angle;
-   * the nearer, the more along it (Nelson, Barber, McLain, Beard: Vector Field Path Following for
+   * Vector-field law: far from the line, the course meets it at the intercept angle; closer, the course bends along it (Nelson, Barber, McLain, Beard: Vector Field Path Following for
    * Miniature Air Vehicles, IEEE Transactions on Robotics 23(3), 2007, eq. 6).
    *
-   * <p>Near the line it answers as {@link #carrot} does with the same look-ahead. Far off it keeps
-   * some way along the leg, where a carrot is approached ever more squarely.
+   * <p>Near the line it is equivalent to {@link #carrot} with the same look-ahead. Far off it still advances along the leg, while a carrot is approached ever more perpendicularly.
    *
-   * @param interceptRad course relative to the line, far off it [rad], above 0, at most π/2
+   * @param interceptRad course relative to the line when far off [rad], above 0, at most π/2
    */
   static GuidanceLaw vectorField(DoubleSupplier interceptRad) {
     return (leg, lookAheadM) -> {

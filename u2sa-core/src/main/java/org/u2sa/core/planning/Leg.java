@@ -1,13 +1,12 @@
 package org.u2sa.core.planning;
 
 /**
- * A straight leg on a horizontal plane: north and east [m], about any origin. Immutable.
+ * A straight leg on a horizontal plane: north and east [m], relative to any origin. Immutable.
  *
- * <p>Along is counted from the start towards the end, across is positive to the right of the
- * direction of travel.
+ * <p>Along-track is measured from the start toward the end; cross-track is positive to the right of the direction of travel.
  */
 public record Leg(double startNorthM, double startEastM, double endNorthM, double endEastM) {
-  /** Shorter legs have no direction to speak of [m]. */
+  /** Shorter legs have no defined direction [m]. */
   static final double SHORTEST_M = 1.0e-3;
 
   /** Length of the leg [m]. */
@@ -15,7 +14,7 @@ public record Leg(double startNorthM, double startEastM, double endNorthM, doubl
     return Math.hypot(endNorthM - startNorthM, endEastM - startEastM);
   }
 
-  /** Whether start and end are too near to each other for a direction. */
+  /** Whether start and end are too close to define a direction. */
   public boolean isPoint() {
     return lengthM() < SHORTEST_M;
   }
@@ -26,33 +25,32 @@ public record Leg(double startNorthM, double startEastM, double endNorthM, doubl
   }
 
   /**
-   * How far along the leg the point's foot lies [m]; negative before the start, more than the
-   * length past the end.
+   * Along-track distance of a point [m]; negative before the start, more than the length past the end.
    */
   public double alongM(double northM, double eastM) {
     double bearing = bearingRad();
     return (northM - startNorthM) * Math.cos(bearing) + (eastM - startEastM) * Math.sin(bearing);
   }
 
-  /** How far to the right of the leg the point lies [m]; negative to the left. */
+  /** Cross-track distance of a point to the right of the leg [m]; negative to the left. */
   public double acrossM(double northM, double eastM) {
     double bearing = bearingRad();
     return (eastM - startEastM) * Math.cos(bearing) - (northM - startNorthM) * Math.sin(bearing);
   }
 
   /**
-   * How far the point still has to go along the leg [m]; negative when it is past the finish line.
+   * Remaining along-track distance of a point [m]; negative past the finish line.
    */
   public double remainingM(double northM, double eastM) {
     return lengthM() - alongM(northM, eastM);
   }
 
-  /** North of the point of the leg's line that lies so far along [m]. */
+  /** North coordinate of the leg's line at an along-track distance [m]. */
   public double northAtM(double alongM) {
     return startNorthM + alongM * Math.cos(bearingRad());
   }
 
-  /** East of the point of the leg's line that lies so far along [m]. */
+  /** East coordinate of the leg's line at an along-track distance [m]. */
   public double eastAtM(double alongM) {
     return startEastM + alongM * Math.sin(bearingRad());
   }
@@ -62,13 +60,13 @@ public record Leg(double startNorthM, double startEastM, double endNorthM, doubl
     return wrapped(next.bearingRad() - bearingRad());
   }
 
-  /** The shortest distance from a point to the leg between its ends [m]. */
+  /** Shortest distance from a point to the leg, between its ends [m]. */
   public double distanceM(double northM, double eastM) {
     double along = Math.max(0.0, Math.min(lengthM(), alongM(northM, eastM)));
     return Math.hypot(northM - northAtM(along), eastM - eastAtM(along));
   }
 
-  /** The same direction in -π…π [rad]. */
+  /** Wraps an angle to -π…π [rad]. */
   static double wrapped(double angleRad) {
     return Math.IEEEremainder(angleRad, 2.0 * Math.PI);
   }

@@ -6,24 +6,20 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * Follows the straight line between waypoints, by whatever {@link GuidanceLaw}: when a leg begins
- * and ends, and when the vehicle turns to the next one.
+ * Follows the straight lines between waypoints by any {@link GuidanceLaw}; decides when a leg starts and ends, and when the vehicle turns to the next one.
  *
- * <p>Where the leg has no given start, the vehicle heads straight for the waypoint, and the leg
- * begins where it has turned towards it. A waypoint inside the vehicle's turning circle is first
- * flown away from.
+ * <p>If the leg has no given start, the vehicle heads straight for the waypoint, and the leg starts where it has turned toward it. If a waypoint lies inside the turning circle, the vehicle first moves away from it.
  */
 final class LineGuidance implements WaypointGuidance {
-  /** Course and bearing this near to each other: the vehicle heads for the waypoint [rad]. */
+  /** Maximum difference of course and bearing of a vehicle that heads for the waypoint [rad]. */
   private static final double ALIGNED_RAD = Math.toRadians(5.0);
 
   /**
-   * Turning circles, in radii: a waypoint nearer than the first to the circle's centre cannot be
-   * turned to …
+   * In turning radii: a waypoint nearer than this to the circle's centre cannot be turned to …
    */
   private static final double INSIDE_CIRCLE = 1.2;
 
-  /** … and is flown away from until it is farther than the second. */
+  /** … so the vehicle moves away until it is farther than this (hysteresis). */
   private static final double OUTSIDE_CIRCLE = 1.6;
 
   /**
@@ -32,24 +28,24 @@ final class LineGuidance implements WaypointGuidance {
    */
   private static final double PASSED_SHARE = 0.2;
 
-  /** … by the way of this time, whichever is more [s]. */
+  /** … by the distance travelled in this time, whichever is more [s]. */
   private static final double PASSED_S = 1.0;
 
   /**
-   * A distance that has grown by this does not merely scatter: the closest approach is behind [m].
+   * Growth of the distance beyond noise: the closest approach is past [m].
    */
   private static final double GROWN_M = 1.0;
 
   private final Supplier<LineSettings> settings;
   private final GuidanceLaw law;
   private Optional<Place> start = Optional.empty();
-  private boolean leaving; // flies away from a waypoint inside its turning circle
+  private boolean leaving; // moves away from a waypoint inside its turning circle
   private boolean turning; // already follows the next leg
-  private double nearestM; // to the target, since the vehicle heads for it or turns at it
+  private double nearestM; // to the target, since heading for it or turning at it
   private double distanceM; // to the target
   private boolean passed;
 
-  /** Leads to a point on the line. */
+  /** Uses the carrot law. */
   LineGuidance(Supplier<LineSettings> settings) {
     this(settings, GuidanceLaw.carrot());
   }
@@ -122,7 +118,7 @@ final class LineGuidance implements WaypointGuidance {
     nearestM = Math.min(nearestM, distanceM);
     if (start.isEmpty() && isHeadingFor(vehicle, to)) {
       start = Optional.of(vehicle.place());
-      nearestM = distanceM; // how near it was while it turned round is no approach
+      nearestM = distanceM; // distances while turning round are not an approach
     }
     Optional<Leg> leg =
         start.map(from -> legFrom(vehicle.nedOf(from), to)).filter(l -> !l.isPoint());
@@ -158,7 +154,7 @@ final class LineGuidance implements WaypointGuidance {
   }
 
   /**
-   * Without a leg: to the target, or straight on while the target lies inside the turning circle.
+   * Guidance without a leg: to the target, or straight on while the target is inside the turning circle.
    */
   private Point straightTo(Vehicle vehicle, Point to) {
     double radius = settings.get().turns().radiusM(vehicle.speedMps());
@@ -196,8 +192,7 @@ final class LineGuidance implements WaypointGuidance {
   }
 
   /**
-   * The point on a leg, ahead of the vehicle; a vehicle that turns on the spot is not led past the
-   * end.
+   * Point on a leg ahead of the vehicle; for a vehicle that turns in place, not past the end.
    */
   private Point ahead(Vehicle vehicle, Leg leg, AltitudeProfile.Slope altitudes) {
     double lookAhead = settings.get().lookAheadM(vehicle.speedMps());
@@ -210,7 +205,7 @@ final class LineGuidance implements WaypointGuidance {
     return Point.of(ahead.x(), ahead.y(), down);
   }
 
-  /** How far along a leg the vehicle is led [m]. */
+  /** Maximum along-track distance of the target point [m]. */
   private double limit(Leg leg) {
     return turnsOnTheSpot() ? leg.lengthM() : Double.POSITIVE_INFINITY;
   }

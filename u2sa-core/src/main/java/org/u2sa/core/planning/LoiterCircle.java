@@ -5,9 +5,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * A circle to stay on around a place. Radius 0 holds the place itself.
+ * A loiter circle around a place. Radius 0 holds the place itself.
  *
- * <p>It is flown in the sense in which the vehicle comes: clockwise if the centre is on its right.
+ * <p>The direction follows from the vehicle's arrival: clockwise if the centre is on its right.
  */
 final class LoiterCircle {
   private static final double FARTHEST_AHEAD_RAD = 1.0;
@@ -17,7 +17,7 @@ final class LoiterCircle {
   private final double sense; // 1 clockwise, -1 counter-clockwise
 
   /**
-   * @param vehicle as it is when the loiter begins
+   * @param vehicle vehicle at the start of the loiter
    */
   LoiterCircle(Place centre, double radiusM, Vehicle vehicle) {
     this.centre = centre;
@@ -33,13 +33,13 @@ final class LoiterCircle {
     this.sense = sense;
   }
 
-  /** Writes itself down for a planner that takes over. */
+  /** Saves the circle for the planner that takes over. */
   void handOver(HandOver state) {
     centre.handOver(state, "CIRCLE");
     state.number("CIRCLE RADIUS", radiusM).number("CIRCLE SENSE", sense);
   }
 
-  /** The circle of the planner before; empty if it was on none. */
+  /** Circle of the previous planner; empty if none. */
   static Optional<LoiterCircle> takenOver(HandOver state) {
     return state.number("CIRCLE RADIUS").isPresent()
         ? Place.takenOver(state, "CIRCLE")
@@ -53,8 +53,7 @@ final class LoiterCircle {
   }
 
   /**
-   * The point of the circle so far ahead of the vehicle's foot on it: north, east, down [m] from
-   * the vehicle.
+   * Point on the circle, one look-ahead ahead of the vehicle's projection: north, east, down [m] from the vehicle.
    */
   Point ahead(Vehicle vehicle, double lookAheadM) {
     Point to = vehicle.nedOf(centre);

@@ -4,8 +4,7 @@ import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Where a vehicle without a route looks for one: to one side after the other. Belongs to the
- * planner's thread.
+ * Directions in which a vehicle without a route looks for one: alternating sides. Confined to the planner's thread.
  */
 final class LookAround {
   private static final double STEP_RAD = Math.toRadians(60.0);
@@ -14,12 +13,12 @@ final class LookAround {
   private long turnedMicros = Long.MIN_VALUE;
   private double headingRad;
 
-  /** There is a route. */
+  /** Ends the search because a route exists. */
   void end() {
     turnedMicros = Long.MIN_VALUE;
   }
 
-  /** The heading to look to now [rad]. */
+  /** Heading to look to [rad]. */
   double headingRad(Pose pose, long micros) {
     if (turnedMicros == Long.MIN_VALUE || micros - turnedMicros > EACH_MICROS) {
       turnedMicros = micros;

@@ -5,37 +5,35 @@ import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Whether a vehicle gets nearer to its goal. Each new route is a fresh hope, also one through a gap
- * that only errors of a sensor show, so only the goal itself tells whether it gets on. Belongs to
- * the planner's thread.
+ * Monitors the vehicle's progress toward its goal. Every new route looks promising, even through a gap that is a sensor error, so only the remaining distance to the goal counts. Confined to the planner's thread.
  */
 final class Nearing {
-  /** A goal to which it gets no nearer is given up when it could have gone so many times there. */
+  /** Without progress, a goal is given up after the time to travel the route this many times. */
   private static final double MOST_ROUTES = 4.0;
 
-  private double nearestM; // least that was left of any route to this goal [m]
-  private double longestM; // most that was left since then [m]
+  private double nearestM; // shortest remaining route to this goal [m]
+  private double longestM; // longest remaining route since then [m]
   private long nearestMicros;
 
-  /** The way to another goal begins. */
+  /** Called when another goal is started. */
   void begin(long micros) {
     nearestMicros = micros;
     nearestM = Double.POSITIVE_INFINITY;
     longestM = 0.0;
   }
 
-  /** Some of the time does not count: something else held the vehicle up. */
+  /** Excludes time in which something else held the vehicle up. */
   void leaveOut(long micros) {
     nearestMicros += micros;
   }
 
   /**
-   * Why what goes to and fro gives up; empty if it does not.
+   * Reason for giving up a goal without progress, or empty.
    *
-   * @param remainingM of the route [m]
-   * @param progressM less is no progress [m]
-   * @param speedMps at which it goes when nothing holds it up [m/s]
-   * @param heldUpS time in which it may be held up [s]
+   * @param remainingM remaining length of the route [m]
+   * @param progressM minimum progress [m]
+   * @param speedMps unobstructed speed [m/s]
+   * @param heldUpS allowance for being held up [s]
    */
   Optional<String> circles(
       double remainingM, double progressM, double speedMps, double heldUpS, long micros) {

@@ -16,9 +16,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Leads the vehicle near an object that the World Modeler sees, and points subsystems at it. Where
- * there is no State Estimator the objects' own frame, that of the vehicle, is enough (thesis
- * 4.3.2).
+ * Moves the vehicle near an object of the world model, and points subsystems at it. Without a State Estimator the objects' own frame, that of the vehicle, suffices (thesis 4.3.2).
  */
 final class ObjectGoalState implements PlannerState {
   private final Avoidance avoidance;
@@ -99,7 +97,7 @@ final class ObjectGoalState implements PlannerState {
         : Plan.underWay(points);
   }
 
-  /** It stands and waits for the object to be seen. */
+  /** Stops and waits for the object to be seen. */
   private Plan unseen(ObjectGoal goal, Vehicle vehicle) {
     if (unseenSinceMicros == Long.MIN_VALUE) {
       unseenSinceMicros = vehicle.timestampMicros();

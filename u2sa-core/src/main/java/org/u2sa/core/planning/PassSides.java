@@ -11,18 +11,16 @@ import org.u2sa.core.planning.local.RouteTrack;
 import org.u2sa.core.planning.seen.PlanarShape;
 
 /**
- * Marks that are passed on one side only, such as IGVC's flags or a channel's buoys: from each the
- * other side is closed, across the way on which the vehicle comes, until it has passed. Belongs to
- * the planner's thread.
+ * Marks to be passed on one side only, such as IGVC's flags or a channel's buoys: the other side of each is closed, across the approach, until the vehicle has passed. Confined to the planner's thread.
  */
 final class PassSides {
-  /** From this near on, the route past the mark follows what was seen on both sides [reaches]. */
+  /** Distance below which the route past the mark follows what was seen on both sides [reaches]. */
   private static final double NEAR_REACHES = 1.8;
 
-  /** A mark that moves by less is where it was [m]. */
+  /** Dead band of a mark's position [m]. */
   private static final double MOVED_M = 0.1;
 
-  /** On which side a vehicle passes. */
+  /** Side on which a vehicle passes. */
   enum Side {
     LEFT(-1.0),
     RIGHT(1.0);
@@ -34,7 +32,7 @@ final class PassSides {
     }
   }
 
-  /** A mark that the vehicle comes to. */
+  /** A mark ahead of the vehicle. */
   private static final class Mark {
     final double courseRad;
     final Side side;
@@ -76,9 +74,9 @@ final class PassSides {
   private List<PlanarShape> closed = List.of();
 
   /**
-   * Sides by types of objects, from a text such as {@code red flag: LEFT, blue flag: RIGHT}.
+   * Parses sides by object type from a text such as {@code red flag: LEFT, blue flag: RIGHT}.
    *
-   * @throws IllegalArgumentException naming the entry that is wrong
+   * @throws IllegalArgumentException if an entry is invalid, naming it
    */
   static Map<String, Side> parse(String text) {
     Map<String, Side> sides = new LinkedHashMap<>();
@@ -99,24 +97,24 @@ final class PassSides {
     return sides;
   }
 
-  /** What counts as closed. */
+  /** Shapes of the closed sides. */
   List<PlanarShape> shapes() {
     return closed;
   }
 
-  /** Begins anew, as on another plane. */
+  /** Resets, such as for another plane. */
   void forget() {
     marks.clear();
     closed = List.of();
   }
 
   /**
-   * Takes what is seen now.
+   * Updates with the marks seen now.
    *
-   * @param seen marks by the side on which they are passed
-   * @param pose the vehicle's
-   * @param reachM how far the other side is closed [m]
-   * @param circleM radius in which the vehicle turns [m]
+   * @param seen marks by the side on which to pass them
+   * @param pose pose of the vehicle
+   * @param reachM length of the closure [m]
+   * @param circleM turning radius of the vehicle [m]
    * @return whether {@link #shapes()} has changed
    */
   boolean see(
@@ -158,7 +156,7 @@ final class PassSides {
     return changed;
   }
 
-  /** Where the way past a place leads; without one, where the vehicle looks. */
+  /** Course of the route past a place; without a route, the vehicle's heading. */
   private static double courseRad(
       Pose pose, Optional<RouteTrack> route, double north, double east) {
     double course = pose.headingRad();

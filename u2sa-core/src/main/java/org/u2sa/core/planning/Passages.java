@@ -5,21 +5,19 @@ import java.util.function.Supplier;
 import org.u2sa.core.planning.seen.SeenWorld;
 
 /**
- * How narrow the passages are that routes lead through: first only those in which the vehicle can
- * turn on the spot; if there is no such route to the goal, all that it fits through. Belongs to the
- * planner's thread.
+ * Selects the passages that routes may use: first only those in which the vehicle can turn in place; without such a route to the goal, all that it fits through. Confined to the planner's thread.
  */
 final class Passages {
   private final Supplier<AvoidanceSettings> settings;
   private final BooleanSupplier turnsOnTheSpot;
   private boolean isNarrow;
-  private SeenWorld.Reading reading; // by these settings
+  private SeenWorld.Reading reading; // for the current settings
   private AvoidanceSettings readBy;
   private boolean isReadOnTheSpot;
   private boolean isReadNarrow;
 
   /**
-   * @param turnsOnTheSpot whether the vehicle does
+   * @param turnsOnTheSpot whether the vehicle can turn in place
    */
   Passages(Supplier<AvoidanceSettings> settings, BooleanSupplier turnsOnTheSpot) {
     this.settings = settings;
@@ -27,20 +25,20 @@ final class Passages {
   }
 
   /**
-   * Routes lead through wide passages only: the goal is another, or it got stuck in a narrow one.
+   * Restricts routes to wide passages, because the goal changed or the vehicle got stuck in a narrow one.
    */
   void widen() {
     isNarrow = false;
   }
 
-  /** There is no route: narrow ones count from now on. Returns false if they do already. */
+  /** Admits narrow passages because no route was found; returns false if already admitted. */
   boolean narrow() {
     boolean begins = !isNarrow && settings.get().hasNarrower(turnsOnTheSpot.getAsBoolean());
     isNarrow |= begins;
     return begins;
   }
 
-  /** How the surroundings are read: worked out again only when something has changed. */
+  /** How the world is read; recomputed only on changes. */
   SeenWorld.Reading reading() {
     AvoidanceSettings now = settings.get();
     boolean onTheSpot = turnsOnTheSpot.getAsBoolean();

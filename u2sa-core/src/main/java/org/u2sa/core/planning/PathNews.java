@@ -12,7 +12,7 @@ import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Says what changes about the path, in the log and for screens. Belongs to the planner's thread.
+ * Reports path changes to the log and displays. Confined to the planner's thread.
  */
 final class PathNews {
   private final Supplier<AvoidanceSettings> settings;
@@ -23,19 +23,19 @@ final class PathNews {
   private String announcedReason = "";
 
   /**
-   * @param say tells the operator something; true if it is trouble
+   * @param say reports a message to the operator; true for a warning
    */
   PathNews(Supplier<AvoidanceSettings> settings, BiConsumer<String, Boolean> say) {
     this.settings = settings;
     this.say = say;
   }
 
-  /** The way to another goal begins. */
+  /** Called when another goal is started. */
   void begin() {
     status = PathStatus.FOLLOWED;
   }
 
-  /** What is new for screens; empty if nothing. */
+  /** Returns path changes for displays once; empty if none. */
   Optional<PlannedPath> take() {
     Optional<PlannedPath> now = path;
     path = Optional.empty();
@@ -43,11 +43,11 @@ final class PathNews {
   }
 
   /**
-   * Says what is new, if anything.
+   * Reports changes, if any.
    *
-   * @param named a path that names the goal and the planner
-   * @param why there is no route, or the goal is given up; empty if neither
-   * @param downM of the path's points on its plane [m]
+   * @param named path with the names of the goal and the planner
+   * @param why reason why there is no route or the goal is given up, or empty
+   * @param downM down coordinate of the path's points on its plane [m]
    */
   void announce(
       Supplier<PlannedPath> named,

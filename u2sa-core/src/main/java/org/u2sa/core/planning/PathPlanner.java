@@ -21,11 +21,9 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Plans the way to the current goal (thesis 3.2.3.4): a state machine with one state for each class
- * of goals. In: state, goals, failsafe. Out: navigation, goal-reports.
+ * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of goals. In: state, goals, failsafe. Out: navigation, goal-reports.
  *
- * <p>It plans once for each state estimate, so without fresh states it gives no navigation points.
- * While a failsafe says so it holds where it is, as at the mission's end, or gives none. The same
+ * <p>It plans once per state estimate, so without fresh states it publishes no navigation points. On request of a failsafe it holds its position, as at the mission's end, or publishes none. The same
  * class serves aircraft and ground vehicles; only their configuration differs (thesis 4.6.2.3).
  */
 public class PathPlanner extends EventDrivenService {
@@ -34,18 +32,18 @@ public class PathPlanner extends EventDrivenService {
   private final EndOfMission end;
   private final Avoidance avoidance;
   private Optional<GoalList> goals = Optional.empty();
-  // The list that was taken over comes once more, as it is retained.
+  // The list that was taken over arrives again because it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
   private Optional<GoalInformation> goal = Optional.empty(); // pursued
   private Optional<GoalInformation> finished = Optional.empty(); // the newest reported
   private Optional<Place> holdAt = Optional.empty(); // the last place reached or given up
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
-  private String foreseen = ""; // UID of the goal that the pursuit expects next
+  private String foreseen = ""; // UID of the goal expected next
   private long reportedMicros;
-  private long stateMicros = Long.MIN_VALUE; // when the last state came
-  private long missionMicros = Long.MIN_VALUE; // when the first goals came
-  private String complaint = ""; // the last one logged, so that it is logged once
-  private String threshold = ""; // what was said of the present goal's
+  private long stateMicros = Long.MIN_VALUE; // arrival of the last state
+  private long missionMicros = Long.MIN_VALUE; // arrival of the first goals
+  private String complaint = ""; // last one logged, to log it once
+  private String threshold = ""; // last remark on the current goal's threshold
 
   /** Called by the launcher. */
   public PathPlanner(ServiceContext context) {
@@ -53,9 +51,9 @@ public class PathPlanner extends EventDrivenService {
   }
 
   /**
-   * A planner that leads in its own way.
+   * Creates a planner with its own guidance.
    *
-   * @param guide makes the guidance; may read further variables of the planner
+   * @param guide creates the guidance; may read further variables of the planner
    */
   PathPlanner(ServiceContext context, Function<PathPlanner, WaypointGuidance> guide) {
     super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
@@ -79,7 +77,7 @@ public class PathPlanner extends EventDrivenService {
     subscribe(Channels.FAILSAFE, state -> react(state.action()));
   }
 
-  /** As configured; but a glide path to land on is a line, whatever the mission's altitudes are. */
+  /** Configured settings; but a landing glide path is linear, whatever the mission's altitude profile. */
   final LineSettings lines() {
     PlanningSettings configured = settings.get();
     return failsafe == FailsafeAction.LAND
@@ -123,14 +121,14 @@ public class PathPlanner extends EventDrivenService {
   @Override
   protected final void configurationChanged(Set<String> variableNames) {
     registerSubscriber(Channels.STATE, settings.get().staleAfter());
-    end.leave(); // a circle of the new radius
+    end.leave(); // start a circle with the new radius
   }
 
   private void onGoals(GoalList list) {
     boolean known = takenOver.filter(list::equals).isPresent();
     takenOver = Optional.empty();
     if (known) {
-      return; // the retained one, on which the planner before has acted
+      return; // retained; the previous planner has acted on it
     }
     boolean held = isHolding();
     goals = Optional.of(list);
@@ -142,13 +140,12 @@ public class PathPlanner extends EventDrivenService {
       missionMicros = clock().micros();
     }
     if (goal.isPresent() && isFinished(goal.get().uid())) {
-      goal = Optional.empty(); // if the list names it again, it is to be reached once more
+      goal = Optional.empty(); // if listed again, it must be reached again
     }
   }
 
   /**
-   * Takes what the World Modeler sees. Where no State Estimator says where the vehicle is, objects
-   * in the vehicle's own axes are enough: it is at their origin (thesis 4.3.2).
+   * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own axes suffice: the vehicle is at their origin (thesis 4.3.2).
    */
   private void onObjects(ObjectList list) {
     avoidance.world().see(list);
@@ -191,12 +188,12 @@ public class PathPlanner extends EventDrivenService {
     }
   }
 
-  /** Whether a failsafe or a paused mission keeps the vehicle where it is. */
+  /** Whether a failsafe or a paused mission holds the vehicle. */
   private boolean isHolding() {
     return failsafe == FailsafeAction.HOLD || goals.filter(GoalList::paused).isPresent();
   }
 
-  /** Begins to hold where the vehicle is now, or ends it: the goal is pursued anew from here. */
+  /** Starts holding the current position, or resumes the goal from here. */
   private void changeHolding() {
     if (isHolding()) {
       foreseen = goal.map(GoalInformation::uid).orElse(foreseen);
@@ -215,7 +212,7 @@ public class PathPlanner extends EventDrivenService {
       return;
     }
     if (goals.isEmpty()) {
-      return; // no mission yet: nothing to hold for either
+      return; // no mission yet, so nothing to hold
     }
     try {
       Optional<GoalInformation> chosen = choose(state);
@@ -231,7 +228,7 @@ public class PathPlanner extends EventDrivenService {
     return new GoalChoice(goals.get()).goal(preferred, option -> distanceM(option, state));
   }
 
-  /** Time since the first goals came [s]. */
+  /** Time since the first goals arrived [s]. */
   private double missionS() {
     return missionMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(clock().micros() - missionMicros);
   }
@@ -251,11 +248,11 @@ public class PathPlanner extends EventDrivenService {
     return WaypointAccuracy.following(option, state, settings.get().thresholdSigmas());
   }
 
-  /** Says so when the state's accuracy does not allow a goal's threshold, as the goal begins. */
+  /** Warns at the start of a goal if the state is too inaccurate for its threshold. */
   private void judgeThreshold(GoalInformation begun, StateInformation state) {
     String said = WaypointAccuracy.remark(begun, state).orElse("");
     if (threshold.isEmpty() && !said.isEmpty()) {
-      trouble(said); // once; the remark tells of the others
+      trouble(said); // once; the remark covers the others
     }
     threshold = said;
     remark("threshold", said);
@@ -315,12 +312,12 @@ public class PathPlanner extends EventDrivenService {
     return plan.points();
   }
 
-  /** Tells the Mission Manager, and again after a while if it does not react. */
+  /** Reports to the Mission Manager, and repeats after a while if it does not react. */
   private void report(GoalInformation done, Plan plan) {
     long now = clock().micros();
     if (isFinished(done.uid())) {
       if (now - reportedMicros >= settings.get().reportIntervalMicros()) {
-        publish(Channels.GOAL_REPORTS, finished.get()); // of the same time: it counts once
+        publish(Channels.GOAL_REPORTS, finished.get()); // same timestamp: it counts once
         reportedMicros = now;
       }
       return;
@@ -340,9 +337,9 @@ public class PathPlanner extends EventDrivenService {
 
   private List<NavigationPoint> atEnd(StateInformation state) {
     if (finished.isPresent()) {
-      // the way to a goal that was given up may lead through what stood in it: hold here
+      // the path to an abandoned goal may be obstructed: hold here
       holdAt = WaypointState.placeOf(finished.filter(done -> !done.abandoned()));
-      finished = Optional.empty(); // whatever comes next does not begin there
+      finished = Optional.empty(); // the next leg does not start there
     }
     goal = Optional.empty();
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
@@ -361,13 +358,13 @@ public class PathPlanner extends EventDrivenService {
   private void say(String what, boolean isTrouble) {
     String line = "goal \"" + goal.map(GoalInformation::uid).orElse("") + "\": " + what;
     if (isTrouble) {
-      trouble(line); // health says it too
+      trouble(line); // also reported in health
     } else {
       log(LogLevelEnum.WARN, line);
     }
   }
 
-  /** Logs what is wrong, once until it is right again. */
+  /** Logs a problem once until it is resolved. */
   private void complain(String what, String key) {
     if (!complaint.equals(key)) {
       log(LogLevelEnum.WARN, what);

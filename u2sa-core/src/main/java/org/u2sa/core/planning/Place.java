@@ -9,8 +9,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.HandOver;
 
 /**
- * A position of which any coordinate may be missing, either on the earth or on a local plane.
- * Immutable.
+ * A position, on the earth or on a local plane, any coordinate of which may be absent. Immutable.
  *
  * @param onEarth true: x longitude and y latitude [deg]; false: x east and y north [m]
  * @param x see onEarth
@@ -19,7 +18,7 @@ import org.u2sa.service.HandOver;
  */
 record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble upM) {
   /**
-   * Where a waypoint is.
+   * Position of a waypoint.
    *
    * @throws IllegalArgumentException if its frame moves with the vehicle
    */
@@ -28,7 +27,7 @@ record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble
   }
 
   /**
-   * Where a vehicle is.
+   * Position of a vehicle.
    *
    * @throws IllegalArgumentException if its frame moves with the vehicle
    */
@@ -36,7 +35,7 @@ record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble
     return of(state.referenceFrame(), state.x(), state.y(), state.z());
   }
 
-  /** A point of GLOBAL or LOCAL_NED. */
+  /** Position of a point in GLOBAL or LOCAL_NED. */
   static Place of(ReferenceFrame frame, Point point) {
     return of(
         frame,
@@ -72,7 +71,7 @@ record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble
             + " cannot be navigated to; expected GLOBAL, LOCAL_ENU, LOCAL_NED, or UTM with x and y");
   }
 
-  /** Writes itself down under a name, for a service that takes over. */
+  /** Saves the position under a name for the service that takes over. */
   void handOver(HandOver state, String name) {
     state.flag(name + " ON EARTH", onEarth);
     x.ifPresent(value -> state.number(name + " X", value));
@@ -80,7 +79,7 @@ record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble
     upM.ifPresent(value -> state.number(name + " UP", value));
   }
 
-  /** The place that was handed over under a name; empty if there is none. */
+  /** Position handed over under a name; empty if none. */
   static Optional<Place> takenOver(HandOver state, String name) {
     String onEarth = name + " ON EARTH";
     return state.names().contains(onEarth)
@@ -93,7 +92,7 @@ record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble
         : Optional.empty();
   }
 
-  /** This place, at the altitude of another if it has none itself. */
+  /** Copy with the altitude of another place if this one has none. */
   Place orAltitudeOf(Place other) {
     return upM.isPresent() ? this : new Place(onEarth, x, y, other.upM);
   }

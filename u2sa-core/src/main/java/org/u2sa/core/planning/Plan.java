@@ -8,19 +8,17 @@ import org.u2sa.messages.NavigationPoint;
 /**
  * One step of a pursuit.
  *
- * @param points where the subsystems are to go, one point each; none says that they are to stop
- * @param progress how the goal stands
- * @param remark what an operator should read of it in the log, and why if it is given up; empty if
- *     nothing
- * @param changed the goal with the fields that the pursuit changed (thesis 4.2.1.3: shots fired,
- *     time of arrival), which the report carries back; empty if it changed none
+ * @param points navigation points, one per subsystem; none to stop
+ * @param progress progress of the goal
+ * @param remark remark for the operator's log, including the reason for giving up; empty if none
+ * @param changed goal with the fields changed by the pursuit (thesis 4.2.1.3: shots fired, time of arrival), returned in the report; empty if unchanged
  */
 public record Plan(
     List<NavigationPoint> points,
     Progress progress,
     String remark,
     Optional<GoalInformation> changed) {
-  /** How a goal stands. */
+  /** Progress of a goal. */
   public enum Progress {
     /** Neither reached nor given up. */
     UNDER_WAY,
@@ -30,17 +28,17 @@ public record Plan(
     ABANDONED
   }
 
-  /** A step that changes nothing in the goal. */
+  /** Creates a step that leaves the goal unchanged. */
   public Plan(List<NavigationPoint> points, Progress progress, String remark) {
     this(points, progress, remark, Optional.empty());
   }
 
-  /** The same step of a pursuit that changed fields of its goal. */
+  /** Copy with a changed goal. */
   public Plan changing(GoalInformation goal) {
     return new Plan(points, progress, remark, Optional.of(goal));
   }
 
-  /** The pursuit goes on. */
+  /** Creates a step of a pursuit that continues. */
   public static Plan underWay(List<NavigationPoint> points) {
     return new Plan(points, Progress.UNDER_WAY, "");
   }

@@ -5,20 +5,16 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
 
 /**
- * What one class of goals makes a {@link PathPlanner} do: a state of its state machine (thesis
- * 3.2.3.4).
+ * State of a {@link PathPlanner}'s state machine, which pursues one class of goals (thesis 3.2.3.4).
  *
- * <p>An extension brings its own through a {@link PlannerStateProvider}. A goal is pursued by the
- * state whose {@link #goalClass} is nearest to the goal's own class. All calls come on the
- * planner's thread.
+ * <p>Extensions supply their own through a {@link PlannerStateProvider}. A goal is pursued by the state whose {@link #goalClass} is the closest superclass. All calls are made on the planner's thread.
  */
 public interface PlannerState {
-  /** The class of goals, subclasses included as far as no other state is nearer. */
+  /** Class of goals, including subclasses unless another state is closer. */
   Class<? extends GoalInformation> goalClass();
 
   /**
-   * Takes note that the pursuit of a goal begins; what was remembered of the goal before is
-   * forgotten.
+   * Starts the pursuit of a goal and resets what was remembered of the previous one.
    */
   void enter(Pursuit pursuit);
 
@@ -26,7 +22,7 @@ public interface PlannerState {
   Plan plan(Pursuit pursuit);
 
   /**
-   * How far away a goal is that the planner may choose; the planner chooses the nearest [m]. Called
+   * Distance of a candidate goal [m]; the planner chooses the nearest. Called
    * for goals of {@link #goalClass} only.
    *
    * @throws IllegalArgumentException if the goal cannot be pursued from that state, for example
@@ -34,14 +30,13 @@ public interface PlannerState {
    */
   double distanceM(GoalInformation goal, StateInformation state);
 
-  /** Writes down how the pursuit of the present goal stands, for a planner that takes over. */
+  /** Saves the state of the current pursuit for the planner that takes over. */
   default void handOver(HandOver state) {}
 
   /**
-   * Goes on with a pursuit where the planner before was.
+   * Resumes the pursuit of the previous planner.
    *
-   * @return false if what was handed over does not suffice: then the goal is {@linkplain #enter
-   *     entered} anew
+   * @return false if the saved state is insufficient; the goal is then {@linkplain #enter entered} again
    */
   default boolean takeOver(HandOver state) {
     return false;

@@ -4,14 +4,14 @@ import java.util.Collection;
 import org.u2sa.interfaces.configuration.Configurator;
 
 /**
- * Brings an extension's planner states to every {@link PathPlanner}; found through {@link
+ * Provides an extension's planner states to every {@link PathPlanner}; found through {@link
  * java.util.ServiceLoader}.
  */
 public interface PlannerStateProvider {
   /**
-   * New states for one planner.
+   * Creates states for one planner.
    *
-   * @param configuration the planner's, from which states declare and read their own variables
+   * @param configuration configuration of the planner, in which states declare and read their own variables
    */
   Collection<PlannerState> plannerStates(Configurator configuration);
 }

@@ -7,7 +7,7 @@ import java.util.ServiceLoader;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.GoalInformation;
 
-/** The states that a planner can be in, found by the class of the goal. */
+/** States of a planner, looked up by the class of the goal. */
 final class PlannerStates {
   private final List<PlannerState> states = new ArrayList<>();
 
@@ -15,7 +15,7 @@ final class PlannerStates {
     this.states.addAll(states);
   }
 
-  /** Adds what extensions bring; theirs stand in for earlier ones of the same class of goals. */
+  /** Adds the states of extensions; these replace earlier ones for the same class of goals. */
   void discover(Configurator configuration) {
     for (PlannerStateProvider provider : ServiceLoader.load(PlannerStateProvider.class)) {
       states.addAll(provider.plannerStates(configuration));
@@ -23,7 +23,7 @@ final class PlannerStates {
   }
 
   /**
-   * The state for the goal: the one whose class of goals is the goal's own or its nearest ancestor.
+   * State for a goal, whose class is the goal's own or its nearest ancestor.
    */
   Optional<PlannerState> forGoal(GoalInformation goal) {
     PlannerState nearest = null;

@@ -4,8 +4,7 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * The configuration variables of every {@link PathPlanner}. Only these tell an aircraft from a
- * ground vehicle.
+ * Configuration variables of every {@link PathPlanner}. Only these distinguish an aircraft from a ground vehicle.
  */
 record PlanningSettings(
     @Variable(
@@ -79,20 +78,20 @@ record PlanningSettings(
             text =
                 "Time after which the report of a finished goal is repeated unless the Mission Manager reacts.")
         double reportInterval) {
-  /** What follows the last goal. */
+  /** Behaviour after the last goal. */
   enum AtEnd {
     /** Stays at the last waypoint. */
     HOLD,
-    /** Gives no navigation points. */
+    /** Publishes no navigation points. */
     STOP
   }
 
-  /** How lines are followed. */
+  /** Settings of line following. */
   LineSettings lines() {
     return lines(altitudeProfile);
   }
 
-  /** The same, with altitudes as said. */
+  /** Settings of line following with the given altitude profile. */
   LineSettings lines(AltitudeProfile altitudes) {
     return new LineSettings(
         lookAhead,

@@ -5,14 +5,13 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.StateInformation;
 
 /**
- * What a planner state is to work on.
+ * Input of a planner state.
  *
- * @param goal the goal pursued
- * @param before the goal that was finished just before, from which the vehicle comes; empty at the
- *     start of a mission and after an order to change goals
- * @param after the goal that most likely comes next, for acting ahead of time; empty at the end
+ * @param goal current goal
+ * @param before goal finished just before, from which the vehicle comes; empty at mission start and after an order to change goals
+ * @param after most likely next goal, for anticipation; empty at the end
  * @param state the newest estimate
- * @param missionS time since the mission began [s], as goals' own times are counted
+ * @param missionS time since mission start [s], the time base of goals
  */
 public record Pursuit(
     GoalInformation goal,
@@ -20,7 +19,7 @@ public record Pursuit(
     Optional<GoalInformation> after,
     StateInformation state,
     double missionS) {
-  /** A pursuit at the mission's begin. */
+  /** Creates a pursuit at mission start. */
   public Pursuit(
       GoalInformation goal,
       Optional<GoalInformation> before,

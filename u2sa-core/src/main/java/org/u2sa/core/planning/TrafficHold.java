@@ -7,27 +7,25 @@ import org.u2sa.core.planning.seen.Mover;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Time in which traffic holds the vehicle up: it waits, or backs off before someone who comes
- * slowly head-on. That is no reason to give a goal up, so it does not count as time without
- * progress. Belongs to the planner's thread.
+ * Measures the time in which traffic holds the vehicle up: it waits, or backs off from slow oncoming traffic. Such time does not count as lack of progress. Confined to the planner's thread.
  */
 final class TrafficHold {
-  /** One who walks to and fro before the vehicle for longer is in the way for good [s]. */
+  /** Maximum hold; longer blockage by traffic counts as permanent [s]. */
   private static final double PATIENCE_S = 300.0;
 
   private long lastMicros;
   private long heldMicros; // for this goal
 
-  /** The way to another goal begins. */
+  /** Called when another goal is started. */
   void begin(long micros) {
     lastMicros = micros;
     heldMicros = 0;
   }
 
   /**
-   * Takes the next moment.
+   * Updates the hold at a new time.
    *
-   * @return how much of the time since the last one traffic has taken [µs]
+   * @return part of the time since the last call that was lost to traffic [µs]
    */
   long pass(ArcChoice.Kind kind, boolean isNear, long micros) {
     long since = micros - lastMicros;
@@ -40,9 +38,9 @@ final class TrafficHold {
   }
 
   /**
-   * Whether traffic can be where the vehicle is within a time.
+   * Whether traffic can reach the vehicle within a time.
    *
-   * @param keptM beyond the traffic's own radius [m]
+   * @param keptM clearance beyond the traffic's own radius [m]
    */
   static boolean isNear(List<Mover> movers, Pose at, double keptM, double withinS, long nowMicros) {
     for (Mover mover : movers) {

@@ -9,11 +9,10 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * A state estimate as a planner sees it: where the vehicle is, how it moves, and where other places
- * lie from it.
+ * A state estimate from the planner's view: position and motion of the vehicle, and relative positions of other places.
  */
 final class Vehicle {
-  /** Slower than this the direction of motion says nothing [m/s]. */
+  /** Below this speed the course is meaningless [m/s]. */
   private static final double SLOWEST_MPS = 0.3;
 
   private final StateInformation state; // in GLOBAL or LOCAL_NED
@@ -25,8 +24,7 @@ final class Vehicle {
   }
 
   /**
-   * The vehicle in that state; empty if the state lacks position or heading, or is in a frame of
-   * the vehicle itself.
+   * Creates the view of a state; empty if the state lacks position or heading, or is in a frame of the vehicle itself.
    */
   static Optional<Vehicle> of(StateInformation state) {
     if (state.x().isEmpty() || state.y().isEmpty() || state.psi().isEmpty()) {
@@ -45,19 +43,19 @@ final class Vehicle {
     return Optional.of(new Vehicle(state));
   }
 
-  /** Where it is on a plane: north, east, down [m]. */
+  /** Position on a plane: north, east, down [m]. */
   Point on(PlanningPlane plane) {
     return plane.ned(
         state.referenceFrame(),
         Point.of(state.x().orElseThrow(), state.y().orElseThrow(), state.z().orElse(0.0)));
   }
 
-  /** When it was there [µs]; 0 if nobody said. */
+  /** Timestamp of the state [µs]; 0 if unknown. */
   long timestampMicros() {
     return state.timestamp().orElse(0L);
   }
 
-  /** Where it is. */
+  /** Position. */
   Place place() {
     return place;
   }
@@ -77,20 +75,19 @@ final class Vehicle {
     return Math.hypot(northMps(), eastMps());
   }
 
-  /** Where it points [rad, clockwise from north]. */
+  /** Heading [rad, clockwise from north]. */
   double headingRad() {
     return state.psi().orElseThrow();
   }
 
-  /** Where it moves, or where it points while it hardly moves [rad, clockwise from north]. */
+  /** Course, or heading at low speed [rad, clockwise from north]. */
   double courseRad() {
     return speedMps() > SLOWEST_MPS ? Math.atan2(eastMps(), northMps()) : headingRad();
   }
 
   /**
-   * Where a place lies from the vehicle: north, east, down [m]. A coordinate that the place or the
-   * vehicle lacks counts as no difference (thesis 4.6.2.3). Down is the difference of altitudes;
-   * the earth's curvature does not enter it.
+   * Vector from the vehicle to a place: north, east, down [m]. A coordinate that the place or the
+   * vehicle lacks counts as no difference (thesis 4.6.2.3). Down is the difference of altitudes, without the earth's curvature.
    *
    * @throws IllegalArgumentException if one is on the earth and the other on a local plane
    */
@@ -122,14 +119,13 @@ final class Vehicle {
   }
 
   /**
-   * A vector given as north, east, down, in the thesis's BODY axes: forward, left, down. Attitude
-   * that is unknown is level.
+   * Rotates a vector from north, east, down to the thesis's BODY axes: forward, left, down. Unknown attitude counts as level.
    */
   Point body(Point ned) {
     return body(ned, state.phi().orElse(0.0), state.theta().orElse(0.0));
   }
 
-  /** As {@link #body}, but for a vehicle that is level whatever its attitude. */
+  /** Like {@link #body}, but for a level vehicle whatever its attitude. */
   Point levelBody(Point ned) {
     return body(ned, 0.0, 0.0);
   }

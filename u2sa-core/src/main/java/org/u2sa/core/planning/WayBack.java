@@ -6,22 +6,20 @@ import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.core.planning.seen.PlanarShape;
 
 /**
- * The way back between two lines, such as those of a lane: closed behind a vehicle that has reached
- * a waypoint, as the way on that it cannot see yet may be longer, but leads to the next.
+ * Closes the way back between two lines, such as those of a lane, behind a vehicle that has reached a waypoint: the way ahead is not seen yet and may be longer, but leads to the next waypoint.
  */
 final class WayBack {
   private static final double MARGIN_M =
-      1.0; // that the vehicle can still turn, and free itself by backing out
+      1.0; // leaves room to turn and to back out
 
   private WayBack() {}
 
   /**
-   * A chain from the nearest line to the left, behind the vehicle, to the nearest to the right;
-   * empty if there is none to one side.
+   * Chain from the nearest line on the left, behind the vehicle, to the nearest on the right; empty unless both sides have a line.
    *
-   * @param shapes what stands; its chains are lines
-   * @param circleM radius in which the vehicle turns
-   * @param reachM how far away a line may be
+   * @param shapes static obstacles; chains among them are lines
+   * @param circleM turning radius of the vehicle
+   * @param reachM maximum distance of a line
    */
   static Optional<PlanarShape> closed(
       List<PlanarShape> shapes, Pose pose, double circleM, double reachM) {
@@ -38,7 +36,7 @@ final class WayBack {
             new double[] {left[1], behind.eastM(), right[1]}));
   }
 
-  /** North and east of the nearest point of a chain to one side (1: right); none: no numbers. */
+  /** North and east of the nearest point of a chain on one side (1: right); an empty array if none. */
   private static double[] nearest(List<PlanarShape> shapes, Pose pose, double reachM, double side) {
     double[] found = {};
     double least = reachM;

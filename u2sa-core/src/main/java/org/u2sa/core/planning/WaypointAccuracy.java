@@ -8,20 +8,19 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 
 /**
- * What the accuracy that the state claims makes of waypoints' horizontal thresholds. With a
- * standard deviation of σ along each axis, a place is within r of where it seems to be with a
- * probability of 1 − exp(−r² / 2σ²) (Rayleigh distribution).
+ * Adapts waypoints' horizontal thresholds to the accuracy reported in the state. With a
+ * standard deviation of σ along each axis, a position is within r of its estimate with a probability of 1 − exp(−r² / 2σ²) (Rayleigh distribution).
  */
 final class WaypointAccuracy {
-  /** Standard deviations within which a place truly is in 86 of 100 cases. */
+  /** Standard deviations for 86 % probability. */
   private static final double SURE_SIGMAS = 2.0;
 
-  private static final double SMALLEST_SHARE = 0.5; // of a threshold, that is left to aim at
+  private static final double SMALLEST_SHARE = 0.5; // limit of the reduction
   private static final double FULL_PERCENT = 100.0;
 
   private WaypointAccuracy() {}
 
-  /** Standard deviation of the horizontal position along the worse axis [m]; empty: not claimed. */
+  /** Standard deviation of the horizontal position along the worse axis [m]; empty if not reported. */
   static OptionalDouble sigmaM(StateInformation state) {
     if (state.xSigma().isEmpty() && state.ySigma().isEmpty()) {
       return OptionalDouble.empty();
@@ -30,8 +29,7 @@ final class WaypointAccuracy {
   }
 
   /**
-   * How near a waypoint is to seem for it to be truly within its threshold [m]: nearer by two
-   * standard deviations, or by half of the threshold if they are more.
+   * Estimated distance that ensures the vehicle is truly within the threshold [m]: the threshold less two standard deviations, but at least half of it.
    */
   static double surelyWithinM(double thresholdM, StateInformation state) {
     return thresholdM
@@ -39,9 +37,9 @@ final class WaypointAccuracy {
   }
 
   /**
-   * A goal whose threshold follows the accuracy.
+   * Returns the goal with a threshold adapted to the accuracy.
    *
-   * @param sigmas standard deviations that a waypoint's threshold is at least; 0: as it is
+   * @param sigmas minimum threshold in standard deviations; 0 leaves the threshold unchanged
    * @return the goal itself, unless it is a waypoint with a smaller threshold
    */
   static GoalInformation following(GoalInformation goal, StateInformation state, double sigmas) {
@@ -55,9 +53,9 @@ final class WaypointAccuracy {
   }
 
   /**
-   * Says that a waypoint's threshold is too small for the accuracy; empty if it is not.
+   * Warning that a waypoint's threshold is too small for the accuracy, or empty.
    *
-   * @param goal with the threshold that holds
+   * @param goal goal with the threshold in effect
    */
   static Optional<String> remark(GoalInformation goal, StateInformation state) {
     double sigma = sigmaM(state).orElse(0.0);

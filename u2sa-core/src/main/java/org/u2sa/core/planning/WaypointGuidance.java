@@ -4,17 +4,17 @@ import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
-/** How a vehicle is led to one waypoint after the other. */
+/** Guides a vehicle from waypoint to waypoint. */
 interface WaypointGuidance {
   /**
-   * Begins the way to a waypoint.
+   * Starts a leg to a waypoint.
    *
-   * @param start where the leg begins; empty: wherever the vehicle is
+   * @param start start of the leg; empty for the vehicle's position
    */
   void begin(Optional<Place> start);
 
   /**
-   * Where to go now, in BODY axes.
+   * Target point in BODY axes.
    *
    * @param threshold the waypoint's horizontal threshold [m]
    * @param after the waypoint after the target
@@ -22,31 +22,28 @@ interface WaypointGuidance {
   Point towards(Vehicle vehicle, Place target, double threshold, Optional<Place> after);
 
   /**
-   * Turns a vector given as north, east, down [m] into what this guidance hands to control, in BODY
-   * axes.
+   * Converts a vector north, east, down [m] to the point this guidance passes to control, in BODY axes.
    */
   Point bodyPoint(Vehicle vehicle, Point ned);
 
   /**
-   * Whether the vehicle, at the last call of {@link #towards}, had gone past the target for good.
+   * Whether the vehicle had finally passed the target at the last call of {@link #towards}.
    */
   boolean hasPassed();
 
   /**
-   * Whether a vehicle within the threshold gains nothing by going on towards the target: it will
-   * come no nearer.
+   * Whether a vehicle within the threshold is at its closest and will come no nearer.
    */
   boolean isNearest();
 
   /**
-   * Whether the vehicle is on its way to the target; false while it turns round, or flies away to
-   * get room for the turn: how near it is then says nothing of the attempt.
+   * Whether the vehicle approaches the target; false while it turns round or moves away to gain room for the turn, when the distance does not count for the attempt.
    */
   boolean isApproaching();
 
-  /** Writes down how the present leg stands, for a planner that takes over. */
+  /** Saves the state of the current leg for the planner that takes over. */
   default void handOver(HandOver state) {}
 
-  /** Resumes the leg of the previous planner; what it did not hand over starts fresh. */
+  /** Resumes the leg of the previous planner; values not handed over are reset. */
   default void takeOver(HandOver state) {}
 }

@@ -14,26 +14,24 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * Leads the vehicle to a waypoint.
+ * Guides the vehicle to a waypoint.
  *
  * <p>The waypoint is reached within its horizontal threshold and, if it has one, its vertical
- * threshold (thesis 3.2.3.4), and is reported when the vehicle comes no nearer. A vehicle that goes
- * past without having reached it turns round for another attempt; after the last attempt the
- * waypoint is given up, which the report says.
+ * threshold (thesis 3.2.3.4), and is reported when the vehicle comes no nearer. After a miss the vehicle turns round for another attempt; after the last attempt the waypoint is abandoned and reported as such.
  */
 final class WaypointState implements PlannerState {
-  /** Of a threshold: within it, no usual error of the estimate hides a miss. */
+  /** Share of a threshold within which usual estimation errors do not hide a miss. */
   private static final double SHARE_NEAR = 0.8;
 
   /**
-   * Between states farther apart in time, as after a lost link, the way between is not known [µs].
+   * Maximum gap between states; beyond it, as after a lost link, the path between is unknown [µs].
    */
   private static final long LONGEST_STEP_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
-  /** Slower than this is standing [m/s]. */
+  /** Below this speed the vehicle counts as stopped [m/s]. */
   private static final double CREEPS_MPS = 0.1;
 
-  private static final double TURNS_TO_M = 2.0; // how far away the point to turn to is
+  private static final double TURNS_TO_M = 2.0; // distance of the point to turn to
 
   private final WaypointGuidance guidance;
   private final Supplier<PlanningSettings> settings;
@@ -43,7 +41,7 @@ final class WaypointState implements PlannerState {
   private boolean
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
   private boolean reached;
-  private double nearestM; // in this attempt, since the vehicle is on its way
+  private double nearestM; // in this attempt, while approaching
   private double nowM; // from the waypoint
   private Optional<StateInformation> last = Optional.empty();
 
@@ -107,7 +105,7 @@ final class WaypointState implements PlannerState {
     return true;
   }
 
-  /** Where a goal is, if it is a waypoint. */
+  /** Position of a goal, if it is a waypoint. */
   static Optional<Place> placeOf(Optional<GoalInformation> goal) {
     return goal.filter(Waypoint.class::isInstance).map(waypoint -> Place.of((Waypoint) waypoint));
   }
@@ -140,8 +138,7 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * The waypoint's speed; if it has a time to be there, the one that arrives then, as far as the
-   * vehicle can. Of what flies it is a speed through the air: the wind does the rest of the way.
+   * Speed of the waypoint, or the speed to arrive at its time, within the vehicle's limits. For aircraft it is airspeed, with the wind taken into account.
    */
   private OptionalDouble speed(Waypoint waypoint, double toGoM, Pursuit pursuit) {
     if (waypoint.time().isEmpty()) {
@@ -153,12 +150,12 @@ final class WaypointState implements PlannerState {
     double needed =
         leftS > 0.0
             ? toGoM / leftS - tailWindMps(pursuit.state(), now)
-            : most; // late already: as fast as it may
+            : most; // already late: as fast as allowed
     return OptionalDouble.of(
         Math.max(Math.max(now.leastSpeed(), CREEPS_MPS), Math.min(most, needed)));
   }
 
-  /** By how much what cannot stand goes faster over ground than through the air [m/s]. */
+  /** Tail wind of a vehicle that cannot stop: ground speed minus airspeed [m/s]. */
   private static double tailWindMps(StateInformation state, AvoidanceSettings now) {
     return now.stops() || state.fluidxDot().isEmpty()
         ? 0.0
@@ -166,8 +163,7 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * At a waypoint with a heading: done if the vehicle has it; one that turns on the spot turns,
-   * others come again.
+   * Handles a waypoint with a heading: complete if the vehicle has it; otherwise it turns in place, or makes another approach if it cannot.
    */
   private Plan turned(
       Waypoint waypoint, Vehicle vehicle, Place target, NavigationPoint point, double downM) {
@@ -200,7 +196,7 @@ final class WaypointState implements PlannerState {
         List.of(point), Plan.Progress.UNDER_WAY, "passed without its heading: comes again");
   }
 
-  /** The next step on a route around what stands in the way. */
+  /** Plans the next step on a route around obstacles. */
   private Plan around(Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit) {
     Avoidance.Step step =
         avoidance.step(
@@ -236,8 +232,7 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * The threshold to aim at: what turns on the spot leaves a waypoint at its edge, where an error
-   * of the estimate would miss it. Turns that cut the corner keep a margin anyway.
+   * Threshold to aim at: vehicles that turn in place leave a waypoint at the edge of its threshold, where an estimation error could cause a miss. Corner-cutting turns keep a margin anyway.
    */
   private double aimedAtM(Waypoint waypoint, StateInformation state) {
     return settings.get().turnAcceleration() == 0.0
@@ -246,18 +241,17 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * Whether a waypoint within its threshold may be left: as near as a turn may cut the corner, or
-   * no nearer any more. At the very edge an error of the estimate would miss it.
+   * Whether a waypoint within its threshold may be left: within the corner-cutting limit, or at the closest approach. At the very edge, an estimation error could cause a miss.
    */
   private boolean isNearEnough(Waypoint waypoint, StateInformation state) {
     double nearM = settings.get().lines().turns().nearM(aimedAtM(waypoint, state));
-    if (!avoidance.turnsOnTheSpot()) { // its routes end nearer; at once is for what turns at once
+    if (!avoidance.turnsOnTheSpot()) { // its routes end nearer
       nearM = Math.min(nearM, SHARE_NEAR * waypoint.horizontalThreshold());
     }
     return nowM <= nearM || nowM > nearestM;
   }
 
-  /** Takes note of how near the vehicle came since the last state. */
+  /** Updates the closest distance since the last state. */
   private void look(Vehicle vehicle, Place target, Waypoint waypoint, double downM) {
     Point to = vehicle.nedOf(target);
     Point from =

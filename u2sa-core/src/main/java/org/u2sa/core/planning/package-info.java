@@ -1,5 +1,4 @@
 /**
- * The Path Planner (thesis 3.2.3.4): a state machine over the classes of goals, and the geometry of
- * reaching waypoints. Which goal comes next belongs to mission, how actuators move to control.
+ * The Path Planner (thesis 3.2.3.4): a state machine over the classes of goals, and the geometry of reaching waypoints. The choice of the next goal belongs to mission, actuation to control.
  */
 package org.u2sa.core.planning;

@@ -11,27 +11,24 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Which actuators are there, by their announcements. One is lost when it was not announced anew for
- * three times its renewal, when it is withdrawn or nothing of its effect is available, and when its
- * service's connection broke or its service failed. It is back with its next announcement. For one
- * thread.
+ * Tracks which actuators are present, by their announcements. An actuator is lost if its announcement was not renewed for three renewal periods, was withdrawn or offers no effect, or if its service failed or disconnected. It returns with its next announcement. Not thread-safe.
  */
 public final class ActuatorRoster {
-  private static final double RENEWAL_S = 5.0; // of those that announce none
+  private static final double RENEWAL_S = 5.0; // for actuators that announce none
   private static final double MISSED = 3.0;
   private static final double ALL_PERCENT = 100.0;
 
-  /** What is known of one actuator. */
+  /** State of one actuator. */
   private static final class Known {
     private ActuatorAnnouncement announced;
     private long heardMicros;
     private boolean failed;
-    private long revision; // counts announcements that said something else than the one before
+    private long revision; // counts announcements that changed something
   }
 
   private final Map<String, Known> actuators = new TreeMap<>();
 
-  /** Takes note of an announcement that came at a time. */
+  /** Processes an announcement received at a time. */
   public void see(ActuatorAnnouncement announcement, long nowMicros) {
     Known known = actuators.computeIfAbsent(announcement.actuatorName(), name -> new Known());
     known.revision += says(known.announced, announcement) ? 0 : 1;
@@ -40,7 +37,7 @@ public final class ActuatorRoster {
     known.failed = false;
   }
 
-  /** Takes note of a service's health, or of its broken connection. */
+  /** Processes a service's health or disconnection. */
   public void see(HealthReport report) {
     if (report.status() == ServiceStatus.FAILED) {
       for (Known known : actuators.values()) {
@@ -49,7 +46,7 @@ public final class ActuatorRoster {
     }
   }
 
-  /** The effectors that can be allocated to at a time, by name. */
+  /** Effectors available for allocation at a time, sorted by name. */
   public List<Effector> present(long nowMicros) {
     List<Effector> present = new ArrayList<>();
     for (Known known : actuators.values()) {
@@ -60,7 +57,7 @@ public final class ActuatorRoster {
     return present;
   }
 
-  /** All that ever announced an effect, as if they were sound, by name. */
+  /** All actuators that ever announced an effect, as healthy effectors, sorted by name. */
   public List<Effector> sound() {
     List<Effector> sound = new ArrayList<>();
     for (Known known : actuators.values()) {
@@ -69,7 +66,7 @@ public final class ActuatorRoster {
     return sound;
   }
 
-  /** A number that changes when an actuator comes, goes or announces something else. */
+  /** Revision that changes when an actuator appears, disappears or changes its announcement. */
   public long revision(long nowMicros) {
     long all = 1;
     for (Known known : actuators.values()) {
@@ -78,7 +75,7 @@ public final class ActuatorRoster {
     return all;
   }
 
-  /** The actuators with an effect that are not present now, by name. */
+  /** Actuators with an effect that are currently lost, sorted by name. */
   public List<String> lost(long nowMicros) {
     List<String> lost = new ArrayList<>();
     actuators.forEach(
@@ -91,8 +88,7 @@ public final class ActuatorRoster {
   }
 
   /**
-   * Share that is left of an actuator, with or without an effect in numbers, 0…1; 1 of one that
-   * never announced itself.
+   * Remaining share of an actuator, with or without a numeric effect, 0…1; 1 if it never announced itself.
    */
   public double left(String actuator, long nowMicros) {
     Known known = actuators.get(actuator);
@@ -104,13 +100,13 @@ public final class ActuatorRoster {
         : 0.0;
   }
 
-  /** The command classes that an actuator takes beside percentages. */
+  /** Command classes that an actuator accepts besides percentages. */
   public List<String> commandTypes(String actuator) {
     Known known = actuators.get(actuator);
     return known == null ? List.of() : known.announced.commandTypes();
   }
 
-  /** Whether two announcements differ in nothing but their times. */
+  /** Whether two announcements differ only in their times. */
   private static boolean says(ActuatorAnnouncement before, ActuatorAnnouncement now) {
     if (before == null) {
       return false;

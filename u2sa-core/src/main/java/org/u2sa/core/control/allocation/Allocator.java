@@ -11,23 +11,19 @@ import java.util.function.ToDoubleFunction;
  *
  * <p>min γ Σⱼ (wⱼ (B f − τ)ⱼ / sⱼ)² + Σᵢ cᵢ fᵢ²
  *
- * <p>with wanted wrench τ, shares f, effects B, weights w of degrees of freedom by what the sound
- * effectors could do at most, s, and costs c of effectors (Johansen &amp; Fossen: Control
- * allocation – a survey, Automatica 49 (2013), section 2.2). Within the limits that is the weighted
- * pseudo-inverse. No allocation of memory per step. For one thread.
+ * <p>with wanted wrench τ, shares f, effects B, weights w of degrees of freedom scaled by the maximum s of the healthy effectors, and costs c of effectors (Johansen &amp; Fossen: Control
+ * allocation – a survey, Automatica 49 (2013), section 2.2). Within the limits this is the weighted pseudo-inverse. Allocates no memory per step. Not thread-safe.
  *
- * <p>An axis that has lost its effectors keeps the s of the sound vehicle: what is left there is
- * not fought for at the expense of other axes. Nor is an axis that effectors reach only by being
- * slightly misaligned.
+ * <p>An axis that has lost its effectors keeps the s of the healthy vehicle, so that its remaining authority is not used at the expense of other axes. The same holds for an axis that effectors reach only through slight misalignment.
  */
 public final class Allocator {
-  /** How much more an error counts than effort: unwanted errors stay below a millionth. */
+  /** Weight of error over effort, γ: unwanted errors stay below a millionth. */
   private static final double ERROR_OVER_EFFORT = 1e6;
 
   /** Share of an effector's force, or moment, below which its effect on an axis is incidental. */
   private static final double INCIDENTAL = 0.05; // about 3 degrees
 
-  private static final int LINEAR_AXES = 3; // the other three are angular
+  private static final int LINEAR_AXES = 3; // the remaining three are angular
 
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
 
@@ -35,9 +31,9 @@ public final class Allocator {
   private List<Effector> effectors = List.of();
   private List<Effector> sound = List.of();
   private double[] costs = {};
-  private double[][] effects = {}; // [effector][axis], at the present speed
+  private double[][] effects = {}; // [effector][axis], at the current speed
   private final double[] scales = new double[DegreeOfFreedom.COUNT];
-  private final double[] references = new double[DegreeOfFreedom.COUNT]; // scales of the sound ones
+  private final double[] references = new double[DegreeOfFreedom.COUNT]; // healthy scales
   private double[][] soundReach = {}; // [effector][axis]
   private double[] percents = {};
   private double[] lowest = {};
@@ -48,8 +44,7 @@ public final class Allocator {
   private final double[] attained = new double[DegreeOfFreedom.COUNT];
 
   /**
-   * @param weights of the degrees of freedom in their order, 0 or more: 0 for one that is not
-   *     controlled; errors go to those of less weight
+   * @param weights weights of the degrees of freedom in their order, 0 or more; 0 if not controlled; errors go to lower weights
    */
   public Allocator(double... weights) {
     if (weights.length != DegreeOfFreedom.COUNT
@@ -60,16 +55,16 @@ public final class Allocator {
     this.weights = weights.clone();
   }
 
-  /** {@link #use(List, List, ToDoubleFunction)} of effectors that are all sound. */
+  /** {@link #use(List, List, ToDoubleFunction)} with all effectors healthy. */
   public void use(List<Effector> newEffectors, ToDoubleFunction<Effector> cost) {
     use(newEffectors, newEffectors, cost);
   }
 
   /**
-   * Goes on with these effectors; what one that stays was commanded last is remembered.
+   * Replaces the effectors; the last commands of those that remain are kept.
    *
-   * @param soundEffectors all that the vehicle has where nothing is lost or weak
-   * @param cost of an effector's effort, above 0; the dearer one does less
+   * @param soundEffectors all effectors of the vehicle when none is lost or weak
+   * @param cost cost of an effector's effort, above 0; costlier effectors do less
    */
   public void use(
       List<Effector> newEffectors, List<Effector> soundEffectors, ToDoubleFunction<Effector> cost) {
@@ -99,7 +94,7 @@ public final class Allocator {
     }
   }
 
-  /** Takes note of what an effector was commanded by another law [%]. */
+  /** Records the command of an effector by another law [%]. */
   public void commanded(String name, double percent) {
     for (int i = 0; i < percents.length; i++) {
       if (effectors.get(i).name().equals(name)) {
@@ -109,11 +104,11 @@ public final class Allocator {
   }
 
   /**
-   * Distributes a wanted wrench; the answer is in {@link #percent} and {@link #attained}.
+   * Distributes a wanted wrench; the result is in {@link #percent} and {@link #attained}.
    *
    * @param wanted X, Y, Z [N], K, M, N [N m]
-   * @param stepS since the call before [s], for rates; 0: no rates are heeded
-   * @param speedMps through air or water [m/s], for effectors that depend on it; NaN if unknown
+   * @param stepS time since the previous call [s], for rate limits; 0 disables rate limits
+   * @param speedMps speed through air or water [m/s], for effectors that depend on it; NaN if unknown
    */
   public void allocate(double[] wanted, double stepS, double speedMps) {
     bound(stepS, speedMps);
@@ -143,7 +138,7 @@ public final class Allocator {
     }
   }
 
-  /** What an effector can do along each axis at most, either way, at its reference speed. */
+  /** Maximum effect of each effector along each axis, in either direction, at its reference speed. */
   private static double[][] reach(List<Effector> all) {
     double[][] reach = new double[all.size()][DegreeOfFreedom.COUNT];
     for (DegreeOfFreedom axis : AXES) {
@@ -166,7 +161,7 @@ public final class Allocator {
     return Math.max(effector.highest(), -effector.lowest());
   }
 
-  /** The length of an effector's force, if the axis is linear; otherwise of its moment. */
+  /** Magnitude of an effector's force if the axis is linear, otherwise of its moment. */
   private static double norm(Effector effector, DegreeOfFreedom axis) {
     int first = axis.ordinal() < LINEAR_AXES ? 0 : LINEAR_AXES;
     double sum = 0.0;
@@ -213,7 +208,7 @@ public final class Allocator {
   }
 
   /**
-   * The wrench that the last commands bring about, X, Y, Z [N], K, M, N [N m], at a speed [m/s].
+   * Wrench of the last commands, X, Y, Z [N], K, M, N [N m], at a speed [m/s].
    */
   public double[] present(double speedMps) {
     double[] wrench = new double[DegreeOfFreedom.COUNT];
@@ -232,32 +227,32 @@ public final class Allocator {
     return effectors;
   }
 
-  /** What to command the effector of an index [%, −100…100]. */
+  /** Command of the effector at an index [%, −100…100]. */
   public double percent(int index) {
     return percents[index];
   }
 
-  /** The force that the effector of an index is to give [N]; negative astern. */
+  /** Force of the effector at an index [N]; negative astern. */
   public double forceN(int index) {
     return effectors.get(index).forceN(percents[index]);
   }
 
-  /** What the effector of an index is to bring about along or about an axis [N or N m]. */
+  /** Contribution of the effector at an index along or about an axis [N or N m]. */
   public double contribution(int index, DegreeOfFreedom axis) {
     return effects[index][axis.ordinal()] * effectors.get(index).share(percents[index]);
   }
 
-  /** What all effectors together could do along or about an axis at most [N or N m]. */
+  /** Maximum of all effectors together along or about an axis [N or N m]. */
   public double scale(DegreeOfFreedom axis) {
     return scales[axis.ordinal()];
   }
 
-  /** What errors along or about an axis are compared with [N or N m]. */
+  /** Scale of errors along or about an axis [N or N m]. */
   double reference(DegreeOfFreedom axis) {
     return references[axis.ordinal()];
   }
 
-  /** What the commands bring about along or about an axis [N or N m]. */
+  /** Attained force or moment along or about an axis [N or N m]. */
   public double attained(DegreeOfFreedom axis) {
     return attained[axis.ordinal()];
   }

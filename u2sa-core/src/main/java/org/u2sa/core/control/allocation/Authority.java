@@ -7,19 +7,18 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * What effectors can do along and about each controlled axis while the other controlled axes stay
- * at 0: the lesser of both directions.
+ * Maximum force or moment along and about each controlled axis while the other controlled axes stay at 0: the lesser of both directions.
  *
- * @param most by axis [N or N m]
+ * @param most maximum by axis [N or N m]
  */
 public record Authority(Map<DegreeOfFreedom, Double> most) {
-  private static final double OTHERS = 1e3; // weight of what is to stay at 0
-  private static final double BEYOND = 2.0; // asked for, by all that effectors have
-  private static final double NOTHING = 0.05; // of what sound actuators can do
+  private static final double OTHERS = 1e3; // weight of axes held at 0
+  private static final double BEYOND = 2.0; // demand as a multiple of the effectors' maximum
+  private static final double NOTHING = 0.05; // share of the healthy authority that counts as lost
   private static final double ALL = 0.995;
   private static final double FULL_PERCENT = 100.0;
 
-  /** Of effectors at their reference speeds. */
+  /** Computes the authority of effectors at their reference speeds. */
   public static Authority of(List<Effector> effectors, Set<DegreeOfFreedom> controlled) {
     Map<DegreeOfFreedom, Double> most = new EnumMap<>(DegreeOfFreedom.class);
     for (DegreeOfFreedom axis : controlled) {
@@ -49,13 +48,13 @@ public record Authority(Map<DegreeOfFreedom, Double> most) {
     return Math.max(0.0, sign * allocator.attained(axis));
   }
 
-  /** Share of what sound actuators can do that is left about an axis, 0…1. */
+  /** Remaining share of the healthy authority about an axis, 0…1. */
   public double left(DegreeOfFreedom axis, Authority sound) {
     double full = sound.most.getOrDefault(axis, 0.0);
     return full > 0.0 ? Math.min(1.0, most.getOrDefault(axis, 0.0) / full) : 0.0;
   }
 
-  /** The controlled axes about which next to nothing can be done. */
+  /** Controlled axes with practically no authority left. */
   public List<DegreeOfFreedom> lost(Authority sound) {
     List<DegreeOfFreedom> lost = new ArrayList<>();
     for (DegreeOfFreedom axis : most.keySet()) {
@@ -66,7 +65,7 @@ public record Authority(Map<DegreeOfFreedom, Double> most) {
     return lost;
   }
 
-  /** What is left of the authority of sound actuators, for people; empty if all is. */
+  /** Human-readable remaining authority; empty if nothing is lost. */
   public String words(Authority sound) {
     List<String> weak = new ArrayList<>();
     for (DegreeOfFreedom axis : most.keySet()) {

@@ -7,15 +7,14 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 /**
  * Solves min ½ xᵀ H x − gᵀ x within lowest ≤ x ≤ highest, H positive definite, exactly.
  *
- * <p>It begins as a redistributed pseudo-inverse does (Bodson: Evaluation of Optimization Methods
- * for Control Allocation, JGCD 25 (2002) 4): unknowns that saturate are held at their bounds, and
- * the rest takes over what is missing. Where that would end short of the optimum, a bound whose
+ * <p>It starts like a redistributed pseudo-inverse (Bodson: Evaluation of Optimization Methods
+ * for Control Allocation, JGCD 25 (2002) 4): unknowns that saturate are held at their bounds, and the others compensate. Where that would end short of the optimum, a bound whose
  * multiplier has the wrong sign is released again (active set; Härkegård: Efficient active set
  * algorithms for solving constrained least squares problems in aircraft control allocation, CDC
- * 2002; Nocedal &amp; Wright, algorithm 16.3). No allocation while solving. For one thread.
+ * 2002; Nocedal &amp; Wright, algorithm 16.3). Allocates no memory while solving. Not thread-safe.
  */
 final class BoundedLeastSquares {
-  private static final double RELATIVE_SLACK = 1e-10; // of multipliers
+  private static final double RELATIVE_SLACK = 1e-10; // tolerance of multipliers
   private static final int ROUNDS_PER_UNKNOWN = 6;
 
   private final int size;
@@ -74,7 +73,7 @@ final class BoundedLeastSquares {
     return count;
   }
 
-  /** The way to the optimum of the free unknowns, the held ones staying. */
+  /** Computes the step to the optimum of the free unknowns, with the held ones fixed. */
   private void towardsOptimum(double[][] h, double[] g, int count) {
     if (count == 0) {
       return;
@@ -106,7 +105,7 @@ final class BoundedLeastSquares {
     return sum;
   }
 
-  /** Moves the free unknowns until the first meets its bound; whether one did. */
+  /** Moves the free unknowns until the first reaches its bound; returns whether one did. */
   private boolean advance(double[] lowest, double[] highest, int count) {
     double share = 1.0;
     int first = -1;
@@ -130,7 +129,7 @@ final class BoundedLeastSquares {
     return first >= 0;
   }
 
-  /** Frees the bound that costs most; whether one costs anything. */
+  /** Releases the bound with the worst multiplier; returns whether one was released. */
   private boolean release(double[][] h, double[] g, double slack) {
     int worst = -1;
     double most = slack;

@@ -17,10 +17,10 @@ public enum DegreeOfFreedom {
   /** About the down axis, N [N m]. */
   YAW;
 
-  /** How many there are. */
+  /** Number of degrees of freedom. */
   public static final int COUNT = 6;
 
-  /** In lower case, as people read it. */
+  /** Human-readable name in lower case. */
   @Override
   public String toString() {
     return name().toLowerCase(Locale.ROOT);

@@ -6,13 +6,11 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.EffectCurve;
 
 /**
- * An actuator as allocation sees it: what a share of its full effect does to the vehicle, and how
- * far that share may go. Shares are in proportion to the effect; {@link EffectCurve} makes
- * percentages of them. Immutable.
+ * Actuator model for allocation: the wrench of a share of its full effect, and the limits of that share. Shares are proportional to the effect; {@link EffectCurve} converts them to percentages. Immutable.
  */
 public final class Effector {
   private static final double FULL_PERCENT = 100.0;
-  private static final double SLOWEST = 0.1; // of the reference speed; slower, no model holds
+  private static final double SLOWEST = 0.1; // of the reference speed; no model holds below
 
   private final String name;
   private final double[] effect; // X, Y, Z [N], K, M, N [N m] at a share of 1
@@ -35,15 +33,13 @@ public final class Effector {
   }
 
   /**
-   * Of an announcement; empty if that says no effect in numbers. What is left of the actuator is
-   * {@link ActuatorAnnouncement#available}. An effect astern that points elsewhere than opposite
-   * counts by its part along that line.
+   * Creates an effector from an announcement; empty without a numeric effect. The remaining share is {@link ActuatorAnnouncement#available}. A reverse effect that is not opposite counts by its component along that line.
    */
   public static Optional<Effector> of(ActuatorAnnouncement announced) {
     return of(announced, announced.available().orElse(FULL_PERCENT) / FULL_PERCENT);
   }
 
-  /** The same of a sound actuator, whatever is left of this one. */
+  /** Creates the healthy effector, whatever share of the actuator remains. */
   public static Optional<Effector> ofSound(ActuatorAnnouncement announced) {
     return of(announced, 1.0);
   }
@@ -63,9 +59,9 @@ public final class Effector {
   }
 
   /**
-   * The same effector with a share of its effect.
+   * Copy with a share of the effect.
    *
-   * @param left above 0…1
+   * @param left remaining share, above 0…1
    */
   public Effector weakened(double left) {
     return new Effector(this, left);
@@ -111,7 +107,7 @@ public final class Effector {
     return effect[axis.ordinal()];
   }
 
-  /** By how much the effect is scaled at a speed through air or water [m/s]; NaN: unknown. */
+  /** Scale of the effect at a speed through air or water [m/s]; NaN for an unknown speed. */
   double scaleAt(double speedMps) {
     if (referenceSpeed == 0.0 || Double.isNaN(speedMps)) {
       return 1.0;
@@ -120,17 +116,17 @@ public final class Effector {
     return ratio * ratio;
   }
 
-  /** The least share, 0 or below for actuators that go both ways. */
+  /** Minimum share; 0, or below for bidirectional actuators. */
   double lowest() {
     return lowest;
   }
 
-  /** The largest share, 1 for an actuator that takes +100 %. */
+  /** Maximum share; 1 for an actuator that accepts +100 %. */
   double highest() {
     return highest;
   }
 
-  /** The percentage that brings about a share. */
+  /** Converts a share to a percentage. */
   double percent(double share) {
     if (share >= 0.0) {
       return curve.percent(share);
@@ -138,29 +134,29 @@ public final class Effector {
     return astern > 0.0 ? curve.percent(share / astern) : 0.0;
   }
 
-  /** The share that a percentage brings about. */
+  /** Converts a percentage to a share. */
   double share(double percent) {
     double share = curve.share(percent);
     return share < 0.0 ? share * astern : share;
   }
 
-  /** The force at a percentage, along the effect's own line [N]; as announced, when sound. */
+  /** Force at a percentage, along the effect's own line [N]; as announced for the healthy actuator. */
   double forceN(double percent) {
     double share = curve.share(percent);
     return share * (share < 0.0 ? curve.reverseN() : curve.forwardN());
   }
 
-  /** The least share that can be reached from a percentage within a time [s]. */
+  /** Minimum share reachable from a percentage within a time [s]. */
   double lowestFrom(double percent, double stepS) {
     return Math.max(lowest, share(stand(percent, -1.0) - ratePerS * stepS));
   }
 
-  /** The largest share that can be reached from a percentage within a time [s]. */
+  /** Maximum share reachable from a percentage within a time [s]. */
   double highestFrom(double percent, double stepS) {
     return Math.min(highest, share(stand(percent, 1.0) + ratePerS * stepS));
   }
 
-  /** Inside the deadband it moves on at once: nothing moves there. */
+  /** Skips the dead band, where nothing moves. */
   private double stand(double percent, double sign) {
     return Math.abs(percent) <= curve.deadband() ? sign * curve.deadband() : percent;
   }

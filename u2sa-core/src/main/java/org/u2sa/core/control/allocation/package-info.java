@@ -1,6 +1,4 @@
 /**
- * Control allocation: which actuators do how much of a wanted force and moment, by what the
- * actuators announce of themselves (thesis 3.2.3.5, 5.1). Which force and moment are wanted is up
- * to control laws elsewhere.
+ * Control allocation: distributes a wanted force and moment over the announced actuators (thesis 3.2.3.5, 5.1). Control laws elsewhere compute the wanted force and moment.
  */
 package org.u2sa.core.control.allocation;

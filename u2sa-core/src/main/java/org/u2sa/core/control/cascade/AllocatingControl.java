@@ -28,18 +28,14 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Control of any vehicle by what its actuators announce (thesis 3.2.3.5: "discover which actuators
+ * Controls any vehicle using the effects its actuators announce (thesis 3.2.3.5: "discover which actuators
  * exist, … and how those actuators influence the state"). In: navigation, state, actuators, health,
- * arming-state. Out: actuation of every actuator that announced its effect in numbers.
+ * arming-state. Out: actuation of every actuator that announced a numeric effect.
  *
- * <p>Place → velocity → force and angle → rate → moment, a PID each ({@link Cascade}), and weighted
- * allocation ({@link Allocator}). An actuator that comes, goes or is weakened is allocated to anew
- * at the next state, and health says what authority is left. Without fresh navigation the vehicle
- * stops and keeps its heading. Without any state it goes to the point by what it sees of it ({@link
- * SeenMotion}), and actuators are let go when no point comes (thesis 4.3.2).
+ * <p>Position → velocity → force and angle → rate → moment, by cascaded PIDs ({@link Cascade}), and weighted allocation ({@link Allocator}). When an actuator appears, disappears or weakens, the next state is allocated accordingly, and health reports the remaining authority. Without fresh navigation the vehicle stops and keeps its heading. Without any state it approaches the point using motion estimated from the sightings of it ({@link SeenMotion}), and actuators are released when no point arrives (thesis 4.3.2).
  */
 public final class AllocatingControl extends ControlSystem {
-  /** What actuators are commanded by. */
+  /** Unit of actuator commands. */
   private enum CommandKind {
     PERCENT,
     FORCE
@@ -108,10 +104,10 @@ public final class AllocatingControl extends ControlSystem {
   private List<DegreeOfFreedom> lost = List.of();
   private long revision = -1;
   private String said = "";
-  private boolean armed = true; // where nobody arms, actuators obey at once
-  private boolean isArmedBySomebody; // which tuning requires
+  private boolean armed = true; // without an arming service, actuators obey at once
+  private boolean isArmedBySomebody; // required for tuning
   private boolean isBlind;
-  private boolean wentBySight; // at the step before
+  private boolean wentBySight; // at the previous step
   private boolean takesOver;
   private OptionalDouble headingBefore = OptionalDouble.empty();
 
@@ -241,7 +237,7 @@ public final class AllocatingControl extends ControlSystem {
             });
   }
 
-  /** What the last commands bring about, those of another control's too. */
+  /** Wrench of the last commands, including those of another control system. */
   private double[] presentWrench(BodyMotion motion) {
     allocator
         .effectors()
@@ -249,7 +245,7 @@ public final class AllocatingControl extends ControlSystem {
     return allocator.present(motion.velocity().distance());
   }
 
-  /** Where the point lies from here: north, east, down [m]. */
+  /** Vector to the point: north, east, down [m]. */
   private Optional<Point> wayToGo(StateInformation state, Optional<NavigationPoint> point) {
     Optional<StateInformation> then = point.flatMap(this::stateOf);
     Optional<Point> ned = point.flatMap(this::nedOf);

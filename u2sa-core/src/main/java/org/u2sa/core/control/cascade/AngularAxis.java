@@ -3,7 +3,7 @@ package org.u2sa.core.control.cascade;
 import org.u2sa.core.control.Pid;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** How the rotation about one axis of the vehicle is controlled. */
+/** Variables of the control of rotation about one axis of the vehicle. */
 record AngularAxis(
     @Variable(
             min = 0,

@@ -10,9 +10,7 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * Relay auto-tuning of one axis's inner loop on order of a variable, while the other axes are
- * controlled as ever. Says the gains that it found; changing them is up to the operator. Belongs to
- * one thread.
+ * Relay auto-tuning of one axis's inner loop, started by a variable, while the other axes are controlled as usual. Reports the gains found; applying them is up to the operator. Not thread-safe.
  */
 final class AxisTuner {
   /** The variables. */
@@ -48,25 +46,25 @@ final class AxisTuner {
   private static final double FULL_PERCENT = 100.0;
 
   private final Settings<Order> order;
-  private String handled = ""; // the order that has been carried out
+  private String handled = ""; // last order carried out
   private DegreeOfFreedom axis = DegreeOfFreedom.YAW;
-  private RelayTuner relay; // null: not tuning
+  private RelayTuner relay; // null if not tuning
 
   AxisTuner(Settings<Order> order) {
     this.order = order;
   }
 
-  /** Ends what is under way: the vehicle is not armed, or knows too little. */
+  /** Aborts tuning because the vehicle is not armed or its state is incomplete. */
   void abort() {
     relay = null;
   }
 
   /**
-   * Puts the relay's force or moment in the place of the tuned axis's.
+   * Replaces the force or moment of the tuned axis by the relay's.
    *
-   * @param armed whether a Safety Manager has said that the vehicle is armed
-   * @param wrench wanted; changed
-   * @return what to tell the user, when something begins or ends
+   * @param armed whether a Safety Manager has reported the vehicle armed
+   * @param wrench wanted wrench; modified
+   * @return message for the user when tuning starts or ends
    */
   Optional<String> step(
       boolean armed,
@@ -117,7 +115,7 @@ final class AxisTuner {
     return "relay tuning of " + axis.name() + " begins";
   }
 
-  /** The axis that the relay moves now. */
+  /** Axis currently driven by the relay. */
   Optional<DegreeOfFreedom> tuned() {
     return relay == null ? Optional.empty() : Optional.of(axis);
   }

@@ -9,18 +9,18 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * How the vehicle moves, along and about its forward, right and down axes.
+ * Motion of the vehicle along and about its forward, right and down axes.
  *
- * @param attitude against north, east, down; roll and pitch are 0 if they are not known
- * @param velocity over ground: forward, right, down [m/s]; down is 0 if it is not known
- * @param rates p, q, r [rad/s]; 0 if they are not known
+ * @param attitude attitude relative to north, east, down; roll and pitch are 0 if unknown
+ * @param velocity velocity over ground: forward, right, down [m/s]; down is 0 if unknown
+ * @param rates p, q, r [rad/s]; 0 if unknown
  */
 record BodyMotion(Attitude attitude, Point velocity, Point rates) {
   /**
-   * Of a state.
+   * Creates the motion from a state.
    *
-   * @param before heading of the state before [rad], for the yaw rate where the state has none
-   * @param stepS since the state before [s]; 0: unknown
+   * @param before heading of the previous state [rad], to derive the yaw rate if the state lacks it
+   * @param stepS time since the previous state [s]; 0 if unknown
    * @return empty without heading or horizontal velocity, and in a frame of the vehicle itself
    */
   static Optional<BodyMotion> of(StateInformation state, OptionalDouble before, double stepS) {
@@ -49,7 +49,7 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
     return state.in(local ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL);
   }
 
-  /** North, east, down [m/s]; GLOBAL says east, north, up. */
+  /** Velocity north, east, down [m/s]; in GLOBAL, states have east, north, up. */
   private static Point velocity(StateInformation state) {
     double x = state.xDot().orElseThrow();
     double y = state.yDot().orElseThrow();
@@ -61,14 +61,13 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
     return attitude.nedFromFrd().transposed().times(ned);
   }
 
-  /** A vector of north, east, down along the vehicle's forward, right and down axes. */
+  /** Rotates a vector from north, east, down to forward, right, down. */
   Point frd(Point ned) {
     return frd(attitude, ned);
   }
 
   /**
-   * North, east, down from one state's place to another's [m]; empty if one has none. A height that
-   * one of them lacks counts as unchanged.
+   * Displacement between the positions of two states: north, east, down [m]; empty if one is absent. A height absent from one of them counts as unchanged.
    */
   static Optional<Point> displacement(StateInformation then, StateInformation now) {
     if (!hasPlace(then) || !hasPlace(now)) {

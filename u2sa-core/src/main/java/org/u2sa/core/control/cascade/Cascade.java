@@ -10,8 +10,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * From where to go to the wrench that takes the vehicle there: outer loops in proportion give
- * velocities and rates, inner PIDs give accelerations, times mass. Belongs to one thread.
+ * Computes the wrench that moves the vehicle to its target: proportional outer loops give velocities and rates, inner PIDs give accelerations, scaled by mass. Not thread-safe.
  */
 final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
@@ -20,12 +19,12 @@ final class Cascade {
   private final CascadeSettings settings;
   private final AxisTuning[] tuning = new AxisTuning[DegreeOfFreedom.COUNT];
   private final Pid[] pids = new Pid[DegreeOfFreedom.COUNT];
-  private final double[] wanted = new double[DegreeOfFreedom.COUNT]; // velocities and rates
+  private final double[] wanted = new double[DegreeOfFreedom.COUNT]; // wanted velocities and rates
   private final double[] measured = new double[DegreeOfFreedom.COUNT];
   private final double[] attained = new double[DegreeOfFreedom.COUNT];
   private final double[] wrench = new double[DegreeOfFreedom.COUNT];
-  private OptionalDouble headingRad = OptionalDouble.empty(); // to keep
-  private boolean turnsFirst; // and does not go aside
+  private OptionalDouble headingRad = OptionalDouble.empty(); // heading to hold
+  private boolean turnsFirst; // turns first, without moving sideways
 
   Cascade(CascadeSettings settings) {
     this.settings = settings;
@@ -35,7 +34,7 @@ final class Cascade {
     }
   }
 
-  /** Goes on with other gains. */
+  /** Applies changed gains. */
   void retune() {
     for (DegreeOfFreedom axis : AXES) {
       tuning[axis.ordinal()] = settings.of(axis);
@@ -44,9 +43,9 @@ final class Cascade {
   }
 
   /**
-   * The wrench wanted now: X, Y, Z [N], K, M, N [N m]; valid until the next call.
+   * Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call.
    *
-   * @param way north, east, down [m]; empty: stop and keep the heading
+   * @param way vector to the target: north, east, down [m]; empty to stop and hold the heading
    */
   double[] step(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps, double stepS) {
     aim(motion, way, speedMps);
@@ -90,7 +89,7 @@ final class Cascade {
     measured[5] = motion.rates().z();
   }
 
-  /** Along the vehicle's axes [m/s], each axis within its limit and all within the speed. */
+  /** Wanted velocity along the vehicle's axes [m/s], with each axis within its limit and the total within the speed. */
   private Point velocity(BodyMotion motion, Point toGo, double speedMps) {
     Point body = motion.frd(toGo);
     double forward = towards(DegreeOfFreedom.SURGE, body.x());
@@ -110,7 +109,7 @@ final class Cascade {
     return tuning[axis.ordinal()].towards(error);
   }
 
-  /** Tells the integrals what the actuators do of what was wanted. */
+  /** Updates the integrals with the attained part of the wrench (anti-windup). */
   void attained(Allocator allocator, double stepS) {
     for (int j = 0; j < AXES.length; j++) {
       if (tuning[j].isControlled()) {
@@ -120,7 +119,7 @@ final class Cascade {
     }
   }
 
-  /** How the actuators speed the vehicle up along an axis [m/s², rad/s²]; 0 if not controlled. */
+  /** Acceleration by the actuators along or about an axis [m/s², rad/s²]; 0 if not controlled. */
   double attained(DegreeOfFreedom axis) {
     return attained[axis.ordinal()];
   }
@@ -130,15 +129,13 @@ final class Cascade {
     return measured;
   }
 
-  /** Forgets what one axis learnt. */
+  /** Resets one axis. */
   void rest(DegreeOfFreedom axis) {
     pids[axis.ordinal()].reset();
   }
 
   /**
-   * Goes by what the vehicle sees in its own axes, or by states again: a heading to keep was
-   * against axes that have turned, and one that faces the way must not go aside, which would look
-   * like turning.
+   * Switches between control by sight in the vehicle's own axes and by states. The heading to hold is dropped, because it refers to axes that have turned; by sight, a vehicle that faces its direction of travel must not move sideways, which would look like turning.
    */
   void goBySight(boolean bySight) {
     turnsFirst = bySight && settings.facesTheWay();
@@ -147,7 +144,7 @@ final class Cascade {
     }
   }
 
-  /** Forgets integrals and heading: the actuators do not obey. */
+  /** Resets integrals and heading, because the actuators do not obey. */
   void rest() {
     for (Pid pid : pids) {
       pid.reset();
@@ -156,7 +153,7 @@ final class Cascade {
     headingRad = OptionalDouble.empty();
   }
 
-  /** Goes on from a wrench that another law commands, without a bump. */
+  /** Takes over from a wrench commanded by another law (bumpless transfer). */
   void takeOver(
       BodyMotion motion, Optional<Point> way, Optional<Double> speedMps, double[] present) {
     aim(motion, way, speedMps);

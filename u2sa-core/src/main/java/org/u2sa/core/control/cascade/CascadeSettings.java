@@ -10,7 +10,7 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** The variables of a cascade: six axes, and how the vehicle turns to its way. */
+/** Variables of a cascade: six axes, and how the vehicle turns to its direction of travel. */
 final class CascadeSettings {
   private record Way(
       @Variable(

@@ -3,7 +3,7 @@ package org.u2sa.core.control.cascade;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** Costs of actuators as a configuration writes them: "NAME 4, OTHER NAME 2". */
+/** Parser of actuator costs in a configuration: "NAME 4, OTHER NAME 2". */
 final class Costs {
   private static final double DEAREST = 1000.0;
 
@@ -12,7 +12,7 @@ final class Costs {
   /**
    * Costs by name.
    *
-   * @throws IllegalArgumentException naming what cannot be read
+   * @throws IllegalArgumentException if an entry is invalid, naming it
    */
   static Map<String, Double> parse(String text) {
     Map<String, Double> costs = new LinkedHashMap<>();
@@ -35,7 +35,7 @@ final class Costs {
     try {
       return Double.parseDouble(text);
     } catch (NumberFormatException e) {
-      return Double.NaN; // refused by the caller, with the whole entry
+      return Double.NaN; // rejected by the caller, with the whole entry
     }
   }
 }

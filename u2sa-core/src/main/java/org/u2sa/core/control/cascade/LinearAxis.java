@@ -3,7 +3,7 @@ package org.u2sa.core.control.cascade;
 import org.u2sa.core.control.Pid;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** How the motion along one axis of the vehicle is controlled. */
+/** Variables of the control of motion along one axis of the vehicle. */
 record LinearAxis(
     @Variable(
             min = 0,

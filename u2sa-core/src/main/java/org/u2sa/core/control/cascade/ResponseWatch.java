@@ -6,28 +6,22 @@ import org.u2sa.core.control.allocation.Allocator;
 import org.u2sa.core.control.allocation.DegreeOfFreedom;
 
 /**
- * Finds an actuator that is commanded and does nothing, or less than it should, by what the vehicle
- * does: of all wrenches that are missing suddenly, one looks like what that actuator should give.
- * Missing is the commanded wrench less mass times acceleration less what has been missing for long
- * (drag, current, weight).
+ * Detects an actuator that does not respond, or too weakly, from the vehicle's motion: the residual wrench suddenly matches the wrench that actuator should give. The residual is the commanded wrench minus mass times acceleration minus its long-term mean (drag, current, weight).
  *
- * <p>One fault at a time; a change of speed looks like one only if it looks like one actuator in
- * all controlled axes at once. Two actuators that act alike cannot be told apart: then neither is
- * named. Johansen &amp; Fossen 2013, section 4, on faults; the residual is that of a disturbance
- * observer. For one thread.
+ * <p>One fault at a time; a change of speed is mistaken for a fault only if it matches one actuator in all controlled axes at once. Two actuators with the same effect cannot be distinguished, so neither is reported. Johansen &amp; Fossen 2013, section 4, on faults; the residual is that of a disturbance observer. Not thread-safe.
  */
 final class ResponseWatch {
-  private static final double FILTER_S = 0.5; // of forces and of the derivative of velocity
-  private static final double LONG_S = 15.0; // after which missing is usual
+  private static final double FILTER_S = 0.5; // filter of forces and of the derivative of velocity
+  private static final double LONG_S = 15.0; // time constant of the long-term mean
   private static final double MEMORY_S = 1.5;
-  private static final double SETTLES_S = 12.0; // after a change of actuators
+  private static final double SETTLES_S = 12.0; // settling time after a change of actuators
   private static final double SURE_S = 1.0;
-  private static final double LEAST_LOSS = 0.25; // less may be an error of the masses
-  private static final double ALL_LOST = 0.6; // what follows usual loads hides the rest
+  private static final double LEAST_LOSS = 0.25; // smaller losses may be errors of the masses
+  private static final double ALL_LOST = 0.6; // tracking of usual loads hides the rest
   private static final double MOST_LOSS = 1.5;
   private static final double LEAST_FIT = 0.85;
-  private static final double CLEARLY = 0.1; // better than the next
-  private static final double LEAST_EFFECT = 0.01; // of all that actuators can do, mean
+  private static final double CLEARLY = 0.1; // margin over the next best match
+  private static final double LEAST_EFFECT = 0.01; // mean share of the actuators' maximum
 
   private final double[] force = new double[DegreeOfFreedom.COUNT];
   private final double[] velocity = new double[DegreeOfFreedom.COUNT];
@@ -41,24 +35,24 @@ final class ResponseWatch {
   private int suspect = -1;
 
   /**
-   * What was found.
+   * Detected fault.
    *
-   * @param left share of its effect that the actuator still has, 0…1; 0: it does not respond
+   * @param left remaining share of the actuator's effect, 0…1; 0 if it does not respond
    */
   record Finding(String actuator, double left) {}
 
-  /** Begins anew: actuators came or went, or the vehicle rested. */
+  /** Restarts after actuators changed or the vehicle rested. */
   void restart() {
     sinceS = 0.0;
   }
 
   /**
-   * Looks at one step.
+   * Processes one step.
    *
-   * @param allocator after the step's allocation
+   * @param allocator allocator after this step's allocation
    * @param measured velocities [m/s] and rates [rad/s], by axis
    * @param masses [kg, kg m²], by axis
-   * @return an actuator that responds weakly or not at all; empty if none is found
+   * @return an actuator that responds weakly or not at all, or empty
    */
   Optional<Finding> step(
       Allocator allocator,

@@ -5,39 +5,34 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * How the vehicle moves where no state says it. What the actuators do tells how it speeds up; what
- * it sees of the place to go to, which stands, corrects that: it comes nearer and sinks as fast as
- * the place comes nearer and rises, and turns as fast as the place wanders to the other side (a
- * complementary filter: Higgins, IEEE Transactions on Aerospace and Electronic Systems 11, 1975).
- * It counts as level, and motion across the line of sight as turning, from which it cannot be told.
- * Belongs to one thread.
+ * Estimates the vehicle's motion without states. The actuators' effect predicts acceleration; sightings of the stationary target correct it: approach speed, sink rate and turn rate follow from how the target approaches, rises and moves to the other side (a complementary filter: Higgins, IEEE Transactions on Aerospace and Electronic Systems 11, 1975).
+ * Assumes a level vehicle, and takes motion across the line of sight for turning, because the two cannot be distinguished. Not thread-safe.
  */
 final class SeenMotion {
   private static final Attitude LEVEL = new Attitude(0.0, 0.0, 0.0);
   private static final double CORRECTION_S = 0.5;
-  private static final double NEAR_M = 0.3; // nearer, a direction says nothing
+  private static final double NEAR_M = 0.3; // nearer, the bearing is meaningless
 
-  /** Faster than this, another place was seen, and nothing moved [m/s]. */
+  /** Above this apparent speed the target has changed, and nothing moved [m/s]. */
   private static final double JUMP_MPS = 20.0;
 
   private Point before = Point.ORIGIN;
   private Point velocity = Point.ORIGIN;
   private double turnRadPerS;
 
-  /** Forgets what was seen. */
+  /** Discards past sightings. */
   void rest() {
     velocity = Point.ORIGIN;
     turnRadPerS = 0.0;
   }
 
   /**
-   * The motion against the axes in which the vehicle lies now: heading 0, and level.
+   * Computes the motion relative to the vehicle's current axes: heading 0, level.
    *
-   * @param place where to go: forward, right, down [m]
-   * @param acceleration that the actuators have given since the call before, along the same axes
-   *     [m/s²]
-   * @param turnAcceleration the same, about the axis down [rad/s²]
-   * @param stepS since the call before [s]; 0: unknown, and the motion counts as unchanged
+   * @param place target: forward, right, down [m]
+   * @param acceleration acceleration by the actuators since the previous call, along the same axes [m/s²]
+   * @param turnAcceleration the same about the down axis [rad/s²]
+   * @param stepS time since the previous call [s]; 0 if unknown, then the motion counts as unchanged
    */
   BodyMotion step(Point place, Point acceleration, double turnAcceleration, double stepS) {
     if (stepS > 0.0 && place.minus(before).distance() > JUMP_MPS * stepS) {
@@ -75,7 +70,7 @@ final class SeenMotion {
     return Point.of(times * way.x(), times * way.y(), times * way.z());
   }
 
-  /** Of the vehicle since the place was seen last, to the right positive [rad]. */
+  /** Turn of the vehicle since the last sighting, right positive [rad]. */
   private double turn(Point place) {
     boolean near =
         Math.min(Math.hypot(place.x(), place.y()), Math.hypot(before.x(), before.y())) < NEAR_M;

@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import org.u2sa.core.control.allocation.Effector;
 
 /**
- * Actuators that were found not to respond, or weakly, until they are tried again. For one thread.
+ * Actuators found to respond weakly or not at all, until they are retried. Not thread-safe.
  */
 final class Weaknesses {
   private static final double FULL_PERCENT = 100.0;
@@ -16,20 +16,20 @@ final class Weaknesses {
   private final Map<String, Double> left = new TreeMap<>(); // share, 0…1
   private final Map<String, Long> untilMicros = new TreeMap<>();
 
-  /** Takes note of what was found, beside what was found of the same actuator before. */
+  /** Adds a finding, combined with earlier ones on the same actuator. */
   void add(ResponseWatch.Finding found, long retryMicros) {
     left.merge(found.actuator(), found.left(), (before, more) -> before * more);
     untilMicros.put(found.actuator(), retryMicros);
   }
 
-  /** Forgets those whose time has come; returns whether there are any. */
+  /** Drops entries due for a retry; returns whether any were dropped. */
   boolean forget(long nowMicros) {
     boolean forgets = untilMicros.values().removeIf(until -> until <= nowMicros);
     left.keySet().retainAll(untilMicros.keySet());
     return forgets;
   }
 
-  /** The effectors as they respond, without those that do not. */
+  /** Effectors scaled by their response, without those that do not respond. */
   List<Effector> of(List<Effector> announced) {
     List<Effector> responding = new ArrayList<>();
     for (Effector each : announced) {
@@ -43,14 +43,14 @@ final class Weaknesses {
     return responding;
   }
 
-  /** Those that do not respond, by name. */
+  /** Actuators that do not respond, sorted by name. */
   List<String> lost() {
     List<String> lost = new ArrayList<>(left.keySet());
     lost.removeIf(name -> left.get(name) > 0.0);
     return lost;
   }
 
-  /** Those that respond weakly, for people: "weak: THRUSTER 3 (60 %); "; empty if none does. */
+  /** Human-readable list of weak actuators: "weak: THRUSTER 3 (60 %); "; empty if none. */
   String words() {
     List<String> weak = new ArrayList<>();
     left.forEach(

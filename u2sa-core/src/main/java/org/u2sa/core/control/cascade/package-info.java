@@ -1,6 +1,4 @@
 /**
- * Control of any vehicle by cascades from position over velocity to force, and from attitude over
- * rate to moment, with allocation to whatever actuators announced themselves. Laws of one kind of
- * vehicle belong to packages of their own.
+ * Control of any vehicle by cascades from position via velocity to force, and from attitude via rate to moment, with allocation to the announced actuators. Laws for one kind of vehicle belong to their own packages.
  */
 package org.u2sa.core.control.cascade;

@@ -40,7 +40,7 @@ final class AirbornePhases {
     speedDemandMps = guidance.cruiseSpeed();
   }
 
-  /** The altitude to hold without navigation is the present one, or a safe one above it. */
+  /** Sets the altitude to hold without navigation to the current one, or to a safe one above it. */
   void holdHere(FlightState state) {
     holdAltitudeM = Math.max(state.altitudeM(), safeAltitudeM(state));
   }
@@ -49,7 +49,7 @@ final class AirbornePhases {
     return state.altitudeM() - state.heightM() + tuning.takeOff().safeHeight();
   }
 
-  /** Restarts the energy law at a pitch, with the present throttle. */
+  /** Restarts the energy law at a pitch, with the current throttle. */
   void restartEnergy(FlightState state, double pitchRad) {
     energy.restart(state, pitchRad, loops.throttle());
   }
@@ -69,7 +69,7 @@ final class AirbornePhases {
   }
 
   /**
-   * @param circles whether to circle when there is no navigation
+   * @param circles whether to circle without navigation
    */
   Surfaces fly(FlightState state, Optional<GuidanceTarget> target, boolean circles, double dtS) {
     double bank = circles ? Math.toRadians(tuning.hold().holdBank()) : 0.0;
@@ -94,9 +94,7 @@ final class AirbornePhases {
   }
 
   /**
-   * Climbs to the safe height and follows navigation laterally there. Near the ground it banks
-   * little, whatever navigation says, and it flies faster than an approach: it is refused in strong
-   * wind, whose gusts take airspeed away.
+   * Climbs to the safe height and follows navigation laterally there. Near the ground bank is limited, whatever navigation demands, and the speed is above approach speed, because landings are refused in strong wind, whose gusts cost airspeed.
    */
   Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
     altitudeDemandM = Math.max(target.altitudeM(), safeAltitudeM(state));

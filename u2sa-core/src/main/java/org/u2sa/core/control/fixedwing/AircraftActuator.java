@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 
-/** An aeroplane's actuators by the names that commands address. */
+/** Actuators of an aeroplane, by the names used in commands. */
 public enum AircraftActuator {
   AILERON("AILERON", Surfaces::aileron),
   ELEVATOR("ELEVATOR", Surfaces::elevator),
@@ -17,7 +17,7 @@ public enum AircraftActuator {
 
   /**
    * Elevator at which the Cessna holds about 75 kt by itself, at cruise power as at idle [%],
-   * negative: nose up. Centred, it noses over: a silence of a few seconds would cost 100 m.
+   * negative: nose up. With a centred elevator it noses over: a few seconds without commands would cost 100 m.
    */
   public static final double TRIMMED_ELEVATOR_PERCENT = -10.0;
 
@@ -34,14 +34,13 @@ public enum AircraftActuator {
     return actuatorName;
   }
 
-  /** What the surfaces ask of this actuator, −1…1. */
+  /** Command of this actuator in the given surfaces, −1…1. */
   double of(Surfaces surfaces) {
     return share.applyAsDouble(surfaces);
   }
 
   /**
-   * Whether it sets power or shape rather than attitude: what a short silence of control should not
-   * change, as an engine that idles for a few seconds costs more than it saves.
+   * Whether it sets power or configuration rather than attitude, and so holds its value through a short loss of control commands: idling the engine for a few seconds costs more than it saves.
    */
   boolean holdsThroughSilence() {
     return this == THROTTLE || this == MIXTURE || this == FLAPS;

@@ -8,8 +8,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * State of an aeroplane: what every vehicle has, and what only one with wings, wheels and an engine
- * has. A reader that does not know this class receives a {@link StateInformation}.
+ * State of an aeroplane: adds fields for wings, wheels and engine. Readers that do not know this class receive a {@link StateInformation}.
  */
 public class AircraftState extends StateInformation {
   private static final Schema<AircraftState> SCHEMA =
@@ -57,7 +56,7 @@ public class AircraftState extends StateInformation {
     return put(CALIBRATED_AIRSPEED, metresPerSecond);
   }
 
-  /** Revolutions of the engine [1/min]; empty if unknown. */
+  /** Engine speed [1/min]; empty if unknown. */
   public OptionalDouble engineRpm() {
     return get(ENGINE_RPM);
   }

@@ -4,13 +4,12 @@ import java.util.Optional;
 import org.u2sa.service.HandOver;
 
 /**
- * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure
- * computation: time comes with the state. Not safe for several threads.
+ * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure computation: time comes with the state. Not thread-safe.
  */
 final class Autopilot {
   private static final double LONGEST_STEP_S = 0.2; // a longer gap is a lost link, not a step
   private static final double SHORTEST_STEP_S = 1e-3;
-  private static final double GLIDE_SINK_MPS = 3.0; // sinking faster, it flares sooner
+  private static final double GLIDE_SINK_MPS = 3.0; // above this sink rate the flare starts earlier
   private static final double SOONER_S = 1.0;
 
   private final Tuning tuning;
@@ -26,7 +25,7 @@ final class Autopilot {
   private final LandingRefusal refusal;
 
   private FlightPhase phase = FlightPhase.RUN_UP;
-  private boolean takenOver; // from another law: the throttle must not jump
+  private boolean takenOver; // from another law, so the throttle must not jump
   private double lastTimeS = Double.NaN;
   private double navigatedS; // when navigation was last present
 
@@ -44,8 +43,7 @@ final class Autopilot {
             tuning.touchDown().maxCrosswind(), tuning.takeOff().safeHeight(), touchDown.heightM());
   }
 
-  /**
-   * One step.
+  /** Computes one step.
    *
    * @param target empty if navigation is absent or stale
    */
@@ -126,7 +124,7 @@ final class Autopilot {
     }
   }
 
-  /** Saves its whole state for a successor. */
+  /** Saves the complete state for the successor. */
   void handOver(HandOver state) {
     state.number("LAST TIME", lastTimeS).number("NAVIGATED", navigatedS);
     sequence.handOver(state);
@@ -162,7 +160,7 @@ final class Autopilot {
     takenOver = true;
   }
 
-  /** Why it goes around. */
+  /** Reason for the go-around. */
   String refusalWords() {
     return refusal.words();
   }

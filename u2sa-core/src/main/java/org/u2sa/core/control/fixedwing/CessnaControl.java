@@ -18,10 +18,8 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Flies a Cessna 172 by itself from the runway along its mission. In: state, navigation. Out:
- * actuation (aileron, elevator, rudder, throttle, mixture, flaps, brakes, once for each state),
- * control-status. Without fresh navigation it keeps the wings level and the altitude, then circles,
- * or stands on the brakes. Where navigation leads to the ground, it lands.
+ * Flies a Cessna 172 autonomously from the runway along its mission. In: state, navigation. Out:
+ * actuation (aileron, elevator, rudder, throttle, mixture, flaps, brakes, once per state), control-status. Without fresh navigation it holds wings level and altitude, then circles; on the ground it holds the brakes. If navigation leads to the ground, it lands.
  */
 public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
@@ -55,7 +53,7 @@ public final class CessnaControl extends ControlSystem {
     registerPublisher(ControlStatus.CHANNEL);
   }
 
-  /** Flies on with other gains and limits, from where it is. */
+  /** Applies new gains and limits in flight. */
   @Override
   protected void configurationChanged(Set<String> variableNames) {
     HandOver state = new HandOver(getClass().getName());
@@ -106,7 +104,7 @@ public final class CessnaControl extends ControlSystem {
   }
 
   /**
-   * The point as it lies from the aircraft now; turned by the attitude that it was computed from.
+   * Navigation point relative to the aircraft now, rotated by the attitude from which it was computed.
    */
   private Optional<GuidanceTarget> target(NavigationPoint point, FlightState now) {
     Optional<FlightState> then = stateOf(point).flatMap(reader::read);

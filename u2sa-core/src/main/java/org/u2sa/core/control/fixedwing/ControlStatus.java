@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** What the aeroplane's control is at and what it aims for: for screens and logs. */
+/** Phase and set points of the aeroplane's control, for displays and logs. */
 public final class ControlStatus extends U2SAData {
   private static final Schema<ControlStatus> SCHEMA =
       Schema.of("ControlStatus", ControlStatus.class, ControlStatus::new, U2SAData.TYPE);
@@ -24,7 +24,7 @@ public final class ControlStatus extends U2SAData {
   /** The schema. */
   public static final MessageType<ControlStatus> TYPE = SCHEMA.build();
 
-  /** Where it is published: once a second, and when the phase changes. */
+  /** Channel on which it is published, once a second and on phase changes. */
   public static final Channel<ControlStatus> CHANNEL =
       Channel.latest("control-status", TYPE, U2SAData::systemId);
 
@@ -33,7 +33,7 @@ public final class ControlStatus extends U2SAData {
     return TYPE;
   }
 
-  /** What the aircraft is at. */
+  /** Flight phase. */
   public FlightPhase phase() {
     return require(PHASE);
   }
@@ -43,7 +43,7 @@ public final class ControlStatus extends U2SAData {
     return put(PHASE, value);
   }
 
-  /** Whether navigation is there and fresh; false until set. */
+  /** Whether navigation is present and fresh; false until set. */
   public boolean navigating() {
     return get(NAVIGATING);
   }

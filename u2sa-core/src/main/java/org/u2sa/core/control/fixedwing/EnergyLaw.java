@@ -13,14 +13,13 @@ final class EnergyLaw {
   /** The law's output: pitch [rad] and throttle, 0…1. */
   record Command(double pitchRad, double throttle) {}
 
-  /**
-   * The demand.
+  /** Set points of the law.
    *
-   * @param altitudeM above mean sea level [m]
+   * @param altitudeM altitude above mean sea level [m]
    * @param airspeedMps true airspeed [m/s]
    * @param speedOnly whether pitch controls airspeed alone, at full throttle: climb-out
-   * @param least pitch [rad]
-   * @param most pitch [rad]
+   * @param least minimum pitch [rad]
+   * @param most maximum pitch [rad]
    */
   record Demand(
       double altitudeM, double airspeedMps, boolean speedOnly, double least, double most) {}
@@ -67,7 +66,7 @@ final class EnergyLaw {
   }
 
   /**
-   * @param urgency 0 with speed to spare … 1 at the least airspeed, by {@link StallGuard}
+   * @param urgency 0 with speed to spare … 1 at the minimum airspeed, by {@link StallGuard}
    */
   Command step(FlightState state, Demand demand, double urgency, double dtS) {
     if (Double.isNaN(filteredAirspeed)) {
@@ -147,7 +146,7 @@ final class EnergyLaw {
     return Limit.approach(pitch, wanted, Math.toRadians(parameters.pitchDemandRateLimit()) * dtS);
   }
 
-  /** V̇/g of a low-passed airspeed: gusts come and go faster than the aircraft can answer. */
+  /** V̇/g of a low-passed airspeed: gusts are faster than the aircraft can respond. */
   private double acceleration(FlightState state, double dtS) {
     double difference = state.trueAirspeedMps() - filteredAirspeed;
     double share = dtS / (parameters.airspeedFilter() + dtS);

@@ -3,20 +3,19 @@ package org.u2sa.core.control.fixedwing;
 import org.u2sa.service.HandOver;
 
 /**
- * The line that navigation follows, estimated from its points ahead, wherever the aircraft is. In
- * the flare it is taken as the runway's centreline.
+ * Estimates the line that navigation follows from its points ahead, independent of the aircraft's position. In the flare it serves as the runway's centreline.
  */
 final class FinalApproach {
   private static final double TIME_CONSTANT_S = 5.0; // at 38 m/s the direction is that of 190 m
   private static final double SHORTEST_M = 50.0; // nearer points give no direction
 
-  private double northM; // the point given last
+  private double northM; // last point
   private double eastM;
   private double laggedNorthM;
   private double laggedEastM;
   private boolean seen;
 
-  /** Records where navigation leads. */
+  /** Records a navigation point. */
   void see(FlightState state, GuidanceTarget target, double dtS) {
     northM = state.northM() + target.northM();
     eastM = state.eastM() + target.eastM();
@@ -30,7 +29,7 @@ final class FinalApproach {
     laggedEastM += share * (eastM - laggedEastM);
   }
 
-  /** Whether navigation has led along a line for long enough to know its direction. */
+  /** Whether navigation has followed a line long enough to know its direction. */
   boolean isKnown() {
     return seen && StrictMath.hypot(northM - laggedNorthM, eastM - laggedEastM) > SHORTEST_M;
   }
@@ -40,7 +39,7 @@ final class FinalApproach {
     return StrictMath.atan2(eastM - laggedEastM, northM - laggedNorthM);
   }
 
-  /** A point of the line, counted as the aircraft's position is: north [m]. */
+  /** A point on the line, in the frame of the aircraft's position: north [m]. */
   double northM() {
     return northM;
   }

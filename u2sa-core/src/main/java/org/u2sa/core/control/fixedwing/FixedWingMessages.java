@@ -5,7 +5,7 @@ import java.util.List;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypeProvider;
 
-/** Makes this module's messages known to every reader on the class path. */
+/** Registers this module's message types. */
 public final class FixedWingMessages implements MessageTypeProvider {
   @Override
   public Collection<MessageType<?>> messageTypes() {

@@ -4,12 +4,10 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
 /**
- * Ends a descent at the ground: the sink demanded falls with the height, ḣ = −h/τ, which is an
- * exponential flare (Stevens & Lewis, 2nd ed., section 4.7). The nose is raised until the sink is
- * that, in proportion and by an integral; once the wheels carry, it is let down.
+ * Flares at the end of a descent: the demanded sink rate falls with height, ḣ = −h/τ, an exponential flare (Stevens & Lewis, 2nd ed., section 4.7). A PI loop raises the nose to attain that sink rate; after touchdown the nose is lowered.
  */
 final class FlareLaw {
-  /** Of the flare; it starts only where navigation leads to the ground. */
+  /** Parameters of the flare, which starts only if navigation leads to the ground. */
   record Parameters(
       @Variable(
               unit = "m",
@@ -49,14 +47,14 @@ final class FlareLaw {
   private static final double LET_DOWN_RAD_PER_S = Math.toRadians(3.0);
 
   private final Parameters parameters;
-  private double trimRad; // what the integral holds
+  private double trimRad; // integral
   private double pitchRad;
 
   FlareLaw(Parameters parameters) {
     this.parameters = parameters;
   }
 
-  /** Begins from a pitch. */
+  /** Starts from a pitch. */
   void restart(double newPitchRad) {
     pitchRad = newPitchRad;
     trimRad = Double.NaN;
@@ -71,12 +69,12 @@ final class FlareLaw {
     trimRad = state.number("FLARE TRIM").orElse(Double.NaN);
   }
 
-  /** Height at which it begins [m]. */
+  /** Height at which the flare starts [m]. */
   double heightM() {
     return parameters.flareHeight();
   }
 
-  /** How much faster it sinks than it should at its height [m/s]. */
+  /** Excess sink rate over the one demanded at this height [m/s]. */
   double excessSinkMps(FlightState state) {
     double sink =
         Math.max(parameters.flareSink(), state.heightM() / parameters.flareTimeConstant());
@@ -92,7 +90,7 @@ final class FlareLaw {
     double excess = excessSinkMps(state);
     double direct = parameters.flareDamping() * excess;
     if (Double.isNaN(trimRad)) {
-      trimRad = pitchRad - direct; // begins without a bump
+      trimRad = pitchRad - direct; // bumpless start
     }
     double mostPitchRad = Math.toRadians(parameters.flarePitchLimit());
     trimRad = Limit.within(0.0, trimRad + parameters.flareGain() * excess * dtS, mostPitchRad);

@@ -1,6 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
-/** What the aircraft is at, from standing on the runway to following its mission. */
+/** Flight phase, from standing on the runway to following the mission. */
 public enum FlightPhase {
   /** Standing on the brakes: waits for engine and navigation, then opens the throttle. */
   RUN_UP,
@@ -12,12 +12,12 @@ public enum FlightPhase {
   CLIMB_OUT,
   /** Following navigation. */
   CRUISE,
-  /** In the air without navigation: wings level, after a while a wide circle; altitude held. */
+  /** Airborne without navigation: wings level, after a while a wide circle, holding altitude. */
   HOLD,
-  /** On the ground for good: brakes on, engine idling. */
+  /** Stopped after landing: brakes on, engine idling. */
   STOPPED,
-  /** Where navigation leads to the ground, the last metres: sink and power are taken away. */
+  /** Last metres of a landing: sink rate and power are reduced. */
   FLARE,
-  /** Does not land, because of the wind: follows navigation sideways at the safe height. */
+  /** Landing refused because of wind: follows navigation laterally at the safe height. */
   GO_AROUND
 }

@@ -1,14 +1,13 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * What the control laws see of the aircraft at one moment. North and east are metres in a plane
- * that touches the earth where the aircraft was first seen.
+ * State of the aircraft at one time, as used by the control laws. North and east are metres in the plane tangent to the earth at the aircraft's first position.
  *
- * @param timeS when this was measured [s]
+ * @param timeS time of measurement [s]
  * @param northM position [m]
  * @param eastM position [m]
  * @param altitudeM above mean sea level [m, up]
- * @param heightM of the aircraft above where it stands on its wheels [m, up]; on the ground about 0
+ * @param heightM height of the aircraft above its position on its wheels [m, up]; about 0 on the ground
  * @param rollRad right wing down positive [rad]
  * @param pitchRad nose up positive [rad]
  * @param headingRad true, clockwise from north [rad]
@@ -54,12 +53,12 @@ record FlightState(
     return StrictMath.hypot(northMps, eastMps);
   }
 
-  /** Air from the right, across the nose [m/s]. */
+  /** Crosswind component across the nose, from the right positive [m/s]. */
   double crosswindMps() {
     return trueAirspeedMps * StrictMath.sin(betaRad);
   }
 
-  /** True over calibrated airspeed: about 1 low down, grows with height. */
+  /** True over calibrated airspeed: about 1 at low altitude, growing with height. */
   double trueOverCalibrated() {
     return calibratedAirspeedMps > 20.0 ? trueAirspeedMps / calibratedAirspeedMps : 1.0;
   }

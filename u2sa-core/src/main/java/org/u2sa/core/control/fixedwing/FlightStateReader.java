@@ -18,9 +18,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.HandOver;
 
 /**
- * Turns state messages in GLOBAL into {@link FlightState}s: Euler rates become body rates, geodetic
- * positions metres from the first one. Horizontal position and velocity keep their last values when
- * lost: the wings can be held level without them.
+ * Converts state messages in GLOBAL to {@link FlightState}s: Euler rates to body rates, geodetic positions to metres from the first one. Horizontal position and velocity keep their last values when lost, because the wings can be held level without them.
  */
 final class FlightStateReader {
   private static final List<StateField> NEEDED =
@@ -40,11 +38,11 @@ final class FlightStateReader {
           StateField.FLUID_X_DOT);
   private static final Set<StateField> LOSABLE =
       EnumSet.of(StateField.X, StateField.Y, StateField.X_DOT, StateField.Y_DOT);
-  private static final double HIGH_M = 1_000.0; // height of an aircraft that does not know its own
-  private static final double SLOWEST_MPS = 1.0; // slower air has no direction
+  private static final double HIGH_M = 1_000.0; // height of an aircraft with unknown height
+  private static final double SLOWEST_MPS = 1.0; // below this, airflow has no direction
 
   private Geodetic origin; // of north and east
-  private final Map<StateField, Double> last = new EnumMap<>(StateField.class); // the losable
+  private final Map<StateField, Double> last = new EnumMap<>(StateField.class); // may be lost
 
   /** Saves the origin of north and east. */
   void handOver(HandOver state) {
@@ -71,7 +69,7 @@ final class FlightStateReader {
     }
   }
 
-  /** What a state lacks for control; empty if nothing. */
+  /** Fields missing for control; empty if none. */
   List<String> missing(StateInformation state) {
     List<String> missing = new ArrayList<>();
     if (!state.referenceFrame().equals(ReferenceFrame.GLOBAL)) {
@@ -86,8 +84,7 @@ final class FlightStateReader {
   }
 
   /**
-   * The state as the laws see it; empty if something that they need is {@linkplain #missing
-   * missing}. A message that is no {@link AircraftState} is of an aircraft in the air.
+   * Converts a state for the laws; empty if something they need is {@linkplain #missing missing}. A message that is not an {@link AircraftState} counts as airborne.
    */
   Optional<FlightState> read(StateInformation state) {
     if (!missing(state).isEmpty()) {

@@ -1,6 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
-/** The phases on the ground before the flight: run-up and take-off run. */
+/** Ground phases before flight: run-up and take-off run. */
 final class GroundPhases {
   private final Tuning tuning;
   private final TakeOffSequence sequence;

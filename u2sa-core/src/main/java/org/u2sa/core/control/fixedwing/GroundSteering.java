@@ -6,8 +6,7 @@ import org.u2sa.service.HandOver;
 /**
  * Keeps the runway's centreline by rudder and nose wheel: aims at a point ahead on the line, turns
  * at a rate proportional to the heading error, and finds the rudder from the geometry of a steered
- * wheel, ψ̇ = V/L · δ, whose effect grows with speed. Proportion on the rate is divided by speed
- * likewise; the integral meets propeller and crosswind.
+ * wheel, ψ̇ = V/L · δ, whose effect grows with speed. The proportional gain on the rate is divided by speed likewise; the integral compensates propeller effects and crosswind.
  */
 final class GroundSteering {
   /** Gains on the runway. */
@@ -83,14 +82,14 @@ final class GroundSteering {
               text = "Aileron per crosswind at a standstill; less with speed.")
           double aileronIntoWind) {}
 
-  private static final double SLOWEST_MPS = 4.0; // slower, the wheel's geometry would ask too much
-  private static final double GENTLE_MPS2 = 55.0; // sideways, per radian of heading error
-  private static final double GENTLE_SHARE = 0.3; // of the heading's pace, for the offset
+  private static final double SLOWEST_MPS = 4.0; // below, geometry would demand too much
+  private static final double GENTLE_MPS2 = 55.0; // lateral, per radian of heading error
+  private static final double GENTLE_SHARE = 0.3; // of the heading's bandwidth
   private static final double VANE_SHARE = 0.4; // the tyres hold the rest
-  private static final double VANE_RAD = 0.4; // more is slow, and for the nose wheel to hold
-  private static final double CLOSING_MPS = 2.0; // most speed across the line, back to it
+  private static final double VANE_RAD = 0.4; // beyond this it is slow, and the nose wheel holds
+  private static final double CLOSING_MPS = 2.0; // maximum closing speed toward the line
   private static final double REFERENCE_MPS = 10.0;
-  private static final double AILERON_WORKS_MPS = 40.0; // aileron needed falls to nothing here
+  private static final double AILERON_WORKS_MPS = 40.0; // needed aileron falls to zero here
 
   private final Parameters parameters;
   private double northM;
@@ -103,18 +102,18 @@ final class GroundSteering {
     this.parameters = parameters;
   }
 
-  /** Lays the centreline through the aircraft, along its heading. */
+  /** Sets the centreline through the aircraft, along its heading. */
   void lineUp(FlightState state) {
     lineUpAlong(state.northM(), state.eastM(), state.headingRad());
   }
 
-  /** Lays the centreline through the aircraft, along its way over ground. */
+  /** Sets the centreline through the aircraft, along its track. */
   void lineUpAlongTrack(FlightState state) {
     double courseRad = StrictMath.atan2(state.eastMps(), state.northMps());
     lineUpAlong(state.northM(), state.eastM(), courseRad);
   }
 
-  /** Lays the centreline through a point, along a course. */
+  /** Sets the centreline through a point, along a course. */
   void lineUpAlong(double throughNorthM, double throughEastM, double courseRad) {
     northM = throughNorthM;
     eastM = throughEastM;
@@ -185,8 +184,7 @@ final class GroundSteering {
   }
 
   /**
-   * Rudder of a roll-out, −1…1, positive turns right: the faster it rolls, the more gently it
-   * returns to the line, because it lands with some drift and light on its wheels.
+   * Rudder of a roll-out, −1…1, positive turns right: gentler at higher speed, because the aircraft touches down with some drift and little load on its wheels.
    *
    * @param noseDown whether the nose wheel steers
    */
@@ -235,13 +233,13 @@ final class GroundSteering {
     return Limit.symmetric(direct + integral, 1.0);
   }
 
-  /** The integral after a step; without a gain there is none. */
+  /** Integral after a step; 0 without a gain. */
   private double next(double gain, double error, double dtS) {
     integral = gain > 0.0 ? integral : 0.0;
     return integral + gain * error * dtS;
   }
 
-  /** Aileron into the wind, −1…1: much when slow, less as the ailerons gain effect. */
+  /** Aileron into the wind, −1…1: large at low speed, less as the ailerons become effective. */
   double aileron(FlightState state) {
     double share = Limit.within(0.0, 1.0 - state.calibratedAirspeedMps() / AILERON_WORKS_MPS, 1.0);
     return Limit.symmetric(parameters.aileronIntoWind() * state.crosswindMps() * share, 1.0);

@@ -3,8 +3,7 @@ package org.u2sa.core.control.fixedwing;
 import org.u2sa.service.HandOver;
 
 /**
- * The inner loops and their setpoints: bank by the ailerons, pitch by the elevator, coordination by
- * the rudder; and the present rudder and throttle.
+ * The inner loops and their setpoints: bank by the ailerons, pitch by the elevator, coordination by the rudder; and the current rudder and throttle.
  */
 final class InnerLoops {
   private static final double LEAST_SCALE = 0.6;
@@ -28,34 +27,34 @@ final class InnerLoops {
     yaw = new YawLaw(tuning.yaw());
   }
 
-  /** Surface gains hold at one speed: at others the same surface does more or less. */
+  /** Scale of surface gains, which hold at one speed: effectiveness changes with speed. */
   private double scale(FlightState state) {
     double speed = Math.max(1.0, state.calibratedAirspeedMps());
     return Limit.within(LEAST_SCALE, tuning.guidance().referenceSpeed() / speed, MOST_SCALE);
   }
 
-  /** Bank held [rad]. */
+  /** Bank set point [rad]. */
   double bankRad() {
     return bankRad;
   }
 
-  /** Holds another bank at once [rad]. */
+  /** Sets the bank set point at once [rad]. */
   void hold(double newBankRad) {
     bankRad = newBankRad;
   }
 
-  /** Moves the bank held towards another [rad] at the pace of the tuning. */
+  /** Moves the bank set point toward another [rad] at the tuned rate. */
   void bankTowards(double wantedRad, double dtS) {
     bankRad =
         Limit.approach(bankRad, wantedRad, Math.toRadians(tuning.guidance().bankRateLimit()) * dtS);
   }
 
-  /** Pitch held [rad]. */
+  /** Pitch set point [rad]. */
   double pitchRad() {
     return pitchRad;
   }
 
-  /** Holds another pitch [rad]. */
+  /** Sets the pitch set point [rad]. */
   void pitch(double newPitchRad) {
     pitchRad = newPitchRad;
   }
@@ -88,7 +87,7 @@ final class InnerLoops {
     return roll.aileron(state, bankRad, scale(state), dtS);
   }
 
-  /** Aileron that keeps the wings level, whatever bank is held otherwise. */
+  /** Aileron that holds the wings level, whatever the bank set point. */
   double levelAileron(FlightState state, double dtS) {
     return roll.aileron(state, 0.0, scale(state), dtS);
   }
@@ -110,7 +109,7 @@ final class InnerLoops {
     roll.restart();
   }
 
-  /** Restarts the yaw loop at the present rudder. */
+  /** Restarts the yaw loop at the current rudder. */
   void restartYaw() {
     yaw.restart(rudder);
   }

@@ -5,29 +5,27 @@ import java.util.Optional;
 import org.u2sa.service.HandOver;
 
 /**
- * Refuses to land in more crosswind than the configuration allows. After a refusal the aircraft
- * stays up until navigation leads up again: a new approach needs a decision.
+ * Refuses to land in more crosswind than configured. After a refusal the aircraft stays airborne until navigation leads up again: a new approach needs a decision.
  */
 final class LandingRefusal {
-  /** Navigation below this height above ground means landing: nobody cruises so low [m]. */
+  /** Navigation below this height above ground means landing: no mission cruises this low [m]. */
   static final double LEADS_DOWN_M = 15.0;
 
-  /** The wind is judged once navigation leads below this: from here a climb is easy [m]. */
+  /** The wind is evaluated once navigation leads below this, where a climb is still easy [m]. */
   private static final double JUDGED_BELOW_M = 40.0;
 
-  /** From less above the flare, a descent does not become a climb before the ground [m]. */
+  /** Closer to the flare, a descent cannot become a climb before touchdown [m]. */
   private static final double COMMITTED_ABOVE_FLARE_M = 6.0;
 
   private final double maxCrosswindMps;
   private final double safeHeightM;
   private final double committedHeightM;
   private boolean refused;
-  private double crosswindMps; // when it was refused, to the right of the course positive
+  private double crosswindMps; // at the refusal, positive to the right of the course
 
   /**
-   * @param safeHeightM to which it climbs instead, above ground [m]
-   * @param flareHeightM at which the flare begins, above ground [m]; a little higher, a landing
-   *     goes on in any case
+   * @param safeHeightM height to which it climbs instead, above ground [m]
+   * @param flareHeightM height at which the flare starts, above ground [m]; slightly above it, a landing continues in any case
    */
   LandingRefusal(double maxCrosswindMps, double safeHeightM, double flareHeightM) {
     this.maxCrosswindMps = maxCrosswindMps;
@@ -35,7 +33,7 @@ final class LandingRefusal {
     committedHeightM = flareHeightM + COMMITTED_ABOVE_FLARE_M;
   }
 
-  /** Whether the aircraft may not come down now. */
+  /** Whether the aircraft must not land now. */
   boolean step(
       FlightState state,
       Optional<GuidanceTarget> target,

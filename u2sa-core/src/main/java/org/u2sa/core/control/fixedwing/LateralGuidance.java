@@ -4,19 +4,17 @@ import org.u2sa.messages.frame.Gravity;
 
 /**
  * Steers to a point ahead on the leg: S. Park, J. Deyst, J. P. How, A New Nonlinear Guidance Logic
- * for Trajectory Tracking, AIAA 2004-4900, eq. 1: a = 2 V² / L1 · sin η, with V over ground, so
- * that wind needs no estimate. Bank follows from a level coordinated turn.
+ * for Trajectory Tracking, AIAA 2004-4900, eq. 1: a = 2 V² / L1 · sin η, with ground speed V, so that no wind estimate is needed. Bank is that of a level coordinated turn.
  */
 final class LateralGuidance {
 
   private static final double SLOWEST_MPS =
-      5.0; // over ground; slower there is no track to speak of
+      5.0; // ground speed; below it the track is meaningless
 
   private final double shortestM;
 
   /**
-   * @param shortestM least L1 [m]: a point nearer than this counts as this far, so that the gain is
-   *     bounded
+   * @param shortestM minimum L1 [m]: nearer points count as this far, so that the gain is bounded
    */
   LateralGuidance(double shortestM) {
     this.shortestM = shortestM;
@@ -25,7 +23,7 @@ final class LateralGuidance {
   /**
    * Lateral acceleration over ground towards the point [m/s², right positive].
    *
-   * @param northM of the point from the aircraft [m]
+   * @param northM north of the point from the aircraft [m]
    */
   double accelerationMps2(FlightState state, double northM, double eastM) {
     double speed = state.groundSpeedMps();

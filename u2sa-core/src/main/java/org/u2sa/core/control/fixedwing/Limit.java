@@ -1,27 +1,27 @@
 package org.u2sa.core.control.fixedwing;
 
-/** Bounds on values, and angles brought into their range. */
+/** Clamping and angle wrapping. */
 final class Limit {
   private static final double FULL_TURN = 2.0 * Math.PI;
 
   private Limit() {}
 
-  /** The value, moved into least…most. */
+  /** Clamps a value to least…most. */
   static double within(double least, double value, double most) {
     return Math.max(least, Math.min(most, value));
   }
 
-  /** The value, moved into −bound…bound. */
+  /** Clamps a value to −bound…bound. */
   static double symmetric(double value, double bound) {
     return within(-bound, value, bound);
   }
 
-  /** From one value towards another, by at most a step. */
+  /** Moves from one value toward another by at most one step. */
   static double approach(double from, double to, double step) {
     return from + symmetric(to - from, step);
   }
 
-  /** An angle in −π…π. */
+  /** Wraps an angle to −π…π. */
   static double angle(double rad) {
     return StrictMath.IEEEremainder(rad, FULL_TURN);
   }

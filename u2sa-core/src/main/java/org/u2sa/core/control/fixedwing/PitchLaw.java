@@ -5,12 +5,11 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
 /**
- * Holds a pitch by the elevator: proportional pitch loop around a rate loop. In a turn the nose
- * must keep coming round, so the rate of the coordinated turn q = g/V · sin φ tan φ (McCormick,
+ * Holds a pitch by the elevator: proportional pitch loop around a rate loop. In a turn, the pitch rate of the coordinated turn q = g/V · sin φ tan φ (McCormick,
  * Aerodynamics, Aeronautics, and Flight Mechanics, section 7) is added to the demand.
  */
 final class PitchLaw {
-  /** Of the pitch loop and the pitch-rate loop inside it. */
+  /** Parameters of the pitch loop and its inner pitch-rate loop. */
   record Parameters(
       @Variable(unit = "s", min = 0.2, max = 5, ifAbsent = 0.8, text = "Pitch-error time constant.")
           double pitchTimeConstant,
@@ -41,7 +40,7 @@ final class PitchLaw {
           double elevatorTrimLimit) {}
 
   private static final double STEEPEST_RAD =
-      Math.toRadians(60.0); // of the turn that is compensated
+      Math.toRadians(60.0); // maximum bank that is compensated
   private static final double SLOWEST_MPS = 20.0;
 
   private final Parameters parameters;

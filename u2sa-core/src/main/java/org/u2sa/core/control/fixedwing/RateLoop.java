@@ -1,8 +1,7 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * Turns a demanded body rate into a surface: feed-forward, proportion and integral. Surface effect
- * grows with dynamic pressure and damping with speed, so proportion and integral are scaled by
+ * Computes a surface deflection from a demanded body rate: feed-forward, proportional and integral terms. Surface effect grows with dynamic pressure and damping with speed, so the proportional and integral terms are scaled by
  * (Vref/V)² and the feed-forward by Vref/V (Stevens and Lewis, Aircraft Control and Simulation, 2nd
  * ed., section 4.4, gain scheduling).
  */
@@ -10,8 +9,8 @@ final class RateLoop {
   /**
    * @param forward surface per demanded rate [s/rad] at the reference speed
    * @param proportional surface per rate error [s/rad]
-   * @param integral surface per integrated rate error [1/rad]; 0: no integral
-   * @param integralLimit most of the surface that the integral may hold, 0…1
+   * @param integral surface per integrated rate error [1/rad]; 0 for no integral
+   * @param integralLimit limit of the integral's share of surface, 0…1
    */
   record Gains(double forward, double proportional, double integral, double integralLimit) {}
 
@@ -32,7 +31,7 @@ final class RateLoop {
         gains.forward() * scale * demanded + gains.proportional() * scale * scale * error;
     double next = integral + gains.integral() * scale * scale * error * dtS;
     double raw = direct + next;
-    // Anti-windup: at the stop the integral may only move back.
+    // Anti-windup: at a stop, the integral may only move away from it.
     boolean deeper = (raw > 1.0 && error > 0.0) || (raw < -1.0 && error < 0.0);
     if (!deeper) {
       integral = Limit.symmetric(next, gains.integralLimit());
@@ -44,7 +43,7 @@ final class RateLoop {
     return integral;
   }
 
-  /** Restarts with an integral, for a bumpless take-over. */
+  /** Restarts with an integral, for bumpless transfer. */
   void restart(double newIntegral) {
     integral = gains.integral() > 0.0 ? Limit.symmetric(newIntegral, gains.integralLimit()) : 0.0;
   }

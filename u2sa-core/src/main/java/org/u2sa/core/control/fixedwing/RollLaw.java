@@ -5,7 +5,7 @@ import org.u2sa.service.HandOver;
 
 /** Holds a bank by the ailerons: proportional bank loop around a rate loop. */
 final class RollLaw {
-  /** Of the bank loop and the roll-rate loop inside it. */
+  /** Parameters of the bank loop and its inner roll-rate loop. */
   record Parameters(
       @Variable(unit = "s", min = 0.2, max = 5, ifAbsent = 0.65, text = "Bank-error time constant.")
           double bankTimeConstant,

@@ -1,7 +1,7 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * Keeps clear of the stall: the stall speed grows with the root of the load factor, 1/cos φ in a
+ * Stall protection: stall speed grows with the root of the load factor, 1/cos φ in a
  * level turn (14 CFR 23.2110; Cessna 172P handbook, figure 5-3).
  */
 final class StallGuard {
@@ -11,19 +11,19 @@ final class StallGuard {
     this.parameters = parameters;
   }
 
-  /** Least calibrated airspeed at a bank [m/s]. */
+  /** Minimum calibrated airspeed at a bank [m/s]. */
   double leastSpeedMps(double bankRad) {
     double cosine = Math.max(0.1, StrictMath.cos(bankRad));
     return parameters.stallMargin() * parameters.stallSpeed() / StrictMath.sqrt(cosine);
   }
 
-  /** 0 with speed to spare … 1 at the least airspeed. */
+  /** Urgency: 0 with speed to spare … 1 at the minimum airspeed. */
   double urgency(FlightState state) {
     double spare = state.calibratedAirspeedMps() - leastSpeedMps(state.rollRad());
     return Limit.within(0.0, 1.0 - spare / parameters.stallBand(), 1.0);
   }
 
-  /** Most bank that keeps the margin at the present airspeed [rad]. */
+  /** Maximum bank that keeps the margin at the current airspeed [rad]. */
   double bankLimitRad(FlightState state) {
     double ratio =
         parameters.stallMargin()
@@ -32,7 +32,7 @@ final class StallGuard {
     return StrictMath.acos(Math.min(1.0, ratio * ratio));
   }
 
-  /** Most pitch that keeps the angle of attack within its limit [rad]. */
+  /** Maximum pitch that keeps the angle of attack within its limit [rad]. */
   double pitchLimitRad(FlightState state) {
     return state.pitchRad() + Math.toRadians(parameters.angleOfAttackLimit()) - state.alphaRad();
   }

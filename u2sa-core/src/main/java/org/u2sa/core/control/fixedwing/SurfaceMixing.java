@@ -5,23 +5,22 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Goes on with the surfaces that are left. A weakened aileron or rudder moves farther for the same
- * effect; what the ailerons cannot give, the rudder rolls by sideslip and dihedral, more slowly (as
+ * Reconfigures the commands for the remaining surfaces. A weakened aileron or rudder deflects farther for the same effect; missing aileron authority is replaced by rudder through sideslip and dihedral, more slowly (as
  * NASA's Propulsion Controlled Aircraft and pilots' handbooks have it for lost ailerons).
  *
- * @param aileron share that is left of both ailerons, 0…1: 0.5 when one of two is lost
- * @param elevator share that is left, 0…1
- * @param rudder share that is left, 0…1
+ * @param aileron remaining share of both ailerons, 0…1: 0.5 when one of two is lost
+ * @param elevator remaining share, 0…1
+ * @param rudder remaining share, 0…1
  */
 record SurfaceMixing(double aileron, double elevator, double rudder) {
-  /** Everything works. */
+  /** All surfaces healthy. */
   static final SurfaceMixing SOUND = new SurfaceMixing(1.0, 1.0, 1.0);
 
-  private static final double LEAST = 0.05; // below it a surface is as good as lost
-  private static final double ROLL_BY_RUDDER = 0.5; // rudder per aileron that is missing
+  private static final double LEAST = 0.05; // below it a surface is practically lost
+  private static final double ROLL_BY_RUDDER = 0.5; // rudder per missing aileron
   private static final double FULL_PERCENT = 100.0;
 
-  /** What to command for what the laws want. */
+  /** Commands for the surfaces wanted by the laws. */
   Surfaces of(Surfaces wanted) {
     if (equals(SOUND)) {
       return wanted;
@@ -44,7 +43,7 @@ record SurfaceMixing(double aileron, double elevator, double rudder) {
     return left < LEAST ? 0.0 : Limit.symmetric(wanted / left, 1.0);
   }
 
-  /** What is left, for people; empty if everything is. */
+  /** Human-readable remaining authority; empty if all is healthy. */
   String words() {
     List<String> words = new ArrayList<>();
     tell(words, "ailerons", aileron, "rolling by the rudder, slowly");

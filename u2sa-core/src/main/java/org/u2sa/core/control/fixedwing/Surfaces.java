@@ -1,7 +1,7 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * What the control laws ask of the actuators.
+ * Actuator commands of the control laws.
  *
  * @param aileron −1…1, positive rolls right
  * @param elevator −1…1, positive lowers the nose

@@ -1,9 +1,7 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * Speed and pitch at which the nose comes up for take-off. In wind it is faster by a share of the
- * wind, for its gusts; as lift goes with the speed's square, less pitch then lifts as much, which
- * leaves the wing more room for upward gusts.
+ * Rotation speed and pitch. In wind the speed is raised by a share of the wind speed, for gusts; as lift grows with speed squared, less pitch then gives the same lift, leaving more margin for upward gusts.
  */
 final class TakeOffRotation {
   private final Tuning tuning;
@@ -14,7 +12,7 @@ final class TakeOffRotation {
     this.wind = wind;
   }
 
-  /** Calibrated airspeed at which it begins [m/s]. */
+  /** Calibrated airspeed at which rotation starts [m/s]. */
   double speedMps() {
     return Tuning.KNOT_MPS * tuning.takeOff().rotationSpeed()
         + tuning.guidance().gustShare() * wind.speedMps();

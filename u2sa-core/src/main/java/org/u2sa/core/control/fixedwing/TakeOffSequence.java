@@ -3,9 +3,9 @@ package org.u2sa.core.control.fixedwing;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
-/** The state machine of {@link FlightPhase}s. */
+/** State machine of {@link FlightPhase}s. */
 final class TakeOffSequence {
-  /** When one phase ends and the next begins. */
+  /** Transition thresholds of the phases. */
   record Parameters(
       @Variable(
               unit = "rpm",
@@ -33,8 +33,8 @@ final class TakeOffSequence {
               text = "Height above ground at which the climb-out ends.")
           double safeHeight) {}
 
-  private static final double FLYING_HEIGHT_M = 15.0; // no wheel comes so high without flying
-  private static final double LIFTED_FOR_S = 0.3; // shorter is a hop
+  private static final double FLYING_HEIGHT_M = 15.0; // wheels this high mean flying
+  private static final double LIFTED_FOR_S = 0.3; // shorter lift-offs are hops
   private static final double LANDED_FOR_S = 1.0;
 
   private final Parameters parameters;
@@ -67,11 +67,11 @@ final class TakeOffSequence {
   }
 
   /**
-   * @param navigating whether navigation is there and fresh
-   * @param landing whether it leads to the ground, which is near
-   * @param refused whether it may not be followed there
+   * @param navigating whether navigation is present and fresh
+   * @param landing whether it leads to the ground, and the ground is near
+   * @param refused whether landing is refused
    * @param rotateMps calibrated airspeed at which the nose is raised
-   * @param throttle that was commanded last, 0…1
+   * @param throttle last throttle command, 0…1
    */
   FlightPhase step(
       FlightState state,
@@ -104,7 +104,7 @@ final class TakeOffSequence {
         if (state.calibratedAirspeedMps() >= rotateMps) {
           yield FlightPhase.ROTATE;
         }
-        // Without navigation or power the take-off is rejected while the brakes still serve.
+        // Without navigation or power, reject the take-off while braking is possible.
         yield flying != FlightPhase.HOLD && state.engineRpm() >= parameters.readyRpm()
             ? FlightPhase.ROLL
             : FlightPhase.STOPPED;
@@ -127,8 +127,7 @@ final class TakeOffSequence {
   }
 
   /**
-   * The phase for a control that starts near the ground: brakes and an idling engine suit an
-   * aircraft that stands, and one too slow to fly.
+   * Initial phase of a control started near the ground: brakes and an idling engine suit an aircraft that stands or is too slow to fly.
    */
   private FlightPhase first(FlightState state, boolean landing) {
     if (state.calibratedAirspeedMps() < rotationMps) {
@@ -140,12 +139,12 @@ final class TakeOffSequence {
     return state.onGround() ? FlightPhase.ROTATE : FlightPhase.CLIMB_OUT;
   }
 
-  /** Whether the engine runs by itself. */
+  /** Whether the engine runs on its own. */
   boolean engineReady(FlightState state) {
     return state.engineRpm() >= parameters.readyRpm() && !state.engineStarting();
   }
 
-  /** Whether engine and navigation have been there long enough to open the throttle. */
+  /** Whether engine and navigation have been ready long enough to open the throttle. */
   boolean cleared(FlightState state) {
     return lasting(readySinceS, state, parameters.readyTime());
   }

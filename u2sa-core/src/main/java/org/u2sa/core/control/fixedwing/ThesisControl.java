@@ -10,10 +10,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
 
 /**
- * The control of the thesis's Cessna (4.5.2.5), kept to teach from. In: state, navigation. Out:
- * actuation. It keeps an aircraft in the air and brings it past waypoints in calm air; it knows no
- * airspeed, wind, stall or runway: for those see {@link CessnaControl}. Without fresh navigation it
- * commands nothing, and actuators fall back when their commands expire.
+ * Control of the thesis's Cessna (4.5.2.5), kept for teaching. In: state, navigation. Out:
+ * actuation. It keeps an aircraft airborne and flies it past waypoints in calm air; airspeed, wind, stall and runway are not considered; for those see {@link CessnaControl}. Without fresh navigation it commands nothing, and actuators go neutral when their commands expire.
  */
 public final class ThesisControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
@@ -51,13 +49,10 @@ public final class ThesisControl extends ControlSystem {
   }
 
   /**
-   * The proportional controllers of thesis 4.5.2.4 and 4.5.2.5: the direction to go moves the
-   * aileron, the altitude differential the elevator. Two damping terms that the thesis does not
-   * have keep the bank from swinging and the nose from hunting; with their gains at 0 it is the
-   * thesis's own.
+   * The proportional controllers of thesis 4.5.2.4 and 4.5.2.5: bearing drives the aileron, the altitude differential the elevator. Two damping terms not in the thesis suppress bank oscillation and pitch hunting; with their gains at 0 this is the law of the thesis.
    */
   static final class ThesisLaw {
-    /** At 0, BANK GAIN and PITCH GAIN leave the thesis's own law. */
+    /** With BANK GAIN and PITCH GAIN at 0, this is the law of the thesis. */
     record Parameters(
         @Variable(
                 min = 0,
@@ -131,7 +126,7 @@ public final class ThesisControl extends ControlSystem {
           0.0);
     }
 
-    /** Scaled to −1…1: nothing below 10 ft, all from 1000 ft on (4.5.2.4). */
+    /** Altitude differential scaled to −1…1: 0 below 10 ft, full from 1000 ft (4.5.2.4). */
     static double differential(double metres) {
       double beyond = Math.abs(metres) - LEAST_DIFFERENTIAL_M;
       double share = beyond / (FULL_DIFFERENTIAL_M - LEAST_DIFFERENTIAL_M);

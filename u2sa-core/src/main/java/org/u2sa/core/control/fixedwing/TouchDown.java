@@ -4,15 +4,11 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
 /**
- * The last metres of a landing, and the roll-out. In the air it keeps the runway's centreline by
- * bank, takes sink and power away, and near the ground turns the nose along the runway with the
- * wing on the windward side low. On its wheels it holds the wings level by the ailerons, into the
- * wind as the speed falls, lets the nose down, then takes the elevator back, and brakes the more
- * the slower it is (Cessna 172P handbook, section 4: crosswind and short-field landing; FAA
+ * The last metres of a landing, and the roll-out. In the air it holds the runway's centreline by bank, reduces sink rate and power, and near the ground aligns the nose with the runway, windward wing low. On its wheels it holds the wings level by aileron, into the wind as speed falls, lowers the nose, then pulls the elevator back, and brakes harder as speed falls (Cessna 172P handbook, section 4: crosswind and short-field landing; FAA
  * Airplane Flying Handbook, chapter 9).
  */
 final class TouchDown {
-  /** Of the last metres, and the crosswind in which it may land. */
+  /** Parameters of the last metres, and the crosswind limit. */
   record Parameters(
       @Variable(
               unit = "m",
@@ -55,16 +51,16 @@ final class TouchDown {
                   "Maximum crosswind for landing, as felt by the aircraft; in more it stays at SAFE HEIGHT.")
           double maxCrosswind) {}
 
-  private static final double LEVEL_MPS = 10.0; // slower, ailerons level nothing
+  private static final double LEVEL_MPS = 10.0; // below this, ailerons cannot level the wings
   private static final double LIGHT_BRAKES = 0.15;
   private static final double FULL_BRAKES_MPS = 8.0;
   private static final double NOSE_UP_RAD = Math.toRadians(4.5);
   private static final double ROLLING_MPS = 2.0;
-  private static final double ELEVATOR_BACK = -0.6; // full would rub the tail on a bump
+  private static final double ELEVATOR_BACK = -0.6; // full could strike the tail
   private static final double ELEVATOR_BACK_FAST = -0.1; // takes load off the nose wheel
-  private static final double NO_LIFT_MPS = 22.0; // slower through the air it does not lift off
+  private static final double NO_LIFT_MPS = 22.0; // below this airspeed it does not lift off
   private static final double THROTTLE_PER_SINK = 0.25; // [s/m]
-  private static final double SPARE_SINK_MPS = 0.8; // more than is wanted, without power
+  private static final double SPARE_SINK_MPS = 0.8; // excess sink rate without power
   private static final double MOST_THROTTLE = 0.6;
 
   private final Parameters parameters;
@@ -83,12 +79,12 @@ final class TouchDown {
     lateral = new LateralGuidance(parameters.flareLookAhead());
   }
 
-  /** Height above ground at which it begins [m]. */
+  /** Height above ground at which the flare starts [m]. */
   double heightM() {
     return flare.heightM();
   }
 
-  /** Begins: the centreline is where navigation led, or else along the way over ground. */
+  /** Starts the flare: the centreline is the line of navigation, or else the ground track. */
   void begin(FlightState state, FinalApproach approach) {
     flare.restart(loops.pitchRad());
     nosewheel = false;
@@ -99,7 +95,7 @@ final class TouchDown {
     }
   }
 
-  /** From the flare until the wheels have carried for a while. */
+  /** Flares until the wheels have carried load for a while. */
   Surfaces flare(FlightState state, double dtS) {
     double look = parameters.flareLookAhead();
     double bank =
@@ -152,14 +148,14 @@ final class TouchDown {
     return new Surfaces(ailerons(state, dtS), elevator, steer(state, dtS), 0.0, 1.0, 0.0, brakes);
   }
 
-  /** Into the wind, and the wings level for as long as the ailerons have an effect. */
+  /** Aileron into the wind; holds the wings level while the ailerons are effective. */
   private double ailerons(FlightState state, double dtS) {
     double level = state.calibratedAirspeedMps() > LEVEL_MPS ? loops.levelAileron(state, dtS) : 0.0;
     loops.hold(0.0);
     return Limit.symmetric(intoWind(state) + level, 1.0);
   }
 
-  /** Aileron against the wind lifting the upwind wing: full when the wind is abeam. */
+  /** Aileron that keeps the wind from lifting the upwind wing: full for wind abeam. */
   private double intoWind(FlightState state) {
     return Limit.symmetric(parameters.aileronPerSideslip() * StrictMath.sin(state.betaRad()), 1.0);
   }

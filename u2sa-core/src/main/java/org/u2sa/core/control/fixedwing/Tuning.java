@@ -5,7 +5,7 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** Every gain and limit of {@link Autopilot}, in the units of the configuration. */
+/** All gains and limits of {@link Autopilot}, in configuration units. */
 record Tuning(
     GuidanceParameters guidance,
     RollLaw.Parameters roll,
@@ -21,7 +21,7 @@ record Tuning(
   /** One knot [m/s]. */
   static final double KNOT_MPS = 1852.0 / 3600.0;
 
-  /** What the aircraft does without navigation. */
+  /** Behaviour without navigation. */
   record Hold(
       @Variable(
               unit = "s",
@@ -39,7 +39,7 @@ record Tuning(
               text = "Bank to the right when circling without navigation; 0 flies straight on.")
           double holdBank) {}
 
-  /** How the aircraft leaves the ground. */
+  /** Take-off settings. */
   record ClimbOut(
       @Variable(min = 0.1, max = 0.5, ifAbsent = 0.2, text = "Throttle while the engine starts.")
           double startThrottle,
@@ -68,7 +68,7 @@ record Tuning(
               text = "Distance to the aim point on the extended centreline.")
           double climbOutLookAhead) {}
 
-  /** Declares all variables; what it returns supplies their newest values. */
+  /** Declares all variables and returns a supplier of their current values. */
   static Supplier<Tuning> in(Configurator variables) {
     Settings<GuidanceParameters> guidance = variables.settings(GuidanceParameters.class);
     Settings<RollLaw.Parameters> roll = variables.settings(RollLaw.Parameters.class);

@@ -5,8 +5,7 @@ import org.u2sa.messages.frame.Rotation;
 import org.u2sa.service.HandOver;
 
 /**
- * The wind that the aircraft is in: its velocity over ground less its velocity through the air,
- * with gusts averaged out.
+ * Estimates the wind: velocity over ground minus velocity through the air, with gusts averaged out.
  */
 final class WindEstimate {
   private static final double TIME_CONSTANT_S = 10.0;
@@ -14,7 +13,7 @@ final class WindEstimate {
 
   private double northMps;
   private double eastMps;
-  private double knownS; // since when it has been averaged
+  private double knownS; // averaging time so far
 
   /** Adds a state to the average. */
   void step(FlightState state, double dtS) {
@@ -32,12 +31,12 @@ final class WindEstimate {
     eastMps += share * (state.eastMps() - air.y() - eastMps);
   }
 
-  /** Speed [m/s]. */
+  /** Wind speed [m/s]. */
   double speedMps() {
     return StrictMath.hypot(northMps, eastMps);
   }
 
-  /** The part across a course, blowing to its right positive [m/s]. */
+  /** Crosswind component on a course, positive if blowing to the right [m/s]. */
   double acrossMps(double courseRad) {
     return eastMps * StrictMath.cos(courseRad) - northMps * StrictMath.sin(courseRad);
   }

@@ -5,9 +5,8 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
 /**
- * Keeps the turn coordinated by the rudder: damps yaw about r = g/V · sin φ cos θ (coordinated
- * turn; Stevens and Lewis, 2nd ed., section 4.4), meets the adverse yaw of the ailerons, and takes
- * the sideslip out slowly, which trims the propeller's swirl.
+ * Coordinates turns by rudder: damps yaw about r = g/V · sin φ cos θ (coordinated
+ * turn; Stevens and Lewis, 2nd ed., section 4.4), compensates the adverse yaw of the ailerons, and slowly removes sideslip, which trims the propeller's swirl.
  */
 final class YawLaw {
   /** Gains at the reference speed. */
@@ -56,7 +55,7 @@ final class YawLaw {
     return Limit.symmetric(raw, 1.0);
   }
 
-  /** Yaw rate of a turn without sideslip at the present bank [rad/s]. */
+  /** Yaw rate of a turn without sideslip at the current bank [rad/s]. */
   static double coordinatedRate(FlightState state) {
     double speed = Math.max(SLOWEST_MPS, state.trueAirspeedMps());
     return Gravity.STANDARD_MPS2

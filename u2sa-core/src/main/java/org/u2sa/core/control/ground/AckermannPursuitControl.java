@@ -16,13 +16,11 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Drives a ground vehicle with steered front wheels along its navigation points by regulated pure
- * pursuit. In: navigation, state. Out: actuation of throttle (forwards positive) and steering (to
- * the right positive), once for each state. Without fresh navigation, or without knowing where it
- * is, the vehicle brakes and stands.
+ * Follows the navigation points of a ground vehicle with steered front wheels by regulated pure pursuit. In: navigation, state. Out: actuation of throttle (forwards positive) and steering (to
+ * the right positive), once per state. Without fresh navigation or without a position, the vehicle brakes to a stop.
  */
 public final class AckermannPursuitControl extends ControlSystem {
-  /** How it is steered. */
+  /** Steering settings. */
   private record Steering(
       @Variable(
               unit = "m",
@@ -70,9 +68,9 @@ public final class AckermannPursuitControl extends ControlSystem {
   }
 
   private static final double FULL_PERCENT = 100.0;
-  private static final double SLOWEST_MPS = 0.1; // slower, the steering stays where it is
+  private static final double SLOWEST_MPS = 0.1; // below this the steering is held
 
-  private double misalignment; // curvature that the steering lacks [1/m]; kept while it stands
+  private double misalignment; // learnt steering offset as curvature [1/m]; held at standstill
 
   private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
   private final Settings<Steering> steering = settings(Steering.class);
@@ -95,13 +93,13 @@ public final class AckermannPursuitControl extends ControlSystem {
         tuning.get(), steering.get().tightest(), PursuitSettings.SpotTurn.NONE);
   }
 
-  /** Drives on with other gains and limits. */
+  /** Applies new gains and limits while driving. */
   @Override
   protected void configurationChanged(Set<String> variableNames) {
     pursuit.settings(pursuitSettings());
   }
 
-  /** Only Stanley's law must know where the vehicle is: it follows a path, not a point. */
+  /** Only Stanley's law needs the position: it follows a path, not a point. */
   @Override
   protected boolean obeysWithoutState() {
     return steering.get().steeringLaw() != SteeringLaw.STANLEY;
@@ -121,9 +119,9 @@ public final class AckermannPursuitControl extends ControlSystem {
   }
 
   /**
-   * Commands the motors; returns what the drive is asked for by what it can.
+   * Commands the motors; returns the demanded share of the drive's capability.
    *
-   * @param alongPath angle of the front wheels, left positive [rad]; empty: as the demand says
+   * @param alongPath angle of the front wheels, left positive [rad]; if empty, derived from the demand
    */
   private double drive(PursuitControl.Demand demand, OptionalDouble alongPath) {
     Drive drive = demand.drive();
@@ -168,7 +166,7 @@ public final class AckermannPursuitControl extends ControlSystem {
     pursuit.takeOver(state, isOfMyClass(state), lastDrive());
   }
 
-  /** The motion that the motors were commanded last, by whatever control. */
+  /** Motion last commanded to the motors, by any control system. */
   private Drive lastDrive() {
     Steering now = steering.get();
     double speed = tuning.get().calibration().speedMps(lastShare(now.throttleActuator()));
@@ -178,7 +176,7 @@ public final class AckermannPursuitControl extends ControlSystem {
 
   @Override
   protected Map<String, Double> neutral() {
-    Map<String, Double> all = new LinkedHashMap<>(); // Map.of has another order in each process
+    Map<String, Double> all = new LinkedHashMap<>(); // Map.of's order varies by process
     all.put(steering.get().throttleActuator(), 0.0);
     all.put(steering.get().steeringActuator(), 0.0);
     return all;

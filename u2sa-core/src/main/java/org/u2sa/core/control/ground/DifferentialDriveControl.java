@@ -12,12 +12,10 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * The control of the thesis's ground vehicle (4.6.2.5), kept to teach from: a proportional
- * controller for each wheel. In: navigation, state. Out: actuation of the left and the right motor,
+ * Control of the thesis's ground vehicle (4.6.2.5), kept for teaching: one proportional controller per wheel. In: navigation, state. Out: actuation of the left and the right motor,
  * once for each state.
  *
- * <p>Both wheels follow the distance of the point to go to, up to a limit, and its direction with
- * opposite signs. It knows no acceleration and no speed over ground: for those see {@link
+ * <p>Both wheels are proportional to the distance of the target, up to a limit, and to its bearing with opposite signs. Acceleration and ground speed are not considered; for those see {@link
  * DifferentialPursuitControl}. Without fresh navigation both wheels stop.
  */
 public final class DifferentialDriveControl extends ControlSystem {
@@ -60,7 +58,7 @@ public final class DifferentialDriveControl extends ControlSystem {
                   "Integral gain on the command of HEADING GAIN, for motors that are not alike; 0: no feedback.")
           double mismatchGain) {}
 
-  private static final double ALIGNED_RAD = 0.6; // farther aside it is to turn, not to learn
+  private static final double ALIGNED_RAD = 0.6; // at larger bearings it turns and does not learn
   private static final double FULL_PERCENT = 100.0;
 
   private final Settings<Gains> gains = settings(Gains.class);
@@ -90,10 +88,10 @@ public final class DifferentialDriveControl extends ControlSystem {
       double bearing = target.get().bearingRad();
       ahead =
           Math.min(gains.get().speedLimit(), gains.get().distanceGain() * target.get().distanceM())
-              * Math.max(0.0, Math.cos(bearing)); // not away from a point behind
+              * Math.max(0.0, Math.cos(bearing)); // do not drive away from a point behind
       turn = gains.get().headingGain() * bearing;
       if (measured.yawRateRadPerS().isPresent() && Math.abs(bearing) < ALIGNED_RAD) {
-        error = OptionalDouble.of(bearing); // the integral of a yaw rate: a PI controller
+        error = OptionalDouble.of(bearing); // integral of yaw rate: a PI controller
       }
     }
     WheelShares shares =

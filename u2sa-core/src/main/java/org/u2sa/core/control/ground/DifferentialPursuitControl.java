@@ -12,13 +12,11 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Drives a differential ground vehicle along its navigation points by regulated pure pursuit, with
- * turns on the spot (the default for thesis 4.6.2.5). In: navigation, state. Out: actuation of the
- * left and the right motor, once for each state; while no state comes, once for each navigation
- * point. Without fresh navigation the vehicle brakes and stands.
+ * Follows the navigation points of a differential ground vehicle by regulated pure pursuit, with turns in place (the default for thesis 4.6.2.5). In: navigation, state. Out: actuation of the
+ * left and the right motor, once per state, or once per navigation point while no states arrive. Without fresh navigation the vehicle brakes to a stop.
  */
 public final class DifferentialPursuitControl extends ControlSystem {
-  /** How it turns. */
+  /** Turn settings. */
   private record Turning(
       @Variable(
               unit = "m",
@@ -72,7 +70,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
           double yawRateGain) {}
 
   private static final double FULL_PERCENT = 100.0;
-  private static final double TIGHTEST = 10.0; // [1/m]; tighter is as good as on the spot
+  private static final double TIGHTEST = 10.0; // [1/m]; tighter is effectively a turn in place
 
   private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
   private final Settings<Turning> turning = settings(Turning.class);
@@ -100,7 +98,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
             now.spotTurnGain()));
   }
 
-  /** Drives on with other gains and limits. */
+  /** Applies new gains and limits while driving. */
   @Override
   protected void configurationChanged(Set<String> variableNames) {
     pursuit.settings(pursuitSettings());
@@ -126,7 +124,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
             });
   }
 
-  /** Commands the motors; returns what they are asked for by what they can. */
+  /** Commands the motors; returns the demanded share of their capability. */
   private double drive(PursuitControl.Demand demand, StateInformation state) {
     DriveCalibration motor = tuning.get().calibration();
     Drive drive = demand.drive();
@@ -175,7 +173,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
     pursuit.takeOver(state, isOfMyClass(state), lastDrive());
   }
 
-  /** The motion that the motors were commanded last, by whatever control. */
+  /** Motion last commanded to the motors, by any control system. */
   private Drive lastDrive() {
     DriveCalibration motor = tuning.get().calibration();
     return new WheelSpeeds(

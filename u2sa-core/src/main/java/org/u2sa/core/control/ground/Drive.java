@@ -1,10 +1,10 @@
 package org.u2sa.core.control.ground;
 
 /**
- * How a ground vehicle is to move.
+ * Motion command of a ground vehicle.
  *
- * @param speedMps forwards [m/s]
- * @param yawRateRadPerS [rad/s], to the left positive
+ * @param speedMps forward speed [m/s]
+ * @param yawRateRadPerS yaw rate [rad/s], left positive
  */
 record Drive(double speedMps, double yawRateRadPerS) {
   /** At rest. */

@@ -1,16 +1,15 @@
 package org.u2sa.core.control.ground;
 
 /**
- * The motor command for a ground speed, as a share of full: below a certain share friction and the
- * motor controller's dead band hold the vehicle; above it, speed grows linearly.
+ * Maps ground speed to motor command as a share of full: below the start share, friction and the motor controller's dead band hold the vehicle; above it, speed grows linearly.
  *
  * @param maxMps speed at the share of 1 [m/s]
- * @param startShare at which the vehicle begins to move, 0…1
+ * @param startShare share at which the vehicle starts to move, 0…1
  */
 record DriveCalibration(double maxMps, double startShare) {
   private static final double STANDS_MPS = 1.0e-6;
 
-  /** What to command for a speed [m/s]: −1…1 for speeds that can be reached, 0 for standing. */
+  /** Command for a speed [m/s]: −1…1 for attainable speeds, 0 at standstill. */
   double share(double mps) {
     if (Math.abs(mps) < STANDS_MPS) {
       return 0.0;
@@ -18,7 +17,7 @@ record DriveCalibration(double maxMps, double startShare) {
     return Math.copySign(startShare + (1.0 - startShare) * Math.abs(mps) / maxMps, mps);
   }
 
-  /** The speed at a command [m/s]. */
+  /** Speed at a command [m/s]. */
   double speedMps(double share) {
     double moving = Math.max(0.0, Math.abs(share) - startShare) / (1.0 - startShare);
     return Math.copySign(moving * maxMps, share);

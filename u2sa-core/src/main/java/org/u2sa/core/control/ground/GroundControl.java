@@ -16,9 +16,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * What control systems of ground vehicles have in common: the navigation point as it lies from the
- * vehicle now, how the vehicle moves, and whether its motors are there. In: arming-state,
- * actuators. Belongs to the control's thread.
+ * Common part of ground control systems: the navigation point relative to the vehicle now, the vehicle's measured motion, and whether its motors are present. In: arming-state, actuators. Confined to the control's thread.
  */
 final class GroundControl {
   private final ControlSystem control;
@@ -27,11 +25,11 @@ final class GroundControl {
   private final ActuatorRoster roster = new ActuatorRoster();
   private boolean navigating;
   private boolean powerless;
-  private boolean armed = true; // where nobody arms, motors obey at once
-  private OptionalDouble headingRad = OptionalDouble.empty(); // of the state before
+  private boolean armed = true; // without an arming service, motors obey at once
+  private OptionalDouble headingRad = OptionalDouble.empty(); // of the previous state
 
   /**
-   * @param motors actuators without any of which the vehicle cannot drive, by name
+   * @param motors names of the actuators that are all required to drive
    */
   GroundControl(ControlSystem control, Clock clock, Supplier<List<String>> motors) {
     this.control = control;
@@ -46,22 +44,21 @@ final class GroundControl {
   }
 
   /**
-   * How the vehicle moves.
+   * Measured motion of the vehicle.
    *
-   * @param forwardMps speed ahead [m/s]; empty if unknown
-   * @param yawRateRadPerS [rad/s], to the left positive; empty if unknown
+   * @param forwardMps forward speed [m/s]; empty if unknown
+   * @param yawRateRadPerS yaw rate [rad/s], left positive; empty if unknown
    */
   record Measured(OptionalDouble forwardMps, OptionalDouble yawRateRadPerS) {
-    /** Without a state, or of motors that do not obey, feedback has nothing to learn. */
+    /** Nothing measured: without a state, or while motors do not obey, feedback must not learn. */
     static final Measured NOTHING = new Measured(OptionalDouble.empty(), OptionalDouble.empty());
   }
 
   /**
-   * Where to go; empty: nowhere, the vehicle is to stop and stand. A motor that is announced to be
-   * lost is not driven against: the vehicle would lurch when it is back, or rest as if stalled.
+   * Target; empty to stop. A motor announced as lost also stops the vehicle, which would otherwise lurch on its return, or rest as if stalled.
    *
-   * @param then the state from which the point was computed
-   * @param ned where the point lay then: north, east, down [m]
+   * @param then state from which the point was computed
+   * @param ned position of the point relative to the vehicle at that state: north, east, down [m]
    */
   Optional<GroundTarget> target(
       StateInformation now,
@@ -98,9 +95,9 @@ final class GroundControl {
   }
 
   /**
-   * How the vehicle moves, as far as feedback may learn from it. Called once for each state.
+   * Measured motion, as far as feedback may learn from it. Called once per state.
    *
-   * @param stepS since the call before [s]; 0 for the first one and after a gap
+   * @param stepS time since the previous call [s]; 0 for the first call and after a gap
    */
   Measured measured(StateInformation state, double stepS) {
     Measured measured = new Measured(forwardMps(state), yawRateRadPerS(state, stepS));
@@ -121,7 +118,7 @@ final class GroundControl {
     return OptionalDouble.of(north * Math.cos(heading) + east * Math.sin(heading));
   }
 
-  /** As measured, or by how much the heading has changed since the state before. */
+  /** Measured yaw rate, or the heading difference to the previous state divided by the step. */
   private OptionalDouble yawRateRadPerS(StateInformation state, double stepS) {
     if (state.psiDot().isPresent()) {
       return OptionalDouble.of(-state.psiDot().getAsDouble());

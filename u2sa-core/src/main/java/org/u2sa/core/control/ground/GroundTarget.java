@@ -9,30 +9,29 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Where a ground vehicle is to go, as it lies from the vehicle now, on its level plane.
+ * Target of a ground vehicle relative to its current pose, in the horizontal plane.
  *
- * @param forwardM ahead of the vehicle [m]; negative behind
- * @param leftM to the left of it [m]; negative to the right
- * @param speedMps at which to go there [m/s]; empty if control is to choose
+ * @param forwardM distance ahead of the vehicle [m]; negative behind
+ * @param leftM distance to the left [m]; negative to the right
+ * @param speedMps speed toward the target [m/s]; empty if control chooses it
  * @param backwards whether to go there with the rear first
  */
 record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, boolean backwards) {
 
-  /** How far away it is [m]. */
+  /** Distance [m]. */
   double distanceM() {
     return Math.hypot(forwardM, leftM);
   }
 
-  /** Its direction [rad, −π…π], to the left positive; 0 straight ahead. */
+  /** Bearing [rad, −π…π], left positive; 0 straight ahead. */
   double bearingRad() {
     return Math.atan2(leftM, forwardM);
   }
 
   /**
-   * A point that was seen from one state, as it lies from a newer one: what the vehicle has gone
-   * and turned meanwhile is taken off. Empty if either state lacks position or heading.
+   * Transforms a point from the pose of one state to that of a newer one. Empty if either state lacks position or heading.
    *
-   * @param ned where it was seen: north, east, down [m]
+   * @param ned point relative to the older state: north, east, down [m]
    * @param backwards whether to go there with the rear first
    */
   static Optional<GroundTarget> seenFrom(
@@ -53,7 +52,7 @@ record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, bool
     return state.x().isPresent() && state.y().isPresent();
   }
 
-  /** North and east from one state to the other [m]. */
+  /** Displacement between two states: north and east [m]. */
   static Point displacement(StateInformation then, StateInformation now) {
     if (then.referenceFrame().isLocal()) {
       Point from = place(then.in(ReferenceFrame.LOCAL_NED));

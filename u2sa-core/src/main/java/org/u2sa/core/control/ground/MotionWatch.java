@@ -4,29 +4,27 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Detects stalled motors: full command without the demanded motion, from too heavy a load, too
- * steep a slope, an obstacle or no supply. Stalled motors burn, so it lets them rest. Belongs to
- * one thread.
+ * Detects stalled motors: full command without the demanded motion, caused by overload, a steep slope, an obstacle or missing power. Rests stalled motors so that they do not burn out. Not thread-safe.
  */
 final class MotionWatch {
   private static final double FULL_EFFORT = 0.98;
-  private static final double MOVES_SHARE = 0.1; // of what is demanded
+  private static final double MOVES_SHARE = 0.1; // share of the demand that counts as moving
   private static final double ROLLS_MPS = 0.1;
 
   private double heldS;
   private double turnedRad;
   private double goneM;
   private double restS;
-  private double quietS; // until it says again what goes on without a rest
-  private boolean rolls; // when its motors rest, until it has moved as it is to
+  private double quietS; // time until the next warning when not resting
+  private boolean rolls; // when motors rest; reset once it has moved as demanded
 
   /**
-   * What was demanded of the motors, and what became of it, since the call before.
+   * Updates with the demand on the motors and the resulting motion since the previous call.
    *
-   * @param afterS how long they may try [s]
-   * @param pauseS how long they rest then [s]
-   * @param effort of the motors, 1 and more if they give all
-   * @return what to tell the user, once for each attempt, or each pause without one
+   * @param afterS how long motors may stall before they rest [s]
+   * @param pauseS duration of the rest [s]
+   * @param effort effort of the motors; 1 or more at full power
+   * @return warning for the user, once per attempt, or once per pause if there is no rest
    */
   Optional<String> see(
       Drive demanded,
@@ -86,7 +84,7 @@ final class MotionWatch {
     goneM = 0.0;
   }
 
-  /** Whether the motors are to rest. On a slope they do not: there is no other brake. */
+  /** Whether the motors must rest. Never on a slope, where they are the only brake. */
   boolean rests(GroundControl.Measured measured, double stepS) {
     restS = Math.max(0.0, restS - stepS);
     if (restS > 0.0 && Math.abs(measured.forwardMps().orElse(0.0)) > ROLLS_MPS) {

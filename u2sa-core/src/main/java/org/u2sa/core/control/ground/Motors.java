@@ -24,7 +24,7 @@ record Motors(
   }
 
   Map<String, Double> neutral() {
-    Map<String, Double> all = new LinkedHashMap<>(); // Map.of has another order in each process
+    Map<String, Double> all = new LinkedHashMap<>(); // Map.of's order varies by process
     all.put(leftActuator, 0.0);
     all.put(rightActuator, 0.0);
     return all;

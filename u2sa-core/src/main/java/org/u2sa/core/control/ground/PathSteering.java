@@ -5,17 +5,17 @@ import java.util.OptionalDouble;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 
-/** Stanley's law along the path that navigation points describe. For one thread. */
+/** Stanley's law along the path traced by the navigation points. Not thread-safe. */
 final class PathSteering {
-  private static final double FAR_M = 10_000.0; // a new origin, for precision
+  private static final double FAR_M = 10_000.0; // beyond this the origin is moved, for precision
 
   private static final double AWAY_RAD = Math.toRadians(75.0);
 
   private final TargetTrail trail = new TargetTrail();
-  private StateInformation origin; // null: none yet
+  private StateInformation origin; // null if none yet
 
   /**
-   * The angle of the front wheels [rad], to the left positive; empty without target, place or path.
+   * Angle of the front wheels [rad], left positive; empty without target, position or path.
    */
   OptionalDouble steeringRad(
       StanleyLaw.Tuning tuning,
@@ -41,7 +41,7 @@ final class PathSteering {
     Point front = Point.of(place.x() + wheelbaseM * cos, place.y() + wheelbaseM * sin, 0.0);
     Optional<TargetTrail.Beside> beside = trail.beside(front);
     if (beside.isPresent() && leadsAway(beside.get(), heading, to)) {
-      trail.clear(); // after a corner that it did not get around: a leg from here
+      trail.clear(); // it failed to follow a corner: start a leg from here
       trail.see(point, place);
       beside = trail.beside(front);
     }

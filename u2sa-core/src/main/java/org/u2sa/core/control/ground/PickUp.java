@@ -1,20 +1,18 @@
 package org.u2sa.core.control.ground;
 
 /**
- * What motors must be told more while a motion changes. At a constant command, inertia has a
- * vehicle take up a new speed as a first-order lag does, T dv/dt + v = told, so it is told the
- * speed and T times its rate of change. Belongs to one thread.
+ * Feed-forward that compensates inertia. At a constant command, the vehicle approaches a new speed as a first-order lag, T dv/dt + v = command, so the command is the speed plus T times its rate of change. Not thread-safe.
  */
 final class PickUp {
-  /** A rate of change is taken over so long: the wanted motion jumps a little with each state. */
+  /** Filter time of the rate of change, because the wanted motion jumps slightly with each state. */
   private static final double SMOOTHED_S = 0.1;
 
-  private double smooth = Double.NaN; // not before the first step: it may take over while moving
+  private double smooth = Double.NaN; // NaN before the first step: it may take over while moving
 
   /**
-   * What to add to a wanted speed, or yaw rate.
+   * Computes the addition to a wanted speed or yaw rate.
    *
-   * @param timeS T, in which the vehicle takes up 63 % of a step [s]; 0: nothing is added
+   * @param timeS time constant T, in which the vehicle reaches 63 % of a step [s]; 0 adds nothing
    */
   double step(double wanted, double timeS, double stepS) {
     if (Double.isNaN(smooth)) {

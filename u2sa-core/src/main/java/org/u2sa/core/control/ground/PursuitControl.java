@@ -6,8 +6,7 @@ import java.util.function.Supplier;
 import org.u2sa.service.HandOver;
 
 /**
- * Regulated pure pursuit, for whatever motors the vehicle has: says how to move, with feedback from
- * how it moved, and rests motors that are too weak. Belongs to one thread.
+ * Regulated pure pursuit independent of the drive: computes the motion command with feedback from the measured motion, and rests stalled motors. Not thread-safe.
  */
 final class PursuitControl {
   private final Supplier<PursuitTuning> tuning;
@@ -15,7 +14,7 @@ final class PursuitControl {
   private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
   private final PickUp pickUp = new PickUp();
   private final MotionWatch watch = new MotionWatch();
-  private Drive due = Drive.STANDING; // what the demanded motion should have become by now
+  private Drive due = Drive.STANDING; // expected motion by now, after the response lag
   private boolean atFullPower;
 
   PursuitControl(Supplier<PursuitTuning> tuning, PursuitSettings settings) {
@@ -23,21 +22,21 @@ final class PursuitControl {
     law = new PursuitLaw(settings);
   }
 
-  /** Drives on with other gains and limits. */
+  /** Replaces the gains and limits. */
   void settings(PursuitSettings settings) {
     law.settings(settings);
   }
 
   /**
-   * What the motors are to do.
+   * Demand on the motors.
    *
-   * @param drive how the vehicle is to move
-   * @param moreMps what must be told more, for that speed and for its change [m/s]
-   * @param yawErrorRadPerS wanted yaw rate less the measured one; empty if unknown
+   * @param drive motion command
+   * @param moreMps addition for trim and inertia [m/s]
+   * @param yawErrorRadPerS wanted minus measured yaw rate; empty if unknown
    */
   record Demand(Drive drive, double moreMps, OptionalDouble yawErrorRadPerS) {}
 
-  /** How to move now, after a state. */
+  /** Computes the demand after a state. */
   Demand step(Optional<GroundTarget> target, GroundControl.Measured measured, double stepS) {
     Drive drive = law.step(watch.rests(measured, stepS) ? Optional.empty() : target, stepS);
     follow(drive, tuning.get().responseTime(), stepS);
@@ -55,8 +54,7 @@ final class PursuitControl {
   }
 
   /**
-   * Motors, tyres and sensors take their time, and feedback must not take that for an error. First
-   * order.
+   * Models the lag of motors, tyres and sensors as first order, so that feedback does not take it for an error.
    */
   private void follow(Drive demanded, double responseS, double stepS) {
     double share = stepS / (responseS + stepS);
@@ -73,10 +71,9 @@ final class PursuitControl {
   }
 
   /**
-   * Takes note of what the motors were asked for in that step, by what they can: more than 1 if
-   * they cannot.
+   * Reports the demanded share of the motors' capability in this step: more than 1 if saturated.
    *
-   * @return what to tell the user if they do not move the vehicle
+   * @return warning for the user if they do not move the vehicle
    */
   Optional<String> commanded(
       Demand demand, double effort, GroundControl.Measured measured, double stepS) {
@@ -96,10 +93,10 @@ final class PursuitControl {
   }
 
   /**
-   * Goes on from another control.
+   * Continues from another control system.
    *
    * @param alike whether it was of the same class
-   * @param last the motion that the motors were commanded last
+   * @param last motion last commanded to the motors
    */
   void takeOver(HandOver state, boolean alike, Drive last) {
     if (alike) {

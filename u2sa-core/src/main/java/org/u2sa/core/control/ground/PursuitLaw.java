@@ -4,15 +4,13 @@ import java.util.Optional;
 import org.u2sa.service.HandOver;
 
 /**
- * Regulated pure pursuit: drives the arc that leads to the point, slower in tight curves and near
- * the goal, with a speed that changes no faster than the vehicle can; turns on the spot towards a
- * point that lies far aside, where the vehicle can.
+ * Regulated pure pursuit: drives the arc to the point, slower in tight curves and near the goal, within the vehicle's acceleration; turns in place toward a point well off to the side, if the vehicle can.
  *
  * <p>After Macenski, Singh, Martin, Ginés: Regulated Pure Pursuit for Robot Path Tracking,
- * Autonomous Robots 47 (2023), sections 3.2 and 3.3, as ROS 2's Nav2 has it. Belongs to one thread.
+ * Autonomous Robots 47 (2023), sections 3.2 and 3.3, as in ROS 2's Nav2. Not thread-safe.
  */
 final class PursuitLaw {
-  /** It stands until the point is so many tolerances away again: positions scatter. */
+  /** Hysteresis: stays stopped until the point is this many tolerances away, because positions are noisy. */
   private static final double LEAVES_AFTER = 2.0;
 
   private PursuitSettings settings;
@@ -24,12 +22,12 @@ final class PursuitLaw {
     this.settings = settings;
   }
 
-  /** Goes on with other gains and limits. */
+  /** Replaces the gains and limits. */
   void settings(PursuitSettings newSettings) {
     settings = newSettings;
   }
 
-  /** Goes on from a motion that another law commanded. */
+  /** Starts from the motion another law last commanded (bumpless transfer). */
   void startFrom(Drive moving) {
     drive = moving;
   }
@@ -49,10 +47,10 @@ final class PursuitLaw {
   }
 
   /**
-   * How to move now.
+   * Computes the motion command.
    *
-   * @param target where to go; empty: stop and stand
-   * @param stepS since the call before [s]
+   * @param target target, or empty to stop
+   * @param stepS time since the previous call [s]
    */
   Drive step(Optional<GroundTarget> target, double stepS) {
     Drive wanted = target.map(this::towards).orElseGet(this::stand);
@@ -64,7 +62,7 @@ final class PursuitLaw {
             stepS * (slower ? settings.tuning().braking() : settings.tuning().acceleration()));
     double yawRate = wanted.yawRateRadPerS();
     if (!turning && wanted.speedMps() != 0.0) {
-      yawRate *= speed / wanted.speedMps(); // the same arc at the speed that it has
+      yawRate *= speed / wanted.speedMps(); // same curvature at the actual speed
     }
     drive =
         new Drive(
@@ -97,15 +95,15 @@ final class PursuitLaw {
     }
     double curvature = curvature(target);
     double speed = speed(target, curvature);
-    double along = target.backwards() ? -speed : speed; // the same arc, the rear first
+    double along = target.backwards() ? -speed : speed; // same arc, in reverse
     return new Drive(along, along * curvature);
   }
 
-  /** Of the arc through the point, tangent to the vehicle's heading: 2 y / L² (eq. 2). */
+  /** Curvature of the arc through the point, tangent to the heading: 2 y / L² (eq. 2). */
   private double curvature(GroundTarget target) {
     double distance = target.distanceM();
     double ahead = target.backwards() ? -target.forwardM() : target.forwardM();
-    if (ahead <= 0.0) { // the arc would begin the other way: as tight as can be
+    if (ahead <= 0.0) { // point is behind: turn as tightly as possible
       return Math.copySign(settings.largestCurvature(), target.leftM());
     }
     return bounded(2.0 * target.leftM() / (distance * distance), settings.largestCurvature());
@@ -120,11 +118,11 @@ final class PursuitLaw {
     double wanted =
         Math.max(Math.min(inCurve, nearGoal), Math.min(settings.tuning().approachSpeed(), cruise));
     double steerable =
-        settings.tuning().turnRateRadPerS() / Math.abs(curvature); // on the arc, not outside
+        settings.tuning().turnRateRadPerS() / Math.abs(curvature); // holds the arc
     return Math.min(wanted, steerable);
   }
 
-  /** From one value towards another, by at most a step. */
+  /** Moves from one value toward another by at most one step. */
   private static double approach(double from, double to, double step) {
     return from + bounded(to - from, step);
   }

@@ -1,18 +1,18 @@
 package org.u2sa.core.control.ground;
 
 /**
- * What {@link PursuitLaw} goes by.
+ * Settings of {@link PursuitLaw}.
  *
- * @param largestCurvature that the vehicle can drive, or is to [1/m]
+ * @param largestCurvature maximum curvature to drive [1/m]
  */
 record PursuitSettings(PursuitTuning tuning, double largestCurvature, SpotTurn spotTurn) {
   /**
-   * When and how the vehicle turns on the spot.
+   * Settings of turns in place.
    *
-   * @param possible whether it can at all
-   * @param aboveRad bearing above which it does [rad]
-   * @param belowRad bearing at which it stops turning [rad]
-   * @param gain yaw rate for each radian of direction [1/s]
+   * @param possible whether the vehicle can turn in place
+   * @param aboveRad bearing above which a turn starts [rad]
+   * @param belowRad bearing below which it ends [rad]
+   * @param gain yaw rate per radian of bearing [1/s]
    */
   record SpotTurn(boolean possible, double aboveRad, double belowRad, double gain) {
     /** For vehicles that can only drive curves. */

@@ -111,7 +111,7 @@ record PursuitTuning(
         double stallPause) {
   private static final double FULL_PERCENT = 100.0;
 
-  /** What the motors make of commands. */
+  /** Calibration of the motors. */
   DriveCalibration calibration() {
     return new DriveCalibration(maxSpeed, startPercentage / FULL_PERCENT);
   }

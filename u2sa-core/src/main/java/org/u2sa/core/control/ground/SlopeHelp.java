@@ -5,8 +5,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * What slopes take of the motors' power, told by the vehicle's pitch: feedback takes seconds to
- * find it, in which a vehicle stands before a ramp and then runs away behind it.
+ * Feed-forward of motor power on slopes, from the vehicle's pitch: feedback alone takes seconds, so the vehicle would stop before a ramp and run away after it.
  */
 record SlopeHelp(
     @Variable(
@@ -20,10 +19,10 @@ record SlopeHelp(
                     + " GAIN.")
         double slopeHelp) {
   private static final double FULL_PERCENT = 100.0;
-  private static final double LEVEL_RAD = 0.026; // up to this it is the ground's and the sensor's
-  private static final double SLOPE_RAD = 0.052; // from this on all counts
+  private static final double LEVEL_RAD = 0.026; // dead band for uneven ground and sensor error
+  private static final double SLOPE_RAD = 0.052; // full effect from here on
 
-  /** Share of full power to add to both sides, ahead positive. */
+  /** Share of full power to add to both sides, forward positive. */
   double share(StateInformation state) {
     boolean isNoseDown = state.referenceFrame().equals(ReferenceFrame.LOCAL_ENU);
     double pitch = (isNoseDown ? -1.0 : 1.0) * state.theta().orElse(0.0);

@@ -7,31 +7,29 @@ import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The path that navigation points describe one after the other: from where the vehicle was at the
- * first, over those it left behind, to the newest. A point that moves ahead of the vehicle draws
- * the path; one that stays until it is reached gives a leg. For one thread.
+ * Path traced by successive navigation points: from the vehicle's position at the first, through the points it left behind, to the newest. A point that moves ahead of the vehicle traces the path; a fixed one gives a leg. Not thread-safe.
  */
 final class TargetTrail {
   private static final double SPACING_M = 0.25;
-  private static final int LONGEST = 512; // vertices
+  private static final int LONGEST = 512; // maximum number of vertices
 
   /**
-   * Where a place lies beside the path.
+   * Position relative to the path.
    *
-   * @param rightM to the right of it [m]
-   * @param headingRad of the path there, clockwise from north
+   * @param rightM distance to the right of it [m]
+   * @param headingRad heading of the path there, clockwise from north
    */
   record Beside(double rightM, double headingRad) {}
 
   private final Deque<Point> vertices = new ArrayDeque<>(); // north, east [m]
   private Point newest = Point.ORIGIN;
 
-  /** Forgets the path: the vehicle stands without a target. */
+  /** Clears the path: the vehicle stands without a target. */
   void clear() {
     vertices.clear();
   }
 
-  /** Takes note of the newest target, seen from a place: north, east [m]. */
+  /** Updates the path with the newest target and the vehicle's position: north, east [m]. */
   void see(Point target, Point place) {
     if (vertices.isEmpty()) {
       vertices.add(place);
@@ -47,7 +45,7 @@ final class TargetTrail {
     }
   }
 
-  /** The nearest part of the path; empty if there is none. What lies behind it is forgotten. */
+  /** Nearest part of the path; empty if there is no path. Drops the parts behind it. */
   Optional<Beside> beside(Point place) {
     if (vertices.isEmpty()) {
       return Optional.empty();
@@ -70,7 +68,7 @@ final class TargetTrail {
         double right = (place.y() - from.y()) * north - (place.x() - from.x()) * east;
         double beyond = along - Math.max(0.0, isLast ? along : Math.min(length, along));
         double distance = Math.hypot(beyond, right);
-        if (distance <= least) { // of equal ones the later
+        if (distance <= least) { // on ties, the later segment
           least = distance;
           nearest = Optional.of(new Beside(right, Math.atan2(east, north)));
           passed = index;

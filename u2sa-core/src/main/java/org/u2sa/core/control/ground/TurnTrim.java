@@ -4,10 +4,7 @@ import java.util.OptionalDouble;
 import org.u2sa.service.HandOver;
 
 /**
- * Takes out by how much a vehicle is steadily slower than it is told to: slopes, soft ground, its
- * load, a battery that runs down. An integral of the error, bounded by what the motors can; it is
- * none while the vehicle stands, so that what is to stand never creeps, and begins anew with each
- * drive and each turn.
+ * Integral trim of steady speed errors from slopes, soft ground, load or a discharging battery. It is bounded by the motors' capability, is zero while the vehicle stands, so that it never creeps, and resets with each drive and each turn.
  */
 final class TurnTrim {
   private final String name;
@@ -15,7 +12,7 @@ final class TurnTrim {
   private boolean drove;
 
   /**
-   * @param name under which it is handed over
+   * @param name name for the hand-over
    */
   TurnTrim(String name) {
     this.name = name;
@@ -31,13 +28,13 @@ final class TurnTrim {
   }
 
   /**
-   * What to add to what is demanded.
+   * Computes the addition to the demand.
    *
-   * @param demanded what the motors are told
-   * @param error of the same quantity, demanded less measured; empty if unknown
-   * @param atFullPower whether the motors give all that they can: more would only be wound up
+   * @param demanded demand on the motors
+   * @param error of the same quantity, demanded minus measured; empty if unknown
+   * @param atFullPower whether the motors are saturated (anti-windup)
    * @param gain share of an error corrected per second [1/s]; 0: no feedback
-   * @param most of demanded and trim together, either way
+   * @param most limit of the magnitude of demand plus trim
    */
   double step(
       Drive demanded,

@@ -4,39 +4,34 @@ import java.util.OptionalDouble;
 import org.u2sa.service.HandOver;
 
 /**
- * Makes two motors turn the vehicle as fast as it is to turn, whatever they are like and whatever
- * it carries: three integrals of the error of the yaw rate, which is the error of the heading, so
- * that a noisy compass harms none.
+ * Makes two motors attain the wanted yaw rate despite motor mismatch and load, by three integrals of the yaw-rate error; the integral is the heading error, so that a noisy compass does no harm.
  *
  * <ul>
- *   <li>Mismatch: by how much one motor is weaker, in proportion to what it is commanded. Kept
- *       while the vehicle stands and turns: motors stay as they are.
- *   <li>Bias: what turns the vehicle however fast it is, such as a slope from the side. Only while
- *       it drives.
- *   <li>Push: what it takes to turn on the spot, where wheels scrub under their load. Kept from
- *       turn to turn, for both directions.
+ *   <li>Mismatch: by how much one motor is weaker, in proportion to its command. Kept at standstill and in turns, because motors do not change.
+ *   <li>Bias: turning independent of speed, such as on a side slope. Only while driving.
+ *   <li>Push: extra effort to turn in place, where wheels scrub under load. Kept from turn to turn, for both directions.
  * </ul>
  *
- * None of them moves a vehicle that is to stand.
+ * None of them moves a vehicle commanded to stand.
  */
 final class WheelBalance {
-  /** Share at which mismatch and bias take the same part of an error. */
+  /** Share of command at which mismatch and bias absorb equal parts of an error. */
   private static final double EQUAL_PARTS = 0.15;
 
   private double mismatch;
   private double bias;
   private double push;
-  private double smoothRadPerS; // error of the yaw rate, without most of the compass's noise
+  private double smoothRadPerS; // low-pass filtered yaw-rate error
 
   /**
    * Gains and limits.
    *
-   * @param proportional yaw rate commanded more for each rad/s that is lacking
-   * @param smoothingS over which an error is averaged for that [s]
+   * @param proportional extra yaw rate commanded per rad/s of error
+   * @param smoothingS filter time of the error for that [s]
    * @param driving share of an error corrected per second [1/s]; 0: no feedback
-   * @param turning the same of turns on the spot [1/s]
-   * @param mostMismatch 0…1
-   * @param sharePerRadPerS by which each motor must be commanded more for a yaw rate
+   * @param turning the same for turns in place [1/s]
+   * @param mostMismatch limit of the mismatch, 0…1
+   * @param sharePerRadPerS extra share of command of each motor per yaw rate
    */
   record Settings(
       double proportional,
@@ -50,25 +45,24 @@ final class WheelBalance {
     state.number("MISMATCH", mismatch).number("BIAS", bias).number("PUSH", push);
   }
 
-  /** Motors are as they are whichever control drives them. */
+  /** Takes over the learnt values, which hold for every control system. */
   void takeOver(HandOver state) {
     mismatch = state.number("MISMATCH").orElse(0.0);
     bias = state.number("BIAS").orElse(0.0);
     push = state.number("PUSH").orElse(0.0);
   }
 
-  /** Begins the next attempt to turn with no push. */
+  /** Resets the push for the next attempt to turn. */
   void relax() {
     push = 0.0;
   }
 
   /**
-   * What to command.
+   * Computes the wheel commands.
    *
-   * @param wanted by calibration alone
-   * @param ahead share of both motors that drives ahead; 0: it turns on the spot, or stands
-   * @param errorRadPerS wanted yaw rate less the true one, to the left positive; empty if unknown,
-   *     or if the motors are not obeying
+   * @param wanted shares by calibration alone
+   * @param ahead common share of both motors; 0 for a turn in place or standstill
+   * @param errorRadPerS wanted minus actual yaw rate, left positive; empty if unknown, or if the motors do not obey
    */
   WheelShares step(
       WheelShares wanted,
@@ -91,7 +85,7 @@ final class WheelBalance {
     if (ahead == 0.0) {
       bias = 0.0;
       double direction = Math.signum(wanted.right() - wanted.left());
-      double room = 1.0 - wanted.effort(); // beyond, it would only be wound up
+      double room = 1.0 - wanted.effort(); // anti-windup
       push = bounded(push + settings.turning() * direction * error, -wanted.effort(), room);
       return balanced(wanted, direction * push + atOnce);
     }

@@ -7,14 +7,13 @@ package org.u2sa.core.control.ground;
  * @param right share of full, forward positive
  */
 record WheelShares(double left, double right) {
-  /** What both motors together ask for by what they can: more than 1 if one cannot. */
+  /** Demanded share of the motors' capability: more than 1 if one saturates. */
   double effort() {
     return Math.max(Math.abs(left), Math.abs(right));
   }
 
   /**
-   * What the motors can do of it. One that drives ahead, or back, does so slower before it turns
-   * less: it can be late, not beside its line. One that turns on the spot turns slower.
+   * Clamps the shares to the attainable. While driving, forward or backward speed is reduced before yaw rate, because being late is better than leaving the line. A turn in place slows down.
    */
   WheelShares possible() {
     double ahead = 0.5 * (left + right);

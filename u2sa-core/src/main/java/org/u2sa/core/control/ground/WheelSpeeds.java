@@ -1,19 +1,18 @@
 package org.u2sa.core.control.ground;
 
 /**
- * Speeds of the two sides of a differential vehicle over ground.
+ * Ground speeds of the two sides of a differential vehicle.
  *
- * @param leftMps forwards [m/s]
- * @param rightMps forwards [m/s]
+ * @param leftMps forward speed [m/s]
+ * @param rightMps forward speed [m/s]
  */
 record WheelSpeeds(double leftMps, double rightMps) {
 
   /**
-   * What the wheels do in a motion; if a wheel cannot turn so fast, both are slowed by the same
-   * share, so that the vehicle stays on its arc.
+   * Wheel speeds of a motion; if a wheel exceeds its limit, both are scaled by the same factor, so that the vehicle stays on its arc.
    *
-   * @param trackM between the wheels of both sides [m]
-   * @param mostMps that a wheel can do [m/s]
+   * @param trackM track width [m]
+   * @param mostMps maximum wheel speed [m/s]
    */
   static WheelSpeeds of(Drive drive, double trackM, double mostMps) {
     double half = drive.yawRateRadPerS() * trackM / 2.0; // to the left: the right side is faster
@@ -23,7 +22,7 @@ record WheelSpeeds(double leftMps, double rightMps) {
     return new WheelSpeeds(share * left, share * right);
   }
 
-  /** The motion that the wheels make. */
+  /** Motion of the vehicle at these wheel speeds. */
   Drive drive(double trackM) {
     return new Drive((leftMps + rightMps) / 2.0, (rightMps - leftMps) / trackM);
   }

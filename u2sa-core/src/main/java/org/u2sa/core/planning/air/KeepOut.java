@@ -5,14 +5,14 @@ import java.util.List;
 import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.core.planning.seen.PlanarShape;
 
-/** Where an aircraft must not be: around shapes, and outside corridors. Immutable. */
+/** Keep-out regions of an aircraft: around shapes, and outside corridors. Immutable. */
 final class KeepOut {
-  private static final double TOUCH = 0.999; // ways along the very edge are free
+  private static final double TOUCH = 0.999; // paths along the very edge are free
 
-  /** A circle to be flown around. */
+  /** A circle to fly around. */
   record Round(double northM, double eastM, double avoidM) {}
 
-  /** A line with a distance to be kept. */
+  /** A line with a clearance. */
   private record Wall(double n1, double e1, double n2, double e2, double avoidM) {}
 
   private final List<Round> rounds = new ArrayList<>();
@@ -54,7 +54,7 @@ final class KeepOut {
     return rounds;
   }
 
-  /** Whether a straight way keeps its distance from everything. */
+  /** Whether a straight path keeps its clearance from everything. */
   boolean isFree(double n1, double e1, double n2, double e2) {
     for (Round round : rounds) {
       if (PlanarShape.segmentM(round.northM(), round.eastM(), n1, e1, n2, e2)

@@ -12,13 +12,12 @@ import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.core.planning.seen.PlanarShape;
 
 /**
- * The shortest way around shapes for an aircraft with a turning circle: arcs around them, none
+ * The shortest path around shapes for an aircraft with a turning circle: arcs around them, none
  * tighter than that, and the tangents between (a visibility graph of circles: Chang, Choi, Kwon,
  * Park, Yap: Shortest Path Amidst Disc Obstacles Is Computable, SoCG 2005; the first and the last
- * circle as in Dubins 1957). What is smaller than the turning circle is flown around on that.
+ * circle as in Dubins 1957). Obstacles smaller than the turning circle are passed on a turning circle.
  *
- * <p>Searched by A*; tangents and arcs are made and looked at as the search comes to them.
- * Immutable.
+ * <p>Searched by A*; tangents and arcs are created and checked lazily. Immutable.
  */
 public final class TangentGraph {
   private static final double FULL = 2.0 * Math.PI;
@@ -28,10 +27,10 @@ public final class TangentGraph {
   private static final int MOST_EXPANSIONS = 4000;
   private static final double ARC_SAMPLE_RAD = Math.toRadians(6.0);
 
-  /** A circle flown in one sense: 1 to the right, −1 to the left, 0 for a point. */
+  /** A circle with a turn direction: 1 to the right, −1 to the left, 0 for a point. */
   private record Ring(double northM, double eastM, double radiusM, int sense) {}
 
-  /** Where the way has come to a ring, and from where. */
+  /** Arrival at a ring, with its predecessor. */
   private record Node(
       int ring, double headingRad, double cost, double estimate, Node from, int id) {}
 
@@ -112,11 +111,11 @@ public final class TangentGraph {
   }
 
   /**
-   * The shortest way.
+   * Finds the shortest path.
    *
-   * @param clearanceM to be kept from shapes [m]
-   * @param radiusM of the tightest turn [m], above 0
-   * @return arcs and straights; empty if there is none, or too much stands in the way to tell
+   * @param clearanceM clearance to keep from shapes [m]
+   * @param radiusM minimum turn radius [m], above 0
+   * @return arcs and straights; empty if there is none, or if there are too many obstacles to decide
    */
   public static Optional<Curve> shortest(
       List<PlanarShape> shapes,
@@ -135,7 +134,7 @@ public final class TangentGraph {
         .search();
   }
 
-  /** The circle on which a pose turns in a sense. */
+  /** Turning circle of a pose in a direction. */
   private Ring beside(Pose pose, int sense) {
     return new Ring(
         pose.northM() - sense * radiusM * Math.sin(pose.headingRad()),
@@ -181,7 +180,7 @@ public final class TangentGraph {
         0.0, Math.hypot(at.northM() - goalNorthM, at.eastM() - goalEastM) - at.radiusM());
   }
 
-  /** Around the present ring and along the tangent to another; empty if something is there. */
+  /** Flies around the current ring and along the tangent to another; empty if blocked. */
   private Optional<Node> fly(Node node, int to, int id) {
     Ring a = rings.get(node.ring());
     Ring b = rings.get(to);
@@ -227,7 +226,7 @@ public final class TangentGraph {
     return sense == 0 || turned > FULL - ROUNDING_RAD ? 0.0 : turned;
   }
 
-  /** North or east of where a ring is flown with a heading [m]. */
+  /** North or east coordinate of the point on a ring with a heading [m]. */
   private static double onRing(Ring ring, double heading, boolean north) {
     return north
         ? ring.northM() + ring.sense() * ring.radiusM() * Math.sin(heading)
@@ -242,7 +241,7 @@ public final class TangentGraph {
       double heading = from + ring.sense() * turned * i / steps;
       double n = onRing(ring, heading, true);
       double e = onRing(ring, heading, false);
-      // the chord lies inside the ring; its own shape would seem touched
+      // the chord lies inside the ring; its own shape would appear touched
       double bulge = ring.radiusM() * (1.0 - Math.cos(0.5 * turned / steps));
       if (!keepOut.isFree(n, e, n, e)
           || (bulge > 0.5 && !keepOut.isFree(north, east, north, east))) {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Arcs and straights, one after the other. Immutable.
+ * A sequence of arcs and straights. Immutable.
  *
  * @param pieces in order
  */
@@ -12,8 +12,8 @@ public record Curve(List<Piece> pieces) {
   /**
    * An arc or a straight.
    *
-   * @param lengthM way on it [m]; negative backwards
-   * @param curvature [1/m], to the right positive; 0 straight
+   * @param lengthM length [m]; negative in reverse
+   * @param curvature curvature [1/m], right positive; 0 for a straight
    */
   public record Piece(double lengthM, double curvature) {}
 
@@ -22,7 +22,7 @@ public record Curve(List<Piece> pieces) {
     pieces = List.copyOf(pieces);
   }
 
-  /** From lengths in radii and senses: 1 right, 0 straight, −1 left. */
+  /** Creates a curve from lengths in radii and directions: 1 right, 0 straight, −1 left. */
   static Curve of(double radiusM, double[] lengths, int[] senses) {
     List<Piece> pieces = new ArrayList<>();
     for (int i = 0; i < lengths.length; i++) {
@@ -33,7 +33,7 @@ public record Curve(List<Piece> pieces) {
     return new Curve(pieces);
   }
 
-  /** Length of the way, whatever its direction [m]. */
+  /** Total length, forward and reverse [m]. */
   public double lengthM() {
     double sum = 0.0;
     for (Piece piece : pieces) {
@@ -42,7 +42,7 @@ public record Curve(List<Piece> pieces) {
     return sum;
   }
 
-  /** Where it ends. */
+  /** End pose. */
   public Pose end(Pose start) {
     Pose pose = start;
     for (Piece piece : pieces) {
@@ -51,13 +51,13 @@ public record Curve(List<Piece> pieces) {
     return pose;
   }
 
-  /** A pose on the way, and whether the vehicle goes backwards to it. */
+  /** A pose on the curve, and whether the vehicle reverses to it. */
   public record Sample(Pose pose, boolean backwards) {}
 
   /**
-   * Poses on the way, the end of each piece among them, the start not.
+   * Samples poses on the curve, including the end of each piece but not the start.
    *
-   * @param stepM at most so far apart [m]
+   * @param stepM maximum spacing [m]
    */
   public List<Sample> sampled(Pose start, double stepM) {
     List<Sample> samples = new ArrayList<>();

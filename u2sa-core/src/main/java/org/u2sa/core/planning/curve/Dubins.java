@@ -1,7 +1,7 @@
 package org.u2sa.core.planning.curve;
 
 /**
- * The shortest way of a vehicle that only goes forwards and turns no tighter than a radius (Dubins:
+ * Shortest path of a forward-only vehicle with a minimum turn radius (Dubins:
  * On Curves of Minimal Length with a Constraint on Average Curvature, American Journal of
  * Mathematics 79, 1957; formulas after Shkel and Lumelsky: Classification of the Dubins Set,
  * Robotics and Autonomous Systems 34, 2001).
@@ -18,7 +18,7 @@ public final class Dubins {
 
   private Dubins() {}
 
-  /** The shortest way from pose to pose. */
+  /** Shortest path between two poses. */
   public static Curve shortest(Pose from, Pose to, double radiusM) {
     Pose rel = from.relative(to);
     double dx = rel.northM() / radiusM;
@@ -108,19 +108,18 @@ public final class Dubins {
   }
 
   /**
-   * The shortest way to a place, whatever the heading there: a turn and a straight, or two turns
-   * where the place lies inside a turning circle (Bui, Boissonnat, Soueres, Laumond: Shortest Path
+   * Shortest path to a point with any final heading: a turn and a straight, or two turns if the point lies inside a turning circle (Bui, Boissonnat, Soueres, Laumond: Shortest Path
    * Synthesis for Dubins Non-holonomic Robot, ICRA 1994).
    */
   public static Curve shortest(Pose from, double northM, double eastM, double radiusM) {
     Pose rel = from.relative(new Pose(northM, eastM, 0.0));
     double x = rel.northM() / radiusM;
     int side = rel.eastM() >= 0.0 ? 1 : -1;
-    double y = side * rel.eastM() / radiusM; // mirrored, so that it lies on the right
+    double y = side * rel.eastM() / radiusM; // mirrored, so that the point is on the right
     if (Math.hypot(x, y - 1.0) >= 1.0) {
       return Curve.of(radiusM, turnThenStraight(x, y), new int[] {side, 0});
     }
-    double[] away = turnThenStraight(x, -y); // the long way round, over the other side
+    double[] away = turnThenStraight(x, -y); // the long way round, via the other side
     double length = away[0] + away[1];
     double[] best = null;
     // Left until the right circle there passes through the place: the centres of the left circle
@@ -142,7 +141,7 @@ public final class Dubins {
         : Curve.of(radiusM, best, new int[] {-side, side});
   }
 
-  /** To a place on the right that lies outside the circle: turn to the right [rad] and straight. */
+  /** Path to a point on the right, outside the circle: right turn [rad] and straight. */
   private static double[] turnThenStraight(double x, double y) {
     // The circle's centre is at (0, 1); from the place, the tangent point and the centre are seen
     // under asin(1 / distance).

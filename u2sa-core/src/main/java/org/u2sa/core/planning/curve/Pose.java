@@ -1,14 +1,14 @@
 package org.u2sa.core.planning.curve;
 
 /**
- * A place and a direction on a horizontal plane. Immutable.
+ * Position and heading on a horizontal plane. Immutable.
  *
  * @param northM north [m]
  * @param eastM east [m]
  * @param headingRad clockwise from north [rad]
  */
 public record Pose(double northM, double eastM, double headingRad) {
-  /** The pose after an arc: positive curvature turns right, negative length goes backwards. */
+  /** The pose after an arc: positive curvature turns right, negative length reverses. */
   public Pose along(double lengthM, double curvature) {
     double turned = lengthM * curvature;
     if (Math.abs(turned) < 1.0e-9) {
@@ -24,7 +24,7 @@ public record Pose(double northM, double eastM, double headingRad) {
         wrapped(after));
   }
 
-  /** Another pose as it lies from this one: x ahead, y to the right, heading relative. */
+  /** Another pose relative to this one: x ahead, y to the right, relative heading. */
   Pose relative(Pose other) {
     double north = other.northM - northM;
     double east = other.eastM - eastM;
@@ -34,12 +34,12 @@ public record Pose(double northM, double eastM, double headingRad) {
         north * cos + east * sin, east * cos - north * sin, wrapped(other.headingRad - headingRad));
   }
 
-  /** Distance between places [m]. */
+  /** Distance to a point [m]. */
   public double distanceM(double north, double east) {
     return Math.hypot(north - northM, east - eastM);
   }
 
-  /** The same direction in −π…π [rad]. */
+  /** Wraps an angle to −π…π [rad]. */
   public static double wrapped(double rad) {
     // the remainder of what is less than half a turn is itself, and dear
     return rad > -Math.PI && rad < Math.PI ? rad : Math.IEEEremainder(rad, 2.0 * Math.PI);

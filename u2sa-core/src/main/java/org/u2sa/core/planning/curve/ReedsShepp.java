@@ -1,12 +1,11 @@
 package org.u2sa.core.planning.curve;
 
 /**
- * The shortest way of a vehicle that goes forwards and backwards and turns no tighter than a radius
+ * Shortest path of a vehicle that can reverse and has a minimum turn radius
  * (Reeds, Shepp: Optimal Paths for a Car That Goes Both Forwards and Backwards, Pacific Journal of
  * Mathematics 145, 1990, section 8).
  *
- * <p>Each family of the paper is tried as it stands, with time reversed, mirrored, and both; those
- * that are not symmetric also from the end to the start.
+ * <p>Each family of the paper is tried as-is, time-reversed, mirrored, and both; asymmetric ones also from end to start.
  */
 public final class ReedsShepp {
   private static final double HALF = Math.PI / 2.0;
@@ -22,14 +21,13 @@ public final class ReedsShepp {
 
   private ReedsShepp() {}
 
-  /** The shortest way from pose to pose. */
+  /** Shortest path between two poses. */
   public static Curve shortest(Pose from, Pose to, double radiusM) {
     return search(from, to, radiusM, 0.0);
   }
 
   /**
-   * Length of the shortest way from pose to pose [m]; if that is no more than enough, of any way
-   * that is no longer than enough, which is found sooner.
+   * Length of the shortest path between two poses [m]; if that is at most enough, the length of any path of at most enough, which is found sooner.
    */
   public static double lengthM(Pose from, Pose to, double radiusM, double enoughM) {
     return search(from, to, radiusM, enoughM).lengthM();

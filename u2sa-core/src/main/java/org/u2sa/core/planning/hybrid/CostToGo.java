@@ -5,17 +5,16 @@ import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 
 /**
- * What it costs at least to go to the goal from each place of a grid, for a vehicle that turns as
- * it likes: Dijkstra's search from the goal over squares of two by two cells, in buckets (Dial:
+ * Lower bound of the cost to the goal from each point of a grid, ignoring turn limits: Dijkstra's search from the goal over squares of two by two cells, in buckets (Dial:
  * Algorithm 360, Communications of the ACM 12, 1969).
  *
- * <p>Belongs to one thread; its memory serves one goal after the other.
+ * <p>Not thread-safe; memory is reused for successive goals.
  */
 final class CostToGo {
   private static final double DIAGONAL = Math.sqrt(2.0);
   private static final int PER_STEP = 8; // buckets for a straight step at cost 1
-  private static final int BUCKETS = 4096; // more than the dearest step takes
-  private static final float MOST = 40.0f; // costs beyond count as this
+  private static final int BUCKETS = 4096; // more than the costliest step needs
+  private static final float MOST = 40.0f; // higher costs are clamped to this
 
   private int rows;
   private int columns;
@@ -27,14 +26,14 @@ final class CostToGo {
   private double bucketM;
   private GridFrame frame;
 
-  /** Searches from a goal, which may lie outside the grid: then from all its edge. */
+  /** Searches from a goal; if it lies outside the grid, from the whole edge. */
   void search(CostGrid grid, double goalNorth, double goalEast) {
     prepare(grid);
     int goal = index(goalNorth, goalEast);
     Arrays.fill(filled, 0);
     waiting = 0;
     if (goal >= 0) {
-      cost[goal] = Math.min(cost[goal], MOST); // a goal near an obstacle is one all the same
+      cost[goal] = Math.min(cost[goal], MOST); // a goal near an obstacle is still a goal
       reach(goal, 0.0f);
     } else {
       for (int row = 0; row < rows; row++) {
@@ -100,7 +99,7 @@ final class CostToGo {
         int cell = buckets[at][--filled[at]];
         waiting--;
         if ((long) (toGo[cell] / bucketM) != bucket) {
-          continue; // was reached at less cost since
+          continue; // has been reached at lower cost since
         }
         int row = cell / columns;
         int column = cell % columns;
@@ -134,7 +133,7 @@ final class CostToGo {
     return frame.row(north) / 2 * columns + frame.column(east) / 2;
   }
 
-  /** What it costs at least from a place on the grid [m]; infinite if no way leads. */
+  /** Lower bound of the cost from a point on the grid [m]; infinite if there is no path. */
   double metres(double north, double east) {
     int i = index(north, east);
     return i < 0 ? Double.POSITIVE_INFINITY : toGo[i];

@@ -14,47 +14,42 @@ import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 
 /**
- * A way that a vehicle with a turning circle can follow through a grid of costs: hybrid A* (Dolgov,
+ * Plans drivable paths through a cost grid for a vehicle with a turning circle: hybrid A* (Dolgov,
  * Thrun, Montemerlo, Diebel: Path Planning for Autonomous Vehicles in Unknown Semi-structured
  * Environments, International Journal of Robotics Research 29, 2010, section 2).
  *
- * <p>Nodes are cells of place and heading that keep the exact pose in which they were reached. The
- * heuristic is the greater of the cost to go without regard to turning, and the shortest curve
- * without regard to obstacles; from time to time that curve itself is tried to the goal.
+ * <p>Nodes are cells of position and heading that keep the exact pose in which they were reached. The heuristic is the maximum of the cost-to-go ignoring turn limits and the shortest curve ignoring obstacles; occasionally that curve itself is tried to the goal.
  *
- * <p>A search may be done in parts ({@link #begin}, {@link #search}), between which costs may
- * change: what was looked at before is not looked at again. In one part or many, it looks at the
- * same nodes in the same order.
+ * <p>A search can be split into parts ({@link #begin}, {@link #search}), between which costs may change; expanded nodes are not revisited. In one part or many, it expands the same nodes in the same order.
  *
- * <p>Belongs to one thread; its memory serves one search after the other.
+ * <p>Not thread-safe; memory is reused for successive searches.
  */
 public final class HybridAStar {
   private static final int HEADINGS = 72;
   private static final double STEP_CELLS = 2.0;
 
-  /** Far from the goal turning matters little; nearer than so many radii it is looked at. */
+  /** Turn limits enter the heuristic within this many radii of the goal; farther away they matter little. */
   private static final double TURNING_MATTERS = 6.0;
 
   /**
-   * The heuristic counts more than it says: ways cost a little more, but are found much sooner
-   * (Pohl: Heuristic Search Viewed as Path Finding in a Graph, Artificial Intelligence 1, 1970).
+   * Heuristic weight: paths cost slightly more, but are found much sooner (Pohl: Heuristic Search Viewed as Path Finding in a Graph, Artificial Intelligence 1, 1970).
    */
   private static final double GREED = 1.3;
 
   private static final double ALIGNED_RAD = Math.toRadians(5.0);
 
-  /** Moves: curvature as a share of the tightest, and whether they go backwards. */
+  /** Moves: curvature as a share of the maximum, and whether they reverse. */
   private static final double[] STEERING = {0.0, 1.0, -1.0, 0.5, -0.5};
 
   /**
-   * What a vehicle can do, and what it dislikes.
+   * Motion limits and penalties of a vehicle.
    *
-   * @param radiusM of the tightest turn [m], above 0
-   * @param reverses whether it can go backwards
-   * @param reversePenalty what a metre backwards costs more than one forwards
-   * @param switchPenaltyM what a change of direction costs [m]
-   * @param turnPenalty what a metre of the tightest turn costs more than a straight one
-   * @param expansions most nodes to look at
+   * @param radiusM minimum turn radius [m], above 0
+   * @param reverses whether it can reverse
+   * @param reversePenalty extra cost of a metre in reverse
+   * @param switchPenaltyM cost of a change of direction [m]
+   * @param turnPenalty extra cost of a metre of the tightest turn over a straight one
+   * @param expansions maximum number of nodes to expand
    */
   public record Motion(
       double radiusM,
@@ -63,16 +58,16 @@ public final class HybridAStar {
       double switchPenaltyM,
       double turnPenalty,
       int expansions) {
-    /** Usual dislikes. */
+    /** Creates a motion with the usual penalties. */
     public static Motion of(double radiusM, boolean reverses) {
       return new Motion(radiusM, reverses, 1.0, radiusM, 0.05, 200_000);
     }
   }
 
-  /** Where to go: heading empty if it does not matter. */
+  /** Goal; heading is empty if it does not matter. */
   public record Goal(double northM, double eastM, OptionalDouble headingRad, double toleranceM) {}
 
-  /** Poses on the way, the start among them, and its cost [m]. */
+  /** Poses on the path, including the start, and its cost [m]. */
   public record Way(Pose start, List<Curve.Sample> samples, double cost) {}
 
   private final SearchNodes nodes = new SearchNodes();
@@ -87,16 +82,16 @@ public final class HybridAStar {
   private double stepM;
   private boolean goalOutside;
   private final List<Curve> shots = new ArrayList<>(); // moves from HEADINGS on
-  private int looked; // nodes looked at since the search began
+  private int looked; // nodes expanded since the search began
   private int nextShot;
   private Optional<Way> found = Optional.empty();
 
-  /** How many nodes the last search made. */
+  /** Number of nodes created by the last search. */
   public int nodes() {
     return nodes.count();
   }
 
-  /** The cheapest way found by a whole search; parameters as of {@link #begin}. */
+  /** Runs a whole search and returns the cheapest path found; parameters as of {@link #begin}. */
   public Optional<Way> plan(
       CostGrid costs, BodyDiscs discs, double within, Motion can, Pose from, Goal to) {
     begin(costs, discs, within, can, from, to);
@@ -105,10 +100,9 @@ public final class HybridAStar {
   }
 
   /**
-   * Begins a search, and forgets the one before.
+   * Starts a search and discards the previous one.
    *
-   * @param within what the vehicle's discs must keep from obstacles [m]; where it already is
-   *     nearer, no nearer than it is
+   * @param within clearance of the vehicle's discs to obstacles [m]; if it is already nearer, its current distance
    */
   public void begin(
       CostGrid costs, BodyDiscs discs, double within, Motion can, Pose from, Goal to) {
@@ -132,10 +126,10 @@ public final class HybridAStar {
   }
 
   /**
-   * Goes on with the search that was begun.
+   * Continues the search.
    *
-   * @param most nodes to look at now
-   * @return whether it is over: a way is {@link #found}, or none will be
+   * @param most maximum number of nodes to expand now
+   * @return whether the search has ended: a path is {@link #found}, or there is none
    */
   public boolean search(int most) {
     int until = (int) Math.min(motion.expansions(), (long) looked + most);
@@ -161,12 +155,12 @@ public final class HybridAStar {
     return found.isPresent() || nodes.isEmpty() || isExhausted();
   }
 
-  /** The way that the search has found; empty as long as it has not, and if there is none. */
+  /** Path found by the search; empty until found, and if there is none. */
   public Optional<Way> found() {
     return found;
   }
 
-  /** Whether the search has looked at as many nodes as it may: what it did not find may exist. */
+  /** Whether the search has reached its node limit, so that a path may exist although none was found. */
   public boolean isExhausted() {
     return looked >= motion.expansions();
   }

@@ -4,8 +4,7 @@ import java.util.Arrays;
 import org.u2sa.core.planning.curve.Pose;
 
 /**
- * The nodes of a search over poses, found by a number of their own, and the order in which they are
- * to be looked at. Belongs to one thread; its memory serves one search after the other.
+ * Nodes of a search over poses, looked up by key, and their priority queue. Not thread-safe; memory is reused for successive searches.
  */
 final class SearchNodes {
   static final int NONE = -1;
@@ -32,13 +31,13 @@ final class SearchNodes {
     return count;
   }
 
-  /** The node with that key, at least 1; {@link #NONE} if there is none. */
+  /** Node with a key, which is at least 1; {@link #NONE} if absent. */
   int find(long key) {
     int at = slot(key);
     return keys[at] == key ? nodes[at] : NONE;
   }
 
-  /** Adds a node; one with key 0 is not found again. */
+  /** Adds a node; one with key 0 cannot be looked up. */
   int add(long key, Pose at, double costM, int from, int by) {
     if (count == pose.length) {
       int more = 2 * count;
@@ -62,7 +61,7 @@ final class SearchNodes {
     return node;
   }
 
-  /** Gives a node another way to it. */
+  /** Replaces the path to a node. */
   void set(int node, Pose at, double costM, int from, int by) {
     pose[node] = at;
     cost[node] = costM;
@@ -98,7 +97,7 @@ final class SearchNodes {
     return waiting == 0;
   }
 
-  /** Puts a node in line; one may stand there more than once. */
+  /** Queues a node; duplicates are allowed. */
   void push(int node, double priority) {
     if (waiting == heap.length) {
       heap = Arrays.copyOf(heap, 2 * waiting);

@@ -1,5 +1,5 @@
 /**
- * Ways of vehicles that cannot turn tighter than a radius through grids of costs. Messages and
+ * Paths through cost grids for vehicles with a minimum turn radius. Messages and
  * services do not belong here.
  */
 package org.u2sa.core.planning.hybrid;

@@ -1,31 +1,31 @@
 package org.u2sa.core.planning.local;
 
 /**
- * Where the vehicle is to go next.
+ * Next target of the vehicle.
  *
  * @param northM on the planning plane [m]
  * @param eastM on the planning plane [m]
- * @param speedMps at which [m/s]
- * @param backwards whether with the rear first
- * @param kind what that is
+ * @param speedMps speed [m/s]
+ * @param backwards whether in reverse
+ * @param kind purpose of the motion
  */
 public record ArcChoice(
     double northM, double eastM, double speedMps, boolean backwards, Kind kind) {
-  /** What a choice is for. */
+  /** Purpose of a choice. */
   public enum Kind {
     /** Along the route. */
     FOLLOW,
-    /** Off the route, past something. */
+    /** Off the route, around something. */
     EVADE,
-    /** Out of a corner that is too narrow to turn in; it goes on until it is not. */
+    /** Out of a corner too narrow to turn in; continues until there is room. */
     MAKE_ROOM,
-    /** It stands until traffic has passed, or until there is a way. */
+    /** Waits until traffic has passed or a route exists. */
     WAIT,
-    /** No motion avoids a collision: it brakes, or turns to where it comes latest. */
+    /** No motion avoids a collision: brakes, or takes the motion with the latest collision. */
     BRAKE
   }
 
-  /** The same, for another reason. */
+  /** Copy with another kind. */
   ArcChoice as(Kind other) {
     return new ArcChoice(northM, eastM, speedMps, backwards, other);
   }

@@ -8,16 +8,14 @@ import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.seen.Mover;
 
 /**
- * Chooses the arc to drive or fly next: the one that leads back to the route if nothing is in the
- * way, otherwise the best of those that can be reached and stopped from in time ({@link Evasion}).
- * Belongs to one thread.
+ * Chooses the arc to drive or fly next: the one that leads back to the route if it is free, otherwise the best of the motions from which the vehicle can stop in time ({@link Evasion}). Not thread-safe.
  */
 public final class ArcChooser {
   private static final int FAN = 10; // arcs to each side
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
   private static final double CREEPS_MPS = 0.15;
   private static final double LOOKS_RAD = Math.toRadians(12.0); // near enough
-  private static final double CLEARLY_MORE = 0.8; // room, for a nearer point to be better
+  private static final double CLEARLY_MORE = 0.8; // shortfall ratio to prefer a nearer point
   private static final double SAME_M = 0.005;
   private static final double SLOWEST = 0.4; // share of the speed, close to a route
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -32,9 +30,9 @@ public final class ArcChooser {
   private final boolean makesRoom;
 
   /**
-   * @param speedMps of the vehicle along its heading [m/s]; negative backwards
-   * @param nowMicros when it is there [µs]
-   * @param makesRoom whether the choice before was {@link ArcChoice.Kind#MAKE_ROOM}
+   * @param speedMps speed of the vehicle along its heading [m/s]; negative in reverse
+   * @param nowMicros time of this pose [µs]
+   * @param makesRoom whether the previous choice was {@link ArcChoice.Kind#MAKE_ROOM}
    */
   public ArcChooser(
       CostGrid costs,
@@ -57,14 +55,14 @@ public final class ArcChooser {
         new Evasion(forecast, limits, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
   }
 
-  /** The next motion along a route. */
+  /** Chooses the next motion along a route. */
   public ArcChoice along(RouteTrack track) {
     boolean backwards = track.goesBackwards();
     double straight = straightMps();
     double least = 0.2 * limits.lookAheadM();
     ArcChoice roomiest = null;
     double leastLacksM = NEVER;
-    // nearer to the route where the arc to a farther point is not free, or cuts a corner
+    // closer to the route if the arc to a farther point is blocked or cuts a corner
     for (double ahead = limits.lookAheadM(); ahead > least; ahead *= 0.6) {
       double north = track.northAheadM(ahead);
       double east = track.eastAheadM(ahead);
@@ -77,7 +75,7 @@ public final class ArcChooser {
       double curvature = limits.curvatureTo(pose, north, east, backwards);
       for (double share : SPEEDS) {
         double most = share * limits.speedMps();
-        // as it will be driven: one who counts on more comes later than traffic
+        // at the speed driven: assuming more would mistime the encounter with traffic
         double speed = limits.stops() ? Math.min(most, straight) : Math.max(most, speedMps);
         Outcome outcome = forecast.play(Motion.along(track, curvature, backwards, speed, ahead));
         double allowed = limits.stoppableMps(outcome.freeM() - costs.frame().cellM());
@@ -100,7 +98,7 @@ public final class ArcChooser {
               new ArcChoice(north, east, safe, backwards, ArcChoice.Kind.BRAKE), outcome);
         }
         if (!limits.stops() || !free) {
-          break; // slower is not freer
+          break; // slowing down does not help
         }
       }
       if (leastLacksM <= SAME_M) {
@@ -111,7 +109,7 @@ public final class ArcChooser {
   }
 
   /**
-   * The speed to follow a route closely: a point is as far ahead in time as it is usually [m/s].
+   * Speed to follow a route closely, with the usual look-ahead time [m/s].
    */
   private double closeMps(double aheadM) {
     return limits.preferredM() == 0.0
@@ -131,7 +129,7 @@ public final class ArcChooser {
         : stand(ArcChoice.Kind.EVADE);
   }
 
-  /** Out of where there is no room to turn; on the way to there it stands first. */
+  /** Moves to where there is room to turn; stops first if still rolling. */
   private ArcChoice makeRoom(ArcChoice.Kind standing) {
     if (Math.abs(speedMps) > CREEPS_MPS && !makesRoom) {
       return stand(standing);
@@ -141,8 +139,7 @@ public final class ArcChooser {
   }
 
   /**
-   * What is left to turn on the spot where the vehicle comes to stand, as its corners reach far
-   * [m]; negative: too little.
+   * Clearance for turning in place at the stopping point, including the corners [m]; negative if insufficient.
    */
   private double spareM() {
     double stopping = Math.copySign(limits.stoppingM(Math.abs(speedMps)), speedMps);
@@ -150,14 +147,13 @@ public final class ArcChooser {
     return costs.distanceM(there.northM(), there.eastM()) - body.circleM();
   }
 
-  /** Whether it may turn while it rolls to where it comes to stand: that leads aside. */
+  /** Whether it may already turn while braking, which causes a sideways drift. */
   private boolean turnsAtOnce() {
     return spareM() >= limits.slipM(Math.abs(speedMps));
   }
 
   /**
-   * The speed from which it can still stop straight ahead [m/s]: a new route may order a turn on
-   * the spot at any moment.
+   * Maximum speed from which it can still stop straight ahead [m/s], because a new route may demand a turn in place at any time.
    */
   private double straightMps() {
     if (!limits.turnsOnTheSpot()) {
@@ -174,21 +170,21 @@ public final class ArcChooser {
         track.northAheadM(ahead), track.eastAheadM(ahead), stand(ArcChoice.Kind.WAIT));
   }
 
-  /** To stand where the vehicle comes to stand; one that cannot flies straight on. */
+  /** Stops at the stopping point; vehicles that cannot stop fly straight on. */
   private ArcChoice stand(ArcChoice.Kind kind) {
     Pose ahead = pose.along(limits.lookAheadM(), 0.0);
     return new ArcChoice(
         ahead.northM(), ahead.eastM(), limits.stops() ? 0.0 : limits.speedMps(), false, kind);
   }
 
-  /** The freest arc, for a vehicle that has no route; it stands if it can. */
+  /** Chooses the freest arc for a vehicle without a route; stops if it can. */
   public ArcChoice withoutRoute() {
     ArcChoice stand = stand(ArcChoice.Kind.WAIT);
     boolean waits = limits.stops() && forecast.standing().meetsS() >= limits.horizonS();
     return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
   }
 
-  /** To turn on the spot towards a heading, or to make room for that. */
+  /** Turns in place toward a heading, or makes room for that. */
   public ArcChoice lookTo(double headingRad) {
     if (!limits.turnsOnTheSpot() || forecast.standing().meetsS() < limits.horizonS()) {
       return withoutRoute();
@@ -208,8 +204,7 @@ public final class ArcChooser {
   }
 
   /**
-   * The longest free way backwards or, if need be, forwards, to get out of a corner; if there is
-   * none, as {@link #withoutRoute()}: traffic may come while it waits.
+   * Chooses the longest free path in reverse or, if necessary, forward, to leave a corner; if none, as {@link #withoutRoute()}, because traffic may come while it waits.
    */
   public ArcChoice backOut(double wayM) {
     ArcChoice best = null;

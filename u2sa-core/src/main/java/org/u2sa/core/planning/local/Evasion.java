@@ -4,19 +4,17 @@ import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.core.planning.local.MotionForecast.Outcome;
 
 /**
- * Chooses among motions off the route, past something: arcs to both sides, forwards and backwards,
- * at several speeds, and turns on the spot (Fox, Burgard, Thrun: The Dynamic Window Approach to
- * Collision Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs in place of
- * velocities: at a given speed they are the same). Belongs to one thread.
+ * Chooses among evasive motions off the route: arcs to both sides, forward and reverse, at several speeds, and turns in place (Fox, Burgard, Thrun: The Dynamic Window Approach to
+ * Collision Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs instead of velocities, which are equivalent at a given speed). Not thread-safe.
  */
 final class Evasion {
   private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final int FAN = 10; // arcs to each side
-  private static final int DIRECTIONS = 24; // of turns on the spot
+  private static final int DIRECTIONS = 24; // of turns in place
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
   private static final double[] ENDS = {NEVER, 1.0, 0.5}; // in reaches
-  private static final double DEAD_END = 10.0; // reaches that a motion without escape costs
-  private static final double SAME_M = 0.02; // gaps to traffic that differ by less are the same
+  private static final double DEAD_END = 10.0; // cost of a motion without escape, in reaches
+  private static final double SAME_M = 0.02; // smaller differences of gaps to traffic are ignored
 
   private final MotionForecast forecast;
   private final MotionLimits limits;
@@ -29,14 +27,14 @@ final class Evasion {
 
   private ArcChoice best;
   private double leastScore = NEVER;
-  private ArcChoice widest; // of those that come too near to traffic
+  private ArcChoice widest; // best of those too near to traffic
   private double widestM = -NEVER;
   private double widestRoomM;
-  private ArcChoice freest; // of those that meet something that stands
+  private ArcChoice freest; // best of those blocked by static obstacles
   private double freestM = -1.0;
 
   /**
-   * @param keptM before what stands [m]
+   * @param keptM clearance to static obstacles ahead [m]
    */
   Evasion(
       MotionForecast forecast,
@@ -53,12 +51,12 @@ final class Evasion {
     reachM = Math.max(limits.lookAheadM(), 1.2 * limits.stoppingM(Math.abs(speedMps)));
   }
 
-  /** Takes a choice on the route that is free but comes too near to traffic. */
+  /** Adds a choice on the route that is free but too near to traffic. */
   void alsoConsider(ArcChoice onRoute, Outcome outcome) {
     consider(onRoute, outcome);
   }
 
-  /** The best motion towards a place, or to wait; if all come too near, what stays farthest. */
+  /** Chooses the best motion toward a place, or waiting; if all come too near to something, the one that stays farthest. */
   ArcChoice choose(double northM, double eastM, ArcChoice stand) {
     goalNorthM = northM;
     goalEastM = eastM;
@@ -90,7 +88,7 @@ final class Evasion {
     return lastResort(standing, stand);
   }
 
-  /** Directions of the plane, not of the vehicle: they stay while it turns. */
+  /** Considers turns to directions of the plane, not of the vehicle, so that they are stable while it turns. */
   private void turns() {
     for (int k = 0; k < DIRECTIONS; k++) {
       double turn = Pose.wrapped(2.0 * Math.PI * k / DIRECTIONS - pose.headingRad());
@@ -132,7 +130,7 @@ final class Evasion {
         freest = choice;
       }
       if (!amongTraffic || !limits.stops() || !free) {
-        break; // where it ends matters to traffic only
+        break; // its end only matters for traffic
       }
     }
   }
@@ -152,7 +150,7 @@ final class Evasion {
     return turned.along(motion.sign() * Math.min(reachM, motion.endM()), motion.curvature());
   }
 
-  /** Whatever it does, something comes nearer than it should: as far from it as can be. */
+  /** No motion keeps the clearance: chooses the one that stays farthest away. */
   private ArcChoice lastResort(Outcome standing, ArcChoice stand) {
     // It will be touched: then better without speed of its own. If that is so already, it has only
     // come within what is to be kept, and may leave.

@@ -1,16 +1,15 @@
 package org.u2sa.core.planning.local;
 
 /**
- * What a vehicle might do next: perhaps turn on the spot, then drive an arc, then follow its route
- * or go straight on.
+ * Candidate motion of a vehicle: an optional turn in place, then an arc, then along its route or straight on.
  *
- * @param turnRad to be turned on the spot first, to the right positive [rad]; 0: not at all
- * @param curvature of the arc [1/m], to the right positive
- * @param backwards whether with the rear first
- * @param speedMps wanted [m/s]
+ * @param turnRad initial turn in place, right positive [rad]; 0 for none
+ * @param curvature curvature of the arc [1/m], right positive
+ * @param backwards whether in reverse
+ * @param speedMps wanted speed [m/s]
  * @param arcM length of the arc [m]
- * @param endM where it stops of itself [m]; infinite: nowhere
- * @param track followed after the arc; null: straight on
+ * @param endM distance at which it stops [m]; infinite if it does not
+ * @param track route followed after the arc; null for straight on
  */
 record Motion(
     double turnRad,
@@ -22,28 +21,28 @@ record Motion(
     RouteTrack track) {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** An arc, and straight on. */
+  /** Creates an arc followed by a straight line. */
   static Motion arc(double curvature, boolean backwards, double speedMps, double arcM) {
     return new Motion(0.0, curvature, backwards, speedMps, arcM, NEVER, null);
   }
 
-  /** A turn on the spot, and straight ahead. */
+  /** Creates a turn in place followed by a straight line. */
   static Motion turn(double turnRad, double speedMps, double wayM) {
     return new Motion(turnRad, 0.0, false, speedMps, wayM, NEVER, null);
   }
 
-  /** An arc forward, and on along a route. */
+  /** Creates a forward arc followed by a route. */
   static Motion along(
       RouteTrack track, double curvature, boolean backwards, double speedMps, double arcM) {
     return new Motion(0.0, curvature, backwards, speedMps, arcM, NEVER, track);
   }
 
-  /** The same, to a stop. */
+  /** Copy that ends in a stop. */
   Motion endingAt(double metres) {
     return new Motion(turnRad, curvature, backwards, speedMps, arcM, metres, track);
   }
 
-  /** 1 forwards, −1 backwards. */
+  /** 1 forward, −1 in reverse. */
   double sign() {
     return backwards ? -1.0 : 1.0;
   }

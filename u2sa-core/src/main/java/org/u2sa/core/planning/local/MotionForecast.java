@@ -5,9 +5,7 @@ import org.u2sa.core.planning.search.BodyDiscs;
 import org.u2sa.core.planning.search.CostGrid;
 
 /**
- * Plays motions forward: how far they are free of what stands, and when they meet traffic. What can
- * stand stops before what is in its way, and is looked at as it stands there too. Belongs to one
- * thread.
+ * Simulates motions: how far they are free of static obstacles, and when they meet traffic. A vehicle that can stop is assumed to stop before obstacles, and is checked while stopped, too. Not thread-safe.
  */
 final class MotionForecast {
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -19,27 +17,26 @@ final class MotionForecast {
   private final MotionLimits limits;
   private final Pose start;
   private final double startMps;
-  private final double requiredM; // nearer to something that stands is a touch
-  private final double enoughM; // farther away it does not matter how far
+  private final double requiredM; // nearer to a static obstacle is a collision
+  private final double enoughM; // larger distances are not distinguished
   private final double stepS;
 
   /**
    * What comes of a motion.
    *
-   * @param freeM way to what stands in it [m]; infinite if nothing does
-   * @param meetsS time until traffic is nearer than it should be [s]; infinite within the horizon
-   * @param gapM least distance to traffic within the horizon [m]; infinite without traffic
+   * @param freeM distance to the first static obstacle [m]; infinite if none
+   * @param meetsS time until traffic is too near [s]; infinite within the horizon
+   * @param gapM minimum distance to traffic within the horizon [m]; infinite without traffic
    * @param roomM mean distance to traffic in that time, up to {@link #ROOMY_M} [m]
-   * @param lacksM what is missing to the preferred distance from what stands: root mean square
-   *     along the way [m]
+   * @param lacksM shortfall of the preferred distance to static obstacles: RMS along the path [m]
    */
   record Outcome(double freeM, double meetsS, double gapM, double roomM, double lacksM) {
-    /** Farther away than this, traffic does not matter [m]. */
+    /** Beyond this distance, traffic is ignored [m]. */
     static final double ROOMY_M = 2.0;
   }
 
   /**
-   * @param startMps along its heading [m/s]; negative backwards
+   * @param startMps speed along its heading [m/s]; negative in reverse
    */
   MotionForecast(
       CostGrid costs,
@@ -59,12 +56,12 @@ final class MotionForecast {
     stepS = Math.max(0.02, 0.7 * costs.frame().cellM() / Math.max(0.1, limits.speedMps()));
   }
 
-  /** Distance to traffic now [m]; negative within the distance that is to be kept from it. */
+  /** Current distance to traffic [m]; negative inside the clearance to be kept. */
   double gapNowM() {
     return traffic.gapM(start, 0.0);
   }
 
-  /** What comes of braking where it is. */
+  /** Simulates braking from the current pose. */
   Outcome standing() {
     Tally tally = new Tally();
     double v = Math.abs(startMps);
@@ -79,7 +76,7 @@ final class MotionForecast {
     return tally.outcome(NEVER);
   }
 
-  /** What comes of a motion. */
+  /** Simulates a motion. */
   Outcome play(Motion motion) {
     if (!limits.stops()) {
       return play(motion, NEVER, true);
@@ -94,19 +91,18 @@ final class MotionForecast {
   }
 
   /**
-   * @param stopM where it stops [m]; infinite: nowhere
-   * @param amongTraffic whether to look at traffic up to the horizon, or only at what stands; that,
-   *     too, up to the horizon if there is traffic
+   * @param stopM distance at which it stops [m]; infinite if it does not
+   * @param amongTraffic whether to check traffic up to the horizon, or only static obstacles; these, too, up to the horizon if there is traffic
    */
   private Outcome play(Motion motion, double stopM, boolean amongTraffic) {
     double sign = motion.sign();
     double farM = Math.max(motion.arcM(), farM(motion));
     boolean looks = amongTraffic && !traffic.isEmpty();
-    // where it will have to stop decides where traffic meets it
+    // the stopping point determines where traffic meets it
     boolean toHorizon = limits.stops() && !amongTraffic && !traffic.isEmpty();
     Tally tally = new Tally();
     double v = motion.turnRad() == 0.0 ? Math.max(0.0, sign * startMps) : 0.0;
-    double rolls = motion.turnRad() == 0.0 ? 0.0 : startMps; // before a turn on the spot
+    double rolls = motion.turnRad() == 0.0 ? 0.0 : startMps; // before a turn in place
     double turned = 0.0;
     double gone = 0.0;
     double freeM = NEVER;
@@ -159,7 +155,7 @@ final class MotionForecast {
   }
 
   /**
-   * What is left of the speed in an arc: of what turns on the spot, the outer side is no faster.
+   * Factor on the speed in an arc: if the vehicle turns in place, its outer side is no faster.
    */
   private double turning(Motion motion) {
     double across = Math.abs(motion.curvature()) * body.radiusM();
@@ -174,13 +170,13 @@ final class MotionForecast {
     return left <= 0.0 ? 0.0 : Math.copySign(left, mps);
   }
 
-  /** How far it is looked for what stands, beyond the arc [m]. */
+  /** Range of the check for static obstacles beyond the arc [m]. */
   private double farM(Motion motion) {
     if (limits.stops()) {
       double v = Math.max(0.0, motion.sign() * startMps);
       double stopping =
           limits.stoppingM(Math.max(v, motion.speedMps())) + 2.0 * costs.frame().cellM();
-      // as far along each arc, so that what they keep compares
+      // equally far along each arc, so that clearances compare
       return limits.preferredM() > 0.0 ? Math.max(limits.lookAheadM(), stopping) : stopping;
     }
     // on its route as far as it takes to turn back
@@ -195,7 +191,7 @@ final class MotionForecast {
     if (gone <= motion.arcM() || track == null) {
       return at.along(sign * step, gone <= motion.arcM() ? motion.curvature() : 0.0);
     }
-    if (!limits.stops()) { // off its route it has to fly back, and meets what is on the way
+    if (!limits.stops()) { // off its route it must fly back, past obstacles on the way
       double ahead = gone + limits.lookAheadM();
       return at.along(
           step, limits.curvatureTo(at, track.northAheadM(ahead), track.eastAheadM(ahead), false));
@@ -207,7 +203,7 @@ final class MotionForecast {
     return new Pose(north, east, stays ? at.headingRad() : heading);
   }
 
-  /** Whether what cannot stop can circle at the end of an arc, to one side or the other. */
+  /** Whether a vehicle that cannot stop can circle to either side at the end of an arc. */
   boolean canCircleAfter(Motion motion) {
     Pose from = start.along(motion.sign() * motion.arcM(), motion.curvature());
     double radius = 1.1 * limits.turnRadiusM();
@@ -228,7 +224,7 @@ final class MotionForecast {
     return body.clearanceM(costs, at.northM(), at.eastM(), at.headingRad(), enoughM);
   }
 
-  /** What has been seen of traffic while a motion is played. */
+  /** Traffic statistics of a simulated motion. */
   private final class Tally {
     private double meetsS = NEVER;
     private double gapM = NEVER;

@@ -3,21 +3,21 @@ package org.u2sa.core.planning.local;
 import org.u2sa.core.planning.curve.Pose;
 
 /**
- * How a vehicle may move along its route. Immutable.
+ * Limits of a vehicle's motion along its route. Immutable.
  *
- * @param speedMps wanted [m/s]
+ * @param speedMps wanted speed [m/s]
  * @param accelerationMps2 [m/s²]
  * @param brakingMps2 [m/s²]
- * @param turnRadiusM of its tightest turn at that speed [m]; 0 if it turns on the spot
- * @param stops whether it can stand: an aeroplane cannot
- * @param reverses whether it can go backwards
- * @param lookAheadM how far ahead on the route it is led [m]
- * @param touchM nearer to an obstacle than this counts as a collision [m]
- * @param preferredM to be kept from obstacles where the route does [m]; 0: touchM is enough
- * @param trafficM to be kept from traffic beyond both radii [m]
- * @param horizonS how far ahead in time traffic is looked at [s]
- * @param reactionS time until an order takes effect [s]
- * @param turnRateRadPerS of a turn on the spot [rad/s], above 0
+ * @param turnRadiusM minimum turn radius at that speed [m]; 0 if it turns in place
+ * @param stops whether it can stop, unlike an aeroplane
+ * @param reverses whether it can reverse
+ * @param lookAheadM look-ahead on the route [m]
+ * @param touchM distance to an obstacle below which it is a collision [m]
+ * @param preferredM distance to keep from obstacles where the route does [m]; 0 if touchM suffices
+ * @param trafficM distance to keep from traffic beyond both radii [m]
+ * @param horizonS time horizon of traffic prediction [s]
+ * @param reactionS delay until a command takes effect [s]
+ * @param turnRateRadPerS yaw rate of turns in place [rad/s], above 0
  */
 public record MotionLimits(
     double speedMps,
@@ -33,21 +33,21 @@ public record MotionLimits(
     double horizonS,
     double reactionS,
     double turnRateRadPerS) {
-  /** A vehicle that turns on the spot drives arcs to points this near to straight ahead [rad]. */
+  /** Bearing up to which a vehicle that turns in place drives arcs [rad]. */
   static final double SPOT_TURN_RAD = Math.toRadians(30.0);
 
-  /** Whether it turns on the spot. */
+  /** Whether it turns in place. */
   boolean turnsOnTheSpot() {
     return turnRadiusM == 0.0;
   }
 
-  /** The tightest arc on which it is led [1/m]. */
+  /** Maximum curvature [1/m]. */
   double tightest() {
     return turnsOnTheSpot() ? 2.0 * Math.sin(SPOT_TURN_RAD) / lookAheadM : 1.0 / turnRadiusM;
   }
 
   /**
-   * Of the arc to a point, tangent to the heading [1/m], to the right positive, and no tighter than
+   * Curvature of the arc to a point, tangent to the heading [1/m], right positive, and no tighter than
    * {@link #tightest()} (Coulter, CMU-RI-TR-92-01: 2 y / L²).
    */
   double curvatureTo(Pose from, double north, double east, boolean backwards) {
@@ -65,9 +65,9 @@ public record MotionLimits(
   }
 
   /**
-   * The speed from which it stops within a way [m/s]; 0 if it is too late.
+   * Maximum speed from which it stops within a distance [m/s]; 0 if it is too late.
    *
-   * @param wayM up to what is in the way, less what is to be kept; infinite if nothing is
+   * @param wayM distance to the obstacle less the clearance; infinite if none
    */
   double stoppableMps(double wayM) {
     if (wayM == Double.POSITIVE_INFINITY) {
@@ -80,14 +80,13 @@ public record MotionLimits(
     return Math.min(speedMps, Math.sqrt(b * b + 2.0 * brakingMps2 * wayM) - b);
   }
 
-  /** Way to stop from a speed, reaction included [m]. */
+  /** Stopping distance from a speed, including reaction [m]. */
   double stoppingM(double fromMps) {
     return fromMps * fromMps / (2.0 * brakingMps2) + fromMps * reactionS;
   }
 
   /**
-   * How far aside it comes to stand if it turns at its rate w while it brakes: the integral of (v −
-   * b t) w t, w v³/6b², here of the whole way to stand [m].
+   * Sideways drift if it turns at its rate w while braking: the integral of (v − b t) w t, w v³/6b², here over the whole stopping distance [m].
    */
   double slipM(double fromMps) {
     return stoppingM(fromMps) * turnRateRadPerS * fromMps / brakingMps2 / 3.0;

@@ -4,22 +4,21 @@ import java.util.List;
 import org.u2sa.core.planning.route.Route;
 
 /**
- * How far along its route a vehicle has come. It comes forward only; where the route turns back on
- * itself it looks no farther until it has been there. Belongs to one thread.
+ * Progress of a vehicle along its route. Progress is monotonic; it does not pass a cusp of the route until the vehicle has been there. Not thread-safe.
  */
 public final class RouteTrack {
-  /** How far ahead of the last place the vehicle is looked for, in look-aheads. */
+  /** Search range ahead of the last position, in look-aheads. */
   private static final double SEARCHED = 3.0;
 
   private final double[] north;
   private final double[] east;
   private final boolean[] backwards; // to each point
-  private final double[] at; // way from the start [m]
+  private final double[] at; // distance from the start [m]
   private final double cost;
   private double alongM;
-  private int segment = 1; // the end of the one on which the vehicle is
+  private int segment = 1; // end point of the vehicle's current segment
 
-  /** A track along a route that exists. */
+  /** Creates a track along an existing route. */
   public RouteTrack(Route route) {
     List<Route.Point> points = route.points();
     int count = Math.max(2, points.size());
@@ -37,12 +36,12 @@ public final class RouteTrack {
     cost = route.cost();
   }
 
-  /** What the planner said that the whole route costs [m]. */
+  /** Cost of the whole route by the planner [m]. */
   public double cost() {
     return cost;
   }
 
-  /** How many points it has. */
+  /** Number of points. */
   public int count() {
     return north.length;
   }
@@ -57,31 +56,31 @@ public final class RouteTrack {
     return east[point];
   }
 
-  /** Whether the vehicle goes backwards now. */
+  /** Whether the vehicle is reversing now. */
   public boolean goesBackwards() {
     return backwards[segment];
   }
 
-  /** Way left [m]. */
+  /** Remaining length [m]. */
   public double remainingM() {
     return at[at.length - 1] - alongM;
   }
 
-  /** Way along the route so far [m]. */
+  /** Distance along the route so far [m]. */
   public double alongM() {
     return alongM;
   }
 
-  /** Way to where the route turns back on itself, or to its end [m]. */
+  /** Distance to the next cusp of the route or to its end [m]. */
   public double straightOnM() {
     return at[cusp()] - alongM;
   }
 
   /**
-   * Takes where the vehicle is.
+   * Updates with the vehicle's position.
    *
-   * @param reachedM it has been at a turning point from this near on [m]
-   * @return how far it is off the route [m]
+   * @param reachedM distance within which a cusp counts as reached [m]
+   * @return distance off the route [m]
    */
   public double follow(double vehicleNorth, double vehicleEast, double reachedM, double aheadM) {
     int cusp = cusp();
@@ -119,7 +118,7 @@ public final class RouteTrack {
     return best;
   }
 
-  /** The point at which the way turns back, or the last. */
+  /** Next cusp, or the last point. */
   private int cusp() {
     int i = segment;
     while (i + 1 < at.length && backwards[i + 1] == backwards[segment]) {
@@ -128,12 +127,12 @@ public final class RouteTrack {
     return i;
   }
 
-  /** North of the place so far ahead, not beyond a turning point [m]. */
+  /** North coordinate at a distance ahead, not beyond a cusp [m]. */
   public double northAheadM(double metres) {
     return ahead(north, metres);
   }
 
-  /** East of the place so far ahead, not beyond a turning point [m]. */
+  /** East coordinate at a distance ahead, not beyond a cusp [m]. */
   public double eastAheadM(double metres) {
     return ahead(east, metres);
   }
@@ -150,7 +149,7 @@ public final class RouteTrack {
     return values[i - 1] + share * (values[i] - values[i - 1]);
   }
 
-  /** The next point that the vehicle has not passed. */
+  /** Next point not yet passed. */
   public int next() {
     return segment;
   }

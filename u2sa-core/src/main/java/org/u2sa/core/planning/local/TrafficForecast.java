@@ -7,13 +7,11 @@ import org.u2sa.core.planning.search.BodyDiscs;
 import org.u2sa.core.planning.seen.Mover;
 
 /**
- * Where traffic will be, as its velocity or trajectory says, and how near the vehicle would be to
- * it. A motion that meets it lies in its velocity obstacle (Fiorini, Shiller: Motion Planning in
- * Dynamic Environments Using Velocity Obstacles, International Journal of Robotics Research 17,
- * 1998). Belongs to one thread.
+ * Predicts traffic from its velocity or trajectory, and its distance to the vehicle. A motion that meets it lies in its velocity obstacle (Fiorini, Shiller: Motion Planning in
+ * Dynamic Environments Using Velocity Obstacles, International Journal of Robotics Research 17, 1998). Not thread-safe.
  */
 final class TrafficForecast {
-  private static final double GROWTH = 0.08; // of traffic's way: how well its velocity is known
+  private static final double GROWTH = 0.08; // uncertainty per distance travelled by traffic
 
   private final List<Mover> movers;
   private final BodyDiscs body;
@@ -39,7 +37,7 @@ final class TrafficForecast {
     this.movers = near;
   }
 
-  /** Whether what goes straight on can be where the vehicle can be, within the horizon. */
+  /** Whether traffic moving straight on can meet the vehicle within the horizon. */
   private boolean mayComeNear(Mover mover, MotionLimits limits) {
     double age = mover.ageS(nowMicros);
     double away = now.distanceM(mover.northAfterM(age), mover.eastAfterM(age));
@@ -52,7 +50,7 @@ final class TrafficForecast {
     return movers.isEmpty();
   }
 
-  /** Least distance between the vehicle there and traffic then [m]; negative if they overlap. */
+  /** Minimum distance between the vehicle at a pose and traffic at a time [m]; negative if they overlap. */
   double gapM(Pose at, double seconds) {
     double gap = Double.POSITIVE_INFINITY;
     for (Mover mover : movers) {
@@ -67,7 +65,7 @@ final class TrafficForecast {
     return gap;
   }
 
-  /** Whether traffic is too near then, and not merely as near as it is now. */
+  /** Whether traffic is too near at a time, and nearer than it is now. */
   boolean meets(Pose at, double seconds) {
     for (Mover mover : movers) {
       double age = mover.ageS(nowMicros);

@@ -1,5 +1,4 @@
 /**
- * Following a route within what the vehicle's motion allows, past what moves. What the route is
- * belongs to planning.route.
+ * Following a route within the vehicle's motion limits, past traffic. Route planning belongs to planning.route.
  */
 package org.u2sa.core.planning.local;

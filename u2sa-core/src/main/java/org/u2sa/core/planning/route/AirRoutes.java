@@ -7,13 +7,11 @@ import org.u2sa.core.planning.air.TangentGraph;
 import org.u2sa.core.planning.curve.Curve;
 
 /**
- * The planner AIR: the shortest way around cylinders, keep-out zones and along corridors, by arcs
- * and tangents ({@link TangentGraph}). Where it finds none, or something stands there that only a
- * grid shows, it plans as HYBRID does.
+ * The planner AIR: the shortest path around cylinders and keep-out zones and inside corridors, by arcs and tangents ({@link TangentGraph}). If it finds none, or an obstacle known only from the grid is in the way, it plans like HYBRID.
  */
 final class AirRoutes implements RoutePlanner {
   private static final double LEAST_RADIUS_M = 0.1;
-  private static final double KEPT = 1.05; // of the clearance, so that a grid's cells agree
+  private static final double KEPT = 1.05; // margin on the clearance, so that grid cells agree
 
   private final RoutePlanner grids = new HybridRoutes();
 

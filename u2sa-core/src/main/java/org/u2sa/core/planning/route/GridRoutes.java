@@ -11,9 +11,7 @@ import org.u2sa.core.planning.search.GridPath;
 import org.u2sa.core.planning.search.ThetaStar;
 
 /**
- * The planners GRID and THETA, for vehicles that turn on the spot or hardly need room to turn: ways
- * through the grid of costs. GRID repairs the way found before ({@link DStarLite}), THETA searches
- * anew for ways of any direction ({@link ThetaStar}).
+ * The planners GRID and THETA, for vehicles that turn in place or need little room to turn: paths through the cost grid. GRID repairs the previous path ({@link DStarLite}), THETA searches any-angle paths from scratch ({@link ThetaStar}).
  */
 final class GridRoutes implements RoutePlanner {
   /** Searches a grid from a cell to a place. */
@@ -78,7 +76,7 @@ final class GridRoutes implements RoutePlanner {
       GridPath path, RouteRequest request, double goalNorth, double goalEast) {
     List<Route.Point> points = new ArrayList<>();
     points.add(new Route.Point(request.start().northM(), request.start().eastM(), false));
-    // The first corner is the middle of the vehicle's own cell: it is not driven back to.
+    // The first corner is the centre of the vehicle's own cell: do not drive back to it.
     List<GridPath.Corner> corners = path.corners();
     boolean escapes =
         request.start().distanceM(corners.get(0).northM(), corners.get(0).eastM())
@@ -88,7 +86,7 @@ final class GridRoutes implements RoutePlanner {
     }
     boolean inside = request.costs().frame().contains(goalNorth, goalEast);
     if (inside && points.size() > 1) {
-      points.remove(points.size() - 1); // the middle of the goal's cell
+      points.remove(points.size() - 1); // the centre of the goal's cell
     }
     points.add(new Route.Point(goalNorth, goalEast, false));
     return Route.of(points, path.cost());

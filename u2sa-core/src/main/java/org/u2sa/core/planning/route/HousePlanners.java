@@ -5,11 +5,11 @@ import java.util.Map;
 import java.util.ServiceLoader;
 import org.u2sa.interfaces.configuration.Configurator;
 
-/** All planners of routes: the house's own and what extensions bring. */
+/** All route planners: the built-in ones and those of extensions. */
 public final class HousePlanners {
   private HousePlanners() {}
 
-  /** New planners by the name that the variable PLANNER gives them, in the order of a list. */
+  /** Creates planners, by their value of the variable PLANNER, in display order. */
   public static Map<String, RoutePlanner> all(Configurator configuration) {
     Map<String, RoutePlanner> planners = new LinkedHashMap<>();
     planners.put("GRID", GridRoutes.repaired());

@@ -10,24 +10,22 @@ import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 
 /**
- * The planner HYBRID, for vehicles with a turning circle, on wheels or in the air: ways that they
- * can follow through the grid of costs ({@link HybridAStar}). A search that takes longer than the
- * effort of one request goes on with the next one, as long as vehicle and goal stay where they are.
+ * The planner HYBRID, for ground vehicles and aircraft with a turning circle: drivable paths through the cost grid ({@link HybridAStar}). A search that exceeds the effort of one request continues with the next one, as long as vehicle and goal do not move.
  */
 final class HybridRoutes implements RoutePlanner {
-  /** A vehicle that turns on the spot is planned for as if it needed this [cells]. */
+  /** Turn radius assumed for vehicles that turn in place [cells]. */
   private static final double LEAST_RADIUS_CELLS = 2.0;
 
-  /** A vehicle that has moved by more than this begins elsewhere [cells, rad]. */
+  /** Larger movements of the vehicle restart the search [cells, rad]. */
   private static final double MOVED_CELLS = 2.0;
 
   private static final double TURNED_RAD = Math.toRadians(5.0);
 
-  /** Ways end within this share of the tolerance; by the rest of it the goal may move meanwhile. */
+  /** Paths end within this share of the tolerance; the goal may move by the rest meanwhile. */
   private static final double GOAL_SHARE = 0.7;
 
   private final HybridAStar search = new HybridAStar();
-  private RouteRequest begun; // with it the search under way began; null if there is none
+  private RouteRequest begun; // request of the search in progress; null if none
 
   @Override
   public Route plan(RouteRequest request) {
@@ -80,7 +78,7 @@ final class HybridRoutes implements RoutePlanner {
             GOAL_SHARE * request.toleranceM()));
   }
 
-  /** Whether the way that is sought is the one that is wanted now. */
+  /** Whether the search in progress is for this request. */
   private boolean goesOn(RouteRequest now) {
     if (begun == null || begun.costs() != now.costs()) {
       return false;

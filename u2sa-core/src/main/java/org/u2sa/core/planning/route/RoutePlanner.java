@@ -1,10 +1,9 @@
 package org.u2sa.core.planning.route;
 
 /**
- * Finds a way around what stands in the way. One of your own comes by a {@link
- * RoutePlannerProvider}. Belongs to one thread.
+ * Finds a path around obstacles. Extensions supply their own through a {@link RoutePlannerProvider}. Not thread-safe.
  */
 public interface RoutePlanner {
-  /** The way to the goal, or why there is none. */
+  /** Plans a path to the goal, or gives the reason why there is none. */
   Route plan(RouteRequest request);
 }

@@ -3,17 +3,17 @@ package org.u2sa.core.planning.route;
 import org.u2sa.interfaces.configuration.Configurator;
 
 /**
- * Brings a planner that the variable PLANNER of the Path Planner can name; found through {@link
+ * Provides a route planner selectable by the variable PLANNER of the Path Planner; found through {@link
  * java.util.ServiceLoader}.
  */
 public interface RoutePlannerProvider {
-  /** The value of PLANNER that chooses it, in capitals. */
+  /** Value of PLANNER that selects it, in capitals. */
   String name();
 
   /**
-   * A planner for one Path Planner.
+   * Creates a route planner for one Path Planner.
    *
-   * @param configuration the Path Planner's, from which it declares and reads variables
+   * @param configuration configuration of the Path Planner, in which it declares and reads variables
    */
   RoutePlanner planner(Configurator configuration);
 }

@@ -7,21 +7,19 @@ import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.seen.PlanarShape;
 
 /**
- * A way that is wanted. All places are on the planning plane.
+ * A request for a path. All positions are on the planning plane.
  *
- * @param start where the vehicle is
+ * @param start pose of the vehicle
  * @param goalNorthM the goal [m]
  * @param goalEastM the goal [m]
  * @param goalHeadingRad direction in which to arrive [rad, clockwise from north]; empty if it does
  *     not matter
- * @param toleranceM the goal is reached this near [m]
+ * @param toleranceM distance within which the goal counts as reached [m]
  * @param mobility the vehicle
- * @param costs what ways around the vehicle cost; the goal may lie outside
- * @param shapes what stands in the way, as shapes; what only a grid shows is not among them
- * @param corridors areas of which one must always be around the vehicle; empty if it may go
- *     anywhere
- * @param effort most nodes to search now, above 0; a planner that needs more answers {@link
- *     Route#sought} and goes on when it is asked for the same way again
+ * @param costs cost grid around the vehicle; the goal may lie outside
+ * @param shapes obstacles as shapes, without those known only from the grid
+ * @param corridors areas, one of which must always contain the vehicle; empty if unrestricted
+ * @param effort maximum number of nodes to search now, above 0; a planner that needs more returns {@link Route#sought} and continues when asked for the same path again
  */
 public record RouteRequest(
     Pose start,

@@ -1,5 +1,4 @@
 /**
- * Planners of ways around obstacles: the interface that extensions implement too, and the house's
- * own. How a way is followed belongs to planning.local.
+ * Planners of paths around obstacles: the interface, also for extensions, and the built-in planners. Path following belongs to planning.local.
  */
 package org.u2sa.core.planning.route;

@@ -1,15 +1,14 @@
 package org.u2sa.core.planning.search;
 
 /**
- * A rectangular vehicle, covered by discs along its axis, so that a few distances tell whether it
- * touches anything (Ziegler, Stiller: Fast Collision Checking for Intelligent Vehicle Motion
+ * A rectangular vehicle, covered by discs along its axis, so that a few distances suffice for collision checking (Ziegler, Stiller: Fast Collision Checking for Intelligent Vehicle Motion
  * Planning, IV 2010). Immutable.
  */
 public final class BodyDiscs {
   private final double[] ahead; // of the reference point [m]
   private final double radiusM;
   private final double circleM;
-  private final CloseCover close; // null: the discs along the axis are all there is
+  private final CloseCover close; // null if only the discs along the axis are used
 
   /**
    * @param frontM from the reference point to the front [m]
@@ -33,22 +32,21 @@ public final class BodyDiscs {
   }
 
   /**
-   * The same, but near obstacles the rectangle itself counts, to a few centimetres: for passages
-   * hardly wider than the vehicle.
+   * Creates a cover that is exact to a few centimetres near obstacles, for passages hardly wider than the vehicle.
    *
-   * @param spacingM of the small discs that cover it [m]
+   * @param spacingM spacing of the small discs that cover it [m]
    */
   public static BodyDiscs closely(double frontM, double rearM, double widthM, double spacingM) {
     CloseCover close = new CloseCover(frontM, rearM, widthM, spacingM);
     return new BodyDiscs(frontM, rearM, widthM, close);
   }
 
-  /** How many discs there are. */
+  /** Number of discs. */
   public int count() {
     return ahead.length;
   }
 
-  /** Where a disc is ahead of the reference point [m]. */
+  /** Distance of a disc ahead of the reference point [m]. */
   public double aheadM(int disc) {
     return ahead[disc];
   }
@@ -64,8 +62,7 @@ public final class BodyDiscs {
   }
 
   /**
-   * What is left between the discs and the nearest occupied cell [m], or less than that where it is
-   * farther away than a cell; negative if they touch.
+   * Distance between the discs and the nearest occupied cell [m], possibly underestimated if more than a cell; negative if they touch.
    */
   public double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
     return clearanceM(grid, northM, eastM, headingRad, grid.frame().cellM());
@@ -74,7 +71,7 @@ public final class BodyDiscs {
   /**
    * The same.
    *
-   * @param enoughM what may be too little where it is more than this [m]
+   * @param enoughM distance above which the result may be underestimated [m]
    */
   public double clearanceM(
       CostGrid grid, double northM, double eastM, double headingRad, double enoughM) {

@@ -3,13 +3,12 @@ package org.u2sa.core.planning.search;
 import java.util.Arrays;
 
 /**
- * A binary heap of cells, least key first, in which keys may change. Equal keys come in an order
- * that depends on nothing but the calls. Belongs to one thread.
+ * A binary min-heap of cells with mutable keys. The order of equal keys is deterministic. Not thread-safe.
  */
 final class CellHeap {
   private int[] heap = new int[1024];
   private double[] keys = new double[1024];
-  private final int[] place; // of each cell in the heap, from 1; 0: not in it
+  private final int[] place; // position of each cell in the heap, from 1; 0 if absent
   private int size;
 
   CellHeap(int cells) {
@@ -39,7 +38,7 @@ final class CellHeap {
     return place[cell] != 0;
   }
 
-  /** Adds a cell, or gives it another key. */
+  /** Adds a cell or changes its key. */
   void put(int cell, double key) {
     int at = place[cell] - 1;
     if (at < 0) {

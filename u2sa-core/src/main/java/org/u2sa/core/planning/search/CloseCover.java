@@ -1,8 +1,7 @@
 package org.u2sa.core.planning.search;
 
 /**
- * A rectangular vehicle, covered closely by small discs: tells whether it touches anything to a few
- * centimetres, at all four sides. Immutable.
+ * A rectangular vehicle, covered closely by small discs: collision checking to a few centimetres on all four sides. Immutable.
  */
 final class CloseCover {
   private final double[] ahead; // of the reference point [m]
@@ -10,7 +9,7 @@ final class CloseCover {
   private final double radiusM;
 
   /**
-   * @param spacingM from disc to disc at most [m]
+   * @param spacingM maximum spacing of discs [m]
    */
   CloseCover(double frontM, double rearM, double widthM, double spacingM) {
     double length = frontM + rearM;
@@ -29,7 +28,7 @@ final class CloseCover {
     return middles;
   }
 
-  /** What is left between the discs and the nearest occupied cell [m]; negative if they touch. */
+  /** Distance between the discs and the nearest occupied cell [m]; negative if they touch. */
   double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
     double cos = Math.cos(headingRad);
     double sin = Math.sin(headingRad);

@@ -5,19 +5,18 @@ import java.util.Arrays;
 import java.util.function.IntPredicate;
 
 /**
- * What it costs to go through each cell: 1 a metre in the open, more near obstacles, infinite where
- * the vehicle would touch one. Outside the grid nothing is known, and nothing in the way.
+ * Traversal cost of each cell: 1 per metre in the open, more near obstacles, infinite where the vehicle would collide. Outside the grid, space is assumed free.
  *
- * <p>Belongs to one thread.
+ * <p>Not thread-safe.
  */
 public final class CostGrid {
-  /** A square of unknown cells costs so much more than one that was seen to be free. */
+  /** Extra cost of unknown cells over cells seen free. */
   private static final float UNKNOWN_COST = 0.3f;
 
-  /** Of a cell's state: something stands in it. 0 is a cell that was seen to be free. */
+  /** Flag of a cell's state: occupied. 0 is a cell seen free. */
   public static final byte OCCUPIED = 1;
 
-  /** Of a cell's state: nobody has seen what is in it. May come together with the other. */
+  /** Flag of a cell's state: never seen. May be combined with the other. */
   public static final byte UNKNOWN = 2;
 
   /** Cells of a rectangle, ends included. */
@@ -32,7 +31,7 @@ public final class CostGrid {
   private final int[] changedAt; // by row: the newest revision in which a cost of it may be another
   private int revision;
 
-  /** A grid with nothing in it, all of it seen. */
+  /** Creates an empty grid, all of it seen. */
   public CostGrid(GridFrame frame, Inflation inflation) {
     this.frame = frame;
     this.inflation = inflation;
@@ -48,19 +47,18 @@ public final class CostGrid {
     }
   }
 
-  /** Where its cells lie. */
+  /** Frame of its cells. */
   public GridFrame frame() {
     return frame;
   }
 
-  /** What nearness to obstacles costs. */
+  /** Inflation of obstacles. */
   public Inflation inflation() {
     return inflation;
   }
 
   /**
-   * Takes which cells are occupied and which were never seen, and computes costs where that has
-   * changed something.
+   * Updates which cells are occupied and which were never seen, and recomputes affected costs.
    *
    * @return the cells whose cost may have changed; null if none
    */
@@ -106,8 +104,7 @@ public final class CostGrid {
   }
 
   /**
-   * The cells whose state has changed. Distances are computed anew only around those in which
-   * something new stands, or no longer does: most changes are cells seen for the first time.
+   * The cells whose state has changed. Distances are recomputed only around cells that became occupied or free: most changes are cells seen for the first time.
    */
   private final class Changes {
     private final int[] first = new int[frame.rows()]; // column from which costs may have changed
@@ -178,12 +175,12 @@ public final class CostGrid {
     }
   }
 
-  /** Whether something stands in a cell. */
+  /** Whether a cell is occupied. */
   public boolean isOccupied(int index) {
     return (states[index] & OCCUPIED) != 0;
   }
 
-  /** Whether nobody has seen what is in a cell. */
+  /** Whether a cell was never seen. */
   public boolean isUnknown(int index) {
     return (states[index] & UNKNOWN) != 0;
   }
@@ -193,7 +190,7 @@ public final class CostGrid {
     return cost[index] < Float.POSITIVE_INFINITY;
   }
 
-  /** Cost of a metre in a cell, at least 1; infinite where no way leads. */
+  /** Cost per metre in a cell, at least 1; infinite if impassable. */
   public float cost(int index) {
     return cost[index];
   }
@@ -238,8 +235,7 @@ public final class CostGrid {
   }
 
   /**
-   * Cost of a straight way: its length in metres, each times the cost where it lies; infinite if it
-   * leads where no way leads.
+   * Cost of a straight path: its length in metres weighted by the local cost; infinite if impassable.
    */
   public double straightCost(double north, double east, double toNorth, double toEast) {
     double length =
@@ -257,7 +253,7 @@ public final class CostGrid {
     return sum * length / steps;
   }
 
-  /** The free cell nearest to a point within a distance; −1 if there is none. */
+  /** Free cell nearest to a point within a distance; −1 if none. */
   public int nearestFree(double northM, double eastM, double withinM) {
     int row = frame.row(northM);
     int column = frame.column(eastM);

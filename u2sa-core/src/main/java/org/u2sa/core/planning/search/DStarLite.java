@@ -8,20 +8,17 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The cheapest way through a {@link CostGrid} that changes while the vehicle moves: D* Lite
- * (Koenig, Likhachev: D* Lite, AAAI 2002, figure 4). It searches from the goal, keeps what it
- * found, and repairs only what a change concerns. Legs lead from cell to neighbouring cell; the way
- * is then straightened where that costs no more.
+ * Cheapest path through a {@link CostGrid} that changes while the vehicle moves: D* Lite
+ * (Koenig, Likhachev: D* Lite, AAAI 2002, figure 4). It searches from the goal, keeps its results, and repairs only what a change affects. Legs connect neighbouring cells; the path is then straightened where that costs no more.
  *
- * <p>Where the goal lies outside the grid every cell of the edge is one, at the price of the rest
- * as the crow flies. Belongs to one thread.
+ * <p>If the goal lies outside the grid, every edge cell is a goal, at the cost of the straight-line remainder. Not thread-safe.
  */
 public final class DStarLite {
   private static final double DIAGONAL = Math.sqrt(2.0);
   private static final double NEVER = Double.POSITIVE_INFINITY;
-  private static final double ROUNDING = 1.0e-6; // sums of floats, taken in different order
+  private static final double ROUNDING = 1.0e-6; // sums of floats in different order
   private static final int BLOCK = 64; // costs compared at a time
-  private static final double SAME_GOAL = 0.01; // of a cell: a goal told by the vehicle trembles
+  private static final double SAME_GOAL = 0.01; // of a cell; goals jitter
 
   private final CostGrid grid;
   private final GridFrame frame;
@@ -53,7 +50,7 @@ public final class DStarLite {
     open = new PairHeap(frame.cells());
   }
 
-  /** Whether it searches that grid for a way to that goal, or to another place in its cell. */
+  /** Whether it searches this grid for a path to this goal, or to another point in its cell. */
   public boolean isFor(CostGrid costs, double north, double east) {
     boolean isThere =
         goal >= 0
@@ -71,13 +68,13 @@ public final class DStarLite {
     return goalEastM;
   }
 
-  /** How many cells the last search looked at. */
+  /** Number of cells expanded by the last search. */
   public int expanded() {
     return expanded;
   }
 
   /**
-   * The cheapest way as the grid is now.
+   * Finds the cheapest path in the current grid.
    *
    * @param from index of a free cell
    */
@@ -219,7 +216,7 @@ public final class DStarLite {
     }
   }
 
-  /** A cell costs less than before: so may its neighbours. */
+  /** Propagates a lower cost of a cell to its neighbours. */
   private void lower(int cell) {
     int row = cell / frame.columns();
     int column = cell % frame.columns();
@@ -237,7 +234,7 @@ public final class DStarLite {
     }
   }
 
-  /** A cell costs more than before: those that led over it look for another way. */
+  /** Propagates a higher cost of a cell: cells with paths through it find another one. */
   private void raise(int cell, double before) {
     int row = cell / frame.columns();
     int column = cell % frame.columns();
@@ -272,7 +269,7 @@ public final class DStarLite {
     return 0.5 * ((double) cost[a] + cost[b]) * frame.cellM() * (diagonal ? DIAGONAL : 1.0);
   }
 
-  /** The least that the way between two cells can cost: octile distance in the open [m]. */
+  /** Lower bound of the cost between two cells: octile distance in the open [m]. */
   private double h(int a, int b) {
     int rows = Math.abs(a / frame.columns() - b / frame.columns());
     int columns = Math.abs(a % frame.columns() - b % frame.columns());
@@ -315,7 +312,7 @@ public final class DStarLite {
     return best;
   }
 
-  /** Leaves out corners wherever the straight way costs no more. */
+  /** Removes corners where the straight path costs no more. */
   private List<GridPath.Corner> straightened(List<Integer> cells, List<Double> togo) {
     List<GridPath.Corner> corners = new ArrayList<>();
     int from = 0;

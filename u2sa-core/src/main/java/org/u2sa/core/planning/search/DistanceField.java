@@ -5,10 +5,9 @@ import java.util.Arrays;
 /**
  * Distance of each cell from the nearest occupied one, exact up to a reach: Felzenszwalb and
  * Huttenlocher, Distance Transforms of Sampled Functions, Theory of Computing 8 (2012), algorithm 1
- * once along columns and once along rows. What changes in one place is computed anew around it
- * only.
+ * once along columns and once along rows. Local changes are recomputed only around them.
  *
- * <p>Belongs to one thread.
+ * <p>Not thread-safe.
  */
 final class DistanceField {
   private final int rows;
@@ -21,7 +20,7 @@ final class DistanceField {
   private final float[] boundary; // where the envelope's parabolas meet
 
   /**
-   * @param reach distances beyond count as this [cells], at least 1
+   * @param reach maximum distance; larger ones are clamped [cells], at least 1
    */
   DistanceField(int rows, int columns, int reach) {
     this.rows = rows;
@@ -41,7 +40,7 @@ final class DistanceField {
     return root(square[index]);
   }
 
-  /** Its square, a whole number. */
+  /** Squared distance, an integer. */
   int square(int index) {
     return square[index];
   }

@@ -25,7 +25,7 @@ public record GridFrame(double northM, double eastM, double cellM, int rows, int
     return new GridFrame(northM - half, eastM - half, cellM, cells, cells);
   }
 
-  /** How many cells there are. */
+  /** Number of cells. */
   public int cells() {
     return rows * columns;
   }

@@ -3,13 +3,13 @@ package org.u2sa.core.planning.search;
 import java.util.List;
 
 /**
- * A way through a grid.
+ * A path through a grid.
  *
  * @param corners from start to end
- * @param cost metres, each times the cost of where it lies
+ * @param cost length in metres, weighted by the local cost
  */
 public record GridPath(List<Corner> corners, double cost) {
-  /** A point of the way [m]. */
+  /** A point of the path [m]. */
   public record Corner(double northM, double eastM) {}
 
   /** Copies the corners. */

@@ -1,15 +1,15 @@
 package org.u2sa.core.planning.search;
 
 /**
- * What nearness to obstacles costs. Immutable.
+ * Cost of proximity to obstacles. Immutable.
  *
- * <p>Nearer than the radius no way leads. From there on the cost of a metre falls exponentially
+ * <p>Space nearer than the radius is impassable. Beyond, the cost per metre falls exponentially
  * from 1 + weight to 1 at the reach, as in the inflation layer of Lu, Hershberger, Smart: Layered
  * Costmaps for Context-Sensitive Navigation, IROS 2014.
  *
- * @param radiusM nearer to an obstacle no way leads [m]: half the vehicle's width and a clearance
- * @param reachM farther from an obstacle it costs nothing [m]
- * @param weight what a metre at the radius costs more than one in the open, 0 or more
+ * @param radiusM impassable distance to an obstacle [m]: half the vehicle's width and a clearance
+ * @param reachM distance beyond which obstacles add no cost [m]
+ * @param weight extra cost per metre at the radius over the open, 0 or more
  */
 public record Inflation(double radiusM, double reachM, double weight) {
   private static final double FALLS = 3.0; // e^-3: a twentieth is left at the reach
@@ -29,7 +29,7 @@ public record Inflation(double radiusM, double reachM, double weight) {
   }
 
   /**
-   * Cost of a metre so far from the nearest obstacle [m], at least 1; infinite where none leads.
+   * Cost per metre at a distance from the nearest obstacle [m], at least 1; infinite if impassable.
    */
   double cost(double distanceM) {
     if (distanceM < radiusM) {

@@ -3,14 +3,13 @@ package org.u2sa.core.planning.search;
 import java.util.Arrays;
 
 /**
- * A binary heap of cells by two keys, the second where the first are equal. Equal pairs come in an
- * order that depends on nothing but the calls. Belongs to one thread.
+ * A binary min-heap of cells by two keys in lexicographic order. The order of equal pairs is deterministic. Not thread-safe.
  */
 final class PairHeap {
   private int[] heap = new int[1024];
   private double[] first = new double[1024];
   private double[] second = new double[1024];
-  private final int[] place; // of each cell in the heap, from 1; 0: not in it
+  private final int[] place; // position of each cell in the heap, from 1; 0 if absent
   private int size;
 
   PairHeap(int cells) {
@@ -34,7 +33,7 @@ final class PairHeap {
     return first[0] < one || (first[0] == one && second[0] < other);
   }
 
-  /** Adds a cell, or gives it other keys. */
+  /** Adds a cell or changes its keys. */
   void put(int cell, double one, double other) {
     int at = place[cell] - 1;
     if (at < 0) {

@@ -3,8 +3,7 @@ package org.u2sa.core.planning.search;
 import java.nio.ByteBuffer;
 
 /**
- * Where a row of bytes differs from what it was before. What is the same, as most of it is, costs
- * next to nothing: many bytes are compared at a time, from both ends.
+ * Finds the range in which a row of bytes has changed. Equal bytes, which are most, are cheap: many are compared at a time, from both ends.
  */
 public final class RowChange {
   private static final int BLOCK = 64; // bytes compared at a time

@@ -6,13 +6,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The cheapest way through a {@link CostGrid} whose legs may have any direction: Lazy Theta* (Nash,
+ * Cheapest any-angle path through a {@link CostGrid}: Lazy Theta* (Nash,
  * Koenig, Tovey: Lazy Theta*: Any-Angle Path Planning and Path Length Analysis in 3D, AAAI 2010;
  * Daniel, Nash, Koenig, Felner: Theta*: Any-Angle Path Planning on Grids, JAIR 39, 2010), with
- * costs. Where a goal lies outside the grid the way ends at the edge from which the rest, as the
- * crow flies, is cheapest.
+ * costs. If a goal lies outside the grid, the path ends at the edge cell from which the straight-line remainder is cheapest.
  *
- * <p>Belongs to one thread; its memory serves one search after the other.
+ * <p>Not thread-safe; memory is reused for successive searches.
  */
 public final class ThetaStar {
   private static final double DIAGONAL = Math.sqrt(2.0);
@@ -29,21 +28,20 @@ public final class ThetaStar {
   private int search;
   private int expanded;
 
-  /** Ways of any direction. */
+  /** Creates an any-angle search. */
   public ThetaStar() {
     this(true);
   }
 
   /**
-   * @param anyAngle false: legs lead from cell to neighbouring cell, plain A* (Hart, Nilsson,
+   * @param anyAngle false for legs between neighbouring cells, plain A* (Hart, Nilsson,
    *     Raphael 1968)
    */
   ThetaStar(boolean anyAngle) {
     this.anyAngle = anyAngle;
   }
 
-  /**
-   * The cheapest way.
+  /** Finds the cheapest path.
    *
    * @param start index of a free cell
    * @param goalNorthM the goal, in a free cell or outside the grid
@@ -64,7 +62,7 @@ public final class ThetaStar {
     while (!open.isEmpty() && open.leastKey() < best) {
       int cell = open.poll();
       if (settle(grid, cell, goalNorthM, goalEastM)) {
-        continue; // costs more than was assumed: its turn comes later
+        continue; // costs more than assumed: it was queued again
       }
       closed[cell] = search;
       expanded++;
@@ -90,7 +88,7 @@ public final class ThetaStar {
     return exit == OUTSIDE ? Optional.empty() : Optional.of(path(frame, exit, best));
   }
 
-  /** How many cells the last search looked at. */
+  /** Number of cells expanded by the last search. */
   public int expanded() {
     return expanded;
   }

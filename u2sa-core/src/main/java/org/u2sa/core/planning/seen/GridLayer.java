@@ -7,8 +7,7 @@ import org.u2sa.core.planning.search.RowChange;
 import org.u2sa.messages.OccupancyGrid;
 
 /**
- * What the World Modeler's grid says of the cells of a plan: each is free, occupied or unknown.
- * Belongs to one thread.
+ * State of the planner's cells by the World Modeler's grid: free, occupied or unknown. Not thread-safe.
  */
 final class GridLayer {
   private static final byte FREE = 0;
@@ -35,8 +34,7 @@ final class GridLayer {
   /**
    * The grid as it lies on the plane.
    *
-   * @param before what was drawn last, which this may replace: drawn anew only where the grid says
-   *     something else
+   * @param before previous layer, which this may reuse: only changed cells are redrawn
    */
   static GridLayer of(
       OccupancyGrid grid,
@@ -63,14 +61,13 @@ final class GridLayer {
     return layer;
   }
 
-  /** The state of each cell of the plan, as {@link CostGrid} has them; to be read only. */
+  /** State of each cell of the plan, as in {@link CostGrid}; read-only. */
   byte[] states() {
     return said;
   }
 
   /**
-   * Cells side by side that say the same, as most do, are drawn as one; those beyond the plan, of
-   * which a grid from elsewhere may have millions, not at all.
+   * Draws runs of equal cells as one; skips cells outside the plan, of which a grid from elsewhere may have millions.
    */
   private void draw() {
     Spans northward = placement.northward();
@@ -100,7 +97,7 @@ final class GridLayer {
     }
   }
 
-  /** Last column of the cells, from one on, that say the same as it. */
+  /** Last column of the run of equal cells that starts at a column. */
   private int lastAlike(int row, int from, int east) {
     int base = row * placement.columns();
     byte first = cells[base + from];
@@ -116,7 +113,7 @@ final class GridLayer {
     return k - 1 - base;
   }
 
-  /** Draws anew the plan's cells under those of the grid that say something else than before. */
+  /** Redraws the plan's cells under changed cells of the grid. */
   private void redraw(OccupancyGrid newGrid) {
     byte[] before = cells;
     grid = newGrid;
@@ -182,7 +179,7 @@ final class GridLayer {
     for (int row = firstRow; row <= lastRow; row++) {
       int end = frame.index(row, lastColumn);
       for (int i = frame.index(row, firstColumn); i <= end; i++) {
-        if (said[i] == CostGrid.UNKNOWN || what == CostGrid.OCCUPIED) { // it overrules free
+        if (said[i] == CostGrid.UNKNOWN || what == CostGrid.OCCUPIED) { // it overrides free
           said[i] = what;
         }
       }

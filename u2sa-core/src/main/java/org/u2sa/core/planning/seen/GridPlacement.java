@@ -5,11 +5,10 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Where the cells of a World Modeler's grid lie in the cells of a plan. Immutable.
+ * Maps cells of a World Modeler's grid to cells of a plan. Immutable.
  *
  * <p>Both have about the same axes, so the cells of a row of the World Modeler's grid nearly always
- * lie in the same rows of the plan, and those of a column in the same columns. Which ones is found
- * out once for each row and column rather than for each of some hundred thousand cells.
+ * lie in the same rows of the plan, and those of a column in the same columns. The mapping is computed once per row and column rather than for each of some hundred thousand cells.
  */
 final class GridPlacement {
   private static final double SHRUNK_M = 1.0e-6; // a cell that only touches another covers none
@@ -60,12 +59,12 @@ final class GridPlacement {
             frame.columns());
   }
 
-  /** Whether that plan is this one. */
+  /** Whether the placement is for the given plan. */
   boolean isOn(PlanningPlane otherPlane, GridFrame otherFrame) {
     return plane == otherPlane && frame.equals(otherFrame);
   }
 
-  /** Whether another grid's cells lie where this one's do. */
+  /** Whether another grid has the same cell positions. */
   boolean isOf(OccupancyGrid other) {
     return other == grid
         || other.columns() == columns
@@ -143,7 +142,7 @@ final class GridPlacement {
     return corner.y() + column * eastByColumn + row * eastByRow;
   }
 
-  /** Where the middle of a cell lies on the plane. */
+  /** Centre of a cell on the plane. */
   private Point middle(int column, int row) {
     return plane.ned(grid.referenceFrame(), grid.centerOf(column, row));
   }

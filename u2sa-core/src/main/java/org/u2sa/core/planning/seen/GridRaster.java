@@ -4,24 +4,24 @@ import java.util.List;
 import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 
-/** Which cells of a grid shapes, corridors and the World Modeler's grid occupy. */
+/** Rasterises shapes, corridors and the World Modeler's grid into cells. */
 final class GridRaster {
   private final GridFrame frame;
   private final byte[] states;
 
-  /** All cells are free. */
+  /** Creates a raster with all cells free. */
   GridRaster(GridFrame frame) {
     this.frame = frame;
     states = new byte[frame.cells()];
   }
 
-  /** The cells are as the World Modeler has seen them: free, occupied or unknown. */
+  /** Creates a raster with the cells of the World Modeler: free, occupied or unknown. */
   GridRaster(GridFrame frame, GridLayer seen) {
     this.frame = frame;
     states = seen.states().clone();
   }
 
-  /** The state of each cell, as {@link CostGrid} has them. */
+  /** State of each cell, as in {@link CostGrid}. */
   byte[] states() {
     return states;
   }
@@ -34,7 +34,7 @@ final class GridRaster {
     states[index] |= CostGrid.OCCUPIED;
   }
 
-  /** Cells that a shape touches, by their centres and half a cell. */
+  /** Marks cells that a shape touches, by their centres and half a cell. */
   void draw(PlanarShape shape) {
     if (shape.kind() == PlanarShape.Kind.AREA) {
       drawArea(shape);
@@ -68,7 +68,7 @@ final class GridRaster {
     }
   }
 
-  /** Looks only at cells beside the segment, not at its whole bounding box. */
+  /** Visits only cells beside the segment, not its whole bounding box. */
   private void drawSegment(double n1, double e1, double n2, double e2, double radiusM) {
     double half = 0.5 * frame.cellM();
     double reach = radiusM + half;
@@ -98,7 +98,7 @@ final class GridRaster {
     return e1 + share * (e2 - e1);
   }
 
-  /** Cells that are in none of the corridors. */
+  /** Marks cells outside all corridors. */
   void drawOutside(List<PlanarShape> corridors) {
     for (int i = 0; i < states.length; i++) {
       double north = frame.centreNorthM(i);

@@ -4,13 +4,13 @@ package org.u2sa.core.planning.seen;
  * Traffic: a disc that moves on the planning plane, as far as known. Immutable.
  *
  * @param name UID of the object
- * @param seenMicros when it was where the first point says [µs]
+ * @param seenMicros time of the first point [µs]
  * @param stepS time from point to point [s]
  * @param norths where its centre is at each step [m], at least one
  * @param easts as many
  * @param northMps velocity after the last point [m/s]
  * @param eastMps the same, eastward
- * @param radiusM to be kept from its centre [m]
+ * @param radiusM clearance radius around its centre [m]
  */
 public record Mover(
     String name,
@@ -23,15 +23,15 @@ public record Mover(
     double radiusM) {
   private static final double MICROS = 1.0e-6;
 
-  /** Slower than this an object stands [m/s]. */
+  /** Below this speed an object counts as stationary [m/s]. */
   private static final double STANDS_MPS = 0.05;
 
-  /** Whether it stands now. */
+  /** Whether it is stationary. */
   boolean stands() {
     return Math.hypot(northMps, eastMps) < STANDS_MPS;
   }
 
-  /** The same with another velocity from where it is now. */
+  /** Copy with another velocity from its current position. */
   Mover moving(double newNorthMps, double newEastMps) {
     return new Mover(
         name,
@@ -44,17 +44,17 @@ public record Mover(
         radiusM);
   }
 
-  /** Age of what is known of it [s], at that time. */
+  /** Age of the data [s] at a time. */
   public double ageS(long micros) {
     return (micros - seenMicros) * MICROS;
   }
 
-  /** North of its centre so long after it was seen [m]. */
+  /** North coordinate of its centre at a time after the observation [m]. */
   public double northAfterM(double seconds) {
     return after(norths, northMps, seconds);
   }
 
-  /** East of its centre so long after it was seen [m]. */
+  /** East coordinate of its centre at a time after the observation [m]. */
   public double eastAfterM(double seconds) {
     return after(easts, eastMps, seconds);
   }

@@ -18,7 +18,7 @@ import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 
-/** Reads objects as shapes and traffic on the planning plane. Immutable. */
+/** Converts objects to shapes and traffic on the planning plane. Immutable. */
 final class ObjectReader {
   /** Radius of an object that is only a point [m]. */
   private static final double POINT_RADIUS_M = 0.1;
@@ -29,7 +29,7 @@ final class ObjectReader {
   private final StateInformation vehicle;
 
   /**
-   * @param vehicle where the vehicle is, for objects in its own axes
+   * @param vehicle state of the vehicle, for objects in its own axes
    */
   ObjectReader(PlanningPlane plane, StateInformation vehicle) {
     this.plane = plane;
@@ -43,7 +43,7 @@ final class ObjectReader {
         : object.in(plane.frame(), vehicle);
   }
 
-  /** The object as traffic, even if it stands; empty if nothing is known of its velocity. */
+  /** Object as traffic, even if stationary; empty if its velocity is unknown. */
   Optional<Mover> mover(ObjectDescription raw, long micros) {
     ObjectDescription object = placed(raw);
     Optional<Point> velocity = object.motion().velocity();
@@ -85,13 +85,13 @@ final class ObjectReader {
     return farthest + shape.radiusM();
   }
 
-  /** Where its centre lies on the plane: north, east, down [m]. */
+  /** Centre of an object on the plane: north, east, down [m]. */
   Point centre(ObjectDescription raw) {
     ObjectDescription object = placed(raw);
     return plane.ned(object.referenceFrame(), object.center());
   }
 
-  /** The object as it stands. */
+  /** Object as a static shape. */
   PlanarShape shape(ObjectDescription raw) {
     ObjectDescription object = placed(raw);
     return shape(object, plane.ned(object.referenceFrame(), object.center()));
@@ -181,7 +181,7 @@ final class ObjectReader {
     return made(object, kind, norths, easts, radius, height, centre);
   }
 
-  /** What has no height is as high as the sky: a circle or a point says nothing of it. */
+  /** Objects without height, such as circles and points, are vertically unbounded. */
   private static PlanarShape made(
       ObjectDescription object,
       PlanarShape.Kind kind,

@@ -1,8 +1,7 @@
 package org.u2sa.core.planning.seen;
 
 /**
- * What stands in the way, on the planning plane: everything within a radius of points, of a chain
- * of lines, or of an area. Immutable.
+ * Static obstacle on the planning plane: everything within a radius of points, of a chain of lines, or of an area. Immutable.
  */
 public final class PlanarShape {
   /** What the points mean. */
@@ -11,7 +10,7 @@ public final class PlanarShape {
     POINTS,
     /** Joined in order. */
     CHAIN,
-    /** Joined in order and to a ring; what is inside belongs to it. */
+    /** Joined in order to a closed ring, including its inside. */
     AREA
   }
 
@@ -48,7 +47,7 @@ public final class PlanarShape {
     this.bottomDownM = bottomDownM;
   }
 
-  /** A disc as high as the sky. */
+  /** Creates a vertically unbounded disc. */
   public static PlanarShape disc(String name, double northM, double eastM, double radiusM) {
     return new PlanarShape(
         name,
@@ -60,7 +59,7 @@ public final class PlanarShape {
         Double.POSITIVE_INFINITY);
   }
 
-  /** A chain as high as the sky, without width. */
+  /** Creates a vertically unbounded chain without width. */
   public static PlanarShape wall(String name, double[] norths, double[] easts) {
     return new PlanarShape(
         name, Kind.CHAIN, norths, easts, 0.0, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
@@ -76,7 +75,7 @@ public final class PlanarShape {
     return kind;
   }
 
-  /** How many points there are. */
+  /** Number of points. */
   public int count() {
     return norths.length;
   }
@@ -96,13 +95,13 @@ public final class PlanarShape {
     return radiusM;
   }
 
-  /** Whether it reaches into the heights between two, by their down [m], with a margin. */
+  /** Whether it overlaps the height band between two down coordinates [m], with a margin. */
   public boolean reaches(double oneDownM, double otherDownM, double marginM) {
     return topDownM - marginM <= Math.max(oneDownM, otherDownM)
         && bottomDownM + marginM >= Math.min(oneDownM, otherDownM);
   }
 
-  /** Distance of a place from it [m]; 0 inside. */
+  /** Distance of a point from it [m]; 0 inside. */
   public double distanceM(double north, double east) {
     if (kind == Kind.AREA && isInside(north, east)) {
       return 0.0;
@@ -121,7 +120,7 @@ public final class PlanarShape {
     return Math.max(0.0, least - radiusM);
   }
 
-  /** Whether a place is inside the ring: a way out crosses an odd number of lines. */
+  /** Whether a point is inside the ring (even-odd rule). */
   public boolean isInside(double north, double east) {
     boolean inside = false;
     for (int i = 0, j = norths.length - 1; i < norths.length; j = i++) {
@@ -134,7 +133,7 @@ public final class PlanarShape {
     return inside;
   }
 
-  /** Distance of a place from a line between two points [m]. */
+  /** Distance of a point from a line segment [m]. */
   public static double segmentM(
       double north, double east, double n1, double e1, double n2, double e2) {
     double along = (n2 - n1) * (n2 - n1) + (e2 - e1) * (e2 - e1);
@@ -145,10 +144,10 @@ public final class PlanarShape {
                 0.0, Math.min(1.0, ((north - n1) * (n2 - n1) + (east - e1) * (e2 - e1)) / along));
     double n = north - n1 - share * (n2 - n1);
     double e = east - e1 - share * (e2 - e1);
-    return Math.sqrt(n * n + e * e); // hypot takes ten times as long
+    return Math.sqrt(n * n + e * e); // hypot is ten times slower
   }
 
-  /** Least and greatest north, least and greatest east that it reaches [m]. */
+  /** Bounds: minimum and maximum north, minimum and maximum east [m]. */
   double[] bounds() {
     double[] bounds = {norths[0], norths[0], easts[0], easts[0]};
     for (int i = 1; i < norths.length; i++) {

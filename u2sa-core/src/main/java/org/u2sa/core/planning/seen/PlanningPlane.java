@@ -6,10 +6,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * The plane on which ways are planned: north, east, down [m] from an origin on the earth, or from
- * that of the local frames. Immutable.
+ * Plane on which paths are planned: north, east, down [m] from an origin on the earth, or from that of the local frames. Immutable.
  *
- * <p>Down is the difference of altitudes; the earth's curvature does not enter it.
+ * <p>Down is the difference of altitudes, without the earth's curvature.
  */
 public final class PlanningPlane {
   private final Geodetic origin; // null: the local frames' own
@@ -19,8 +18,7 @@ public final class PlanningPlane {
   }
 
   /**
-   * The plane for a vehicle: of the local frames if its state is in one, otherwise tangent to the
-   * earth where it is.
+   * Plane for a vehicle: that of the local frames if its state is in one, otherwise tangent to the earth at its position.
    */
   public static PlanningPlane at(StateInformation state) {
     if (state.referenceFrame().isLocal()) {
@@ -31,13 +29,13 @@ public final class PlanningPlane {
         new Geodetic(global.x().orElseThrow(), global.y().orElseThrow(), global.z().orElse(0.0)));
   }
 
-  /** Whether places on the earth lie on it, rather than those of local frames. */
+  /** Whether it is for positions on the earth rather than in local frames. */
   public boolean onEarth() {
     return origin != null;
   }
 
   /**
-   * A point as it lies on the plane: north, east, down [m].
+   * Converts a point to the plane: north, east, down [m].
    *
    * @throws IllegalArgumentException if the frame has no place on it
    */
@@ -59,12 +57,12 @@ public final class PlanningPlane {
             + (origin == null ? "of local frames" : "on the earth"));
   }
 
-  /** The frame in which {@link #point} says where something is. */
+  /** Frame of the results of {@link #point}. */
   public ReferenceFrame frame() {
     return origin == null ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL;
   }
 
-  /** A place of the plane in {@link #frame}. */
+  /** Converts a position on the plane to {@link #frame}. */
   public Point point(double northM, double eastM, double downM) {
     if (origin == null) {
       return Point.of(northM, eastM, downM);

@@ -3,7 +3,7 @@ package org.u2sa.core.planning.seen;
 import org.u2sa.messages.frame.Point;
 
 /**
- * An object that is a goal, as it lies from the vehicle.
+ * Position of a goal object relative to the vehicle.
  *
  * @param ned its centre: north, east, down [m]
  * @param distanceM to its surface [m], on the plane

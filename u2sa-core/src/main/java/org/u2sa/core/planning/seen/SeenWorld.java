@@ -15,27 +15,25 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The World Modeler's newest objects and grid, on one plane: what stands, what moves, and what ways
- * around it cost. Belongs to the planner's thread.
+ * The World Modeler's newest objects and grid on one plane: static obstacles, traffic, and the cost grid. Confined to the planner's thread.
  *
- * <p>The window of costs stays where it is until the vehicle comes near its edge, so that what has
- * changed is known cell by cell.
+ * <p>The cost window stays in place until the vehicle comes near its edge, so that changes are known per cell.
  */
 public final class SeenWorld {
   /** The window moves when the vehicle is nearer to its edge than this share of its span. */
   private static final double EDGE_SHARE = 0.2;
 
-  private static final double SURE = 0.6; // confidence of what was seen, and is not guessed
+  private static final double SURE = 0.6; // minimum confidence of objects seen rather than guessed
 
   /**
-   * How the surroundings are read.
+   * Settings for reading the world.
    *
    * @param cellM edge of a cell [m]
    * @param spanM edge of the window [m]
    * @param inflation what nearness costs
    * @param occupiedAbove probability from which a cell of the World Modeler's counts as occupied
    * @param corridorType objects of this type are areas to stay inside
-   * @param ignoredTypes objects of these types do not stand in the way
+   * @param ignoredTypes objects of these types are not obstacles
    * @param heightMarginM objects this far above or below are passed over or under [m]; 0: heights
    *     do not matter
    */
@@ -71,31 +69,31 @@ public final class SeenWorld {
     this.reading = reading;
   }
 
-  /** Whether objects that are rather guessed than seen do not stand in the way. */
+  /** Sets whether objects guessed rather than seen are ignored. */
   public void overlook(boolean guesses) {
     changed |= guesses != overlooks;
     overlooks = guesses;
   }
 
-  /** What the planner itself takes to be closed, until {@link #overlook} or the next of these. */
+  /** Sets the shapes that the planner itself considers closed, until {@link #overlook} or the next call. */
   public void guess(List<PlanarShape> closed) {
     changed |= !closed.equals(guessed);
     guessed = List.copyOf(closed);
   }
 
-  /** Takes new objects. */
+  /** Updates the objects. */
   public void see(ObjectList list) {
     objects = list;
     changed = true;
   }
 
-  /** Takes a new grid. */
+  /** Updates the grid. */
   public void see(OccupancyGrid grid) {
     seenGrid = grid;
     changed = true;
   }
 
-  /** The plane, that of the state if there was none that fits. */
+  /** Plane; a new one by the state if the previous one does not fit. */
   public PlanningPlane plane(StateInformation state) {
     if (plane == null || plane.onEarth() == state.referenceFrame().isLocal()) {
       plane = PlanningPlane.at(state);
@@ -106,12 +104,12 @@ public final class SeenWorld {
     return plane;
   }
 
-  /** What stands in the way. */
+  /** Static obstacles. */
   public List<PlanarShape> shapes() {
     return shapes;
   }
 
-  /** Areas of which the vehicle must not leave all. */
+  /** Areas, at least one of which must contain the vehicle. */
   public List<PlanarShape> corridors() {
     return corridors;
   }
@@ -121,17 +119,17 @@ public final class SeenWorld {
     return movers;
   }
 
-  /** Grows whenever a cost has changed, or the window has moved. */
+  /** Revision that grows when a cost changes or the window moves. */
   public int revision() {
     return revision;
   }
 
-  /** The window of costs, as of the last {@link #update}. */
+  /** Cost window, as of the last {@link #update}. */
   public CostGrid costs() {
     return costs;
   }
 
-  /** The nearest object of a type; empty if none is seen, or none lies on the state's plane. */
+  /** Nearest object of a type; empty if none is seen, or none is on the state's plane. */
   public Optional<SeenTarget> nearest(String type, StateInformation state) {
     if (objects == null) {
       return Optional.empty();
@@ -160,7 +158,7 @@ public final class SeenWorld {
     return Optional.ofNullable(nearest);
   }
 
-  /** All objects of a type, whether or not they stand in the way. */
+  /** All objects of a type, whether or not they are obstacles. */
   public List<PlanarShape> of(String type, StateInformation state) {
     List<PlanarShape> found = new ArrayList<>();
     ObjectReader reader = new ObjectReader(plane(state), state);
@@ -173,17 +171,17 @@ public final class SeenWorld {
     return found;
   }
 
-  /** Whether an object is told in the vehicle's own axes: then no State Estimator is needed. */
+  /** Whether an object is given in the vehicle's own axes, so that no State Estimator is needed. */
   public boolean isSeenFromVehicle() {
     return objects != null
         && objects.objects().stream().anyMatch(object -> object.referenceFrame().isBody());
   }
 
   /**
-   * Brings everything up to date.
+   * Updates everything.
    *
    * @param state the vehicle's newest
-   * @param northM where it is on the plane [m]
+   * @param northM its position on the plane [m]
    * @param eastM the same, eastward
    * @param downM its down [m]
    * @param goalDownM the goal's down [m]: heights between both matter
@@ -218,7 +216,7 @@ public final class SeenWorld {
     changed = false;
   }
 
-  /** The window as the World Modeler's grid has it, with all objects. */
+  /** Cell states of the window by the World Modeler's grid, with all objects. */
   private byte[] states(Reading now) {
     if (seenGrid != null) {
       layer = GridLayer.of(seenGrid, plane, costs.frame(), now.occupiedAbove(), layer);
@@ -245,7 +243,7 @@ public final class SeenWorld {
         || eastM > frame.eastM() + frame.columns() * frame.cellM() - margin;
   }
 
-  /** How traffic moves, or may move. */
+  /** Current and possible motions of traffic. */
   private List<Mover> motions(Mover mover) {
     if (mover.stands()) {
       return memory.mightMove(mover);

@@ -6,11 +6,10 @@ import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Remembers what moved: a thing that has stopped may set off again, onward or back to where it came
- * from. Belongs to the planner's thread.
+ * Remembers moving objects: one that has stopped may start again, onward or back. Confined to the planner's thread.
  */
 final class TrafficMemory {
-  /** What stands longer counts as parked [µs]. */
+  /** Objects stationary for longer count as parked [µs]. */
   private static final long PARKED_AFTER_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   /** Velocity when it was fastest, and when it moved last [µs]. */
@@ -31,8 +30,7 @@ final class TrafficMemory {
   private final Map<String, Motion> moved = new HashMap<>();
 
   /**
-   * Takes note that an object moves. The fastest of the last seconds counts: while a thing stops,
-   * an estimate of its velocity fades away.
+   * Records a moving object. The fastest velocity of the last seconds counts, because the estimate decays while an object stops.
    */
   void moves(Mover mover) {
     long seen = mover.seenMicros();
@@ -40,7 +38,7 @@ final class TrafficMemory {
         mover.name(), new Motion(seen, mover.northMps(), mover.eastMps(), seen), Motion::and);
   }
 
-  /** How an object that stands may set off: on and back; nothing if it is parked. */
+  /** Possible motions of a stationary object: onward and back; empty if it is parked. */
   List<Mover> mightMove(Mover standing) {
     Motion last = moved.get(standing.name());
     if (last == null || standing.seenMicros() - last.lastMicros() > PARKED_AFTER_MICROS) {
