@@ -70,7 +70,7 @@ final class Authenticator implements AutoCloseable {
   }
 
   /**
-   * Checks a password; the answer comes immediately if cached or refused unchecked, otherwise on the authenticator's thread.
+   * Checks a password; the answer comes immediately or, if it takes work, on the authenticator's thread.
    */
   void check(String name, byte[] password, InetAddress from, Consumer<Verdict> answer) {
     LoginApplication application = new LoginApplication(name, password.clone(), from, answer);

@@ -56,7 +56,7 @@ final class ClientSubscriptions {
         || isInTurn(publish.variableHeader().topicName());
   }
 
-  /** Cost of a topic that is new to the broker, which is matched against all clients' filters. */
+  /** Whether a message on the topic may be accepted now; a topic new to the broker is matched against all clients' filters and charged for it. */
   private boolean isInTurn(String topic) {
     int compared = filter.subscriptions().filters();
     if (compared == 0 || filter.subscriptions().isRemembered(topic)) {

@@ -121,7 +121,7 @@ public final class CommunicationManager implements AutoCloseable {
     return new CommunicationManager(bus, remote, own, broker, announcement, secured);
   }
 
-  /** With the same configuration as the secured broker, its authority is the one to trust. */
+  /** Broker access; with the secured broker's own configuration, its authority is trusted by default. */
   private static BrokerAccess access(BrokerAccess.Login login, String directory) {
     String authority =
         login.authority().isEmpty() && !directory.isEmpty()
