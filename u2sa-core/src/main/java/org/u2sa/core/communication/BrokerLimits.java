@@ -88,23 +88,23 @@ record BrokerLimits(
 
   static final int FILTERS_PER_CLIENT = 256;
 
-  /** Of all connections of one user: each is compared with each new topic. */
+  /** Filters of all connections of one user: each is matched against each new topic. */
   static final int FILTERS_PER_USER = 2_048;
 
   static final int LONGEST_TOPIC = 1_024;
   static final int DEEPEST_TOPIC = 32;
   static final int LONGEST_CLIENT_ID = 512;
 
-  /** A client's will, which the broker keeps for as long as the client is there. */
+  /** Size of a will, which the broker keeps while the client is connected. */
   static final int LONGEST_WILL = 16 * 1_024;
 
   /** One in this many connections is reserved for operators. */
   private static final int OPERATORS_PART = 16;
 
-  /** Bytes that may come before the first packet is whole, encryption's included. */
+  /** Bytes allowed before the first packet is complete, encryption included. */
   static final int FIRST_PACKET_BYTES = 64 * 1_024;
 
-  /** As the codec's limit: nobody could read more. */
+  /** The codec's limit. */
   static final int LONGEST_PAYLOAD = 1 << 20;
 
   /** A payload with its topic. */
@@ -116,13 +116,13 @@ record BrokerLimits(
   /** A will with topic, names and password. */
   static final int LONGEST_CONNECT = LONGEST_WILL + LONGEST_CONTROL_PACKET;
 
-  /** Bytes that wait for one client before messages of QoS 0 to it are dropped. */
+  /** Backlog of one client beyond which QoS 0 messages to it are dropped [bytes]. */
   static final long UNREAD_BYTES = 256 * 1_024;
 
-  /** Bytes that wait for one client before those who publish to it are read more slowly. */
+  /** Backlog of one client beyond which its publishers are read more slowly [bytes]. */
   static final long BEHIND_BYTES = UNREAD_BYTES / 4;
 
-  /** Bytes read from one client before the next has its turn. */
+  /** Bytes read from one client per turn. */
   static final int READ_AT_ONCE = 16 * 1_024;
 
   /** {@link #clientPatience} [µs]. */
@@ -130,17 +130,17 @@ record BrokerLimits(
     return Clock.micros(clientPatience);
   }
 
-  /** Connections of one user, so that nobody can take all. */
+  /** Maximum connections per user. */
   int clientsPerUser() {
     return Math.max(1, clientsAtMost / 2);
   }
 
-  /** Connections open to others than operators, so that an operator always finds one free. */
+  /** Maximum connections of non-operators; the rest are reserved for operators. */
   int clientsBesidesOperators() {
     return clientsAtMost - Math.max(1, clientsAtMost / OPERATORS_PART);
   }
 
-  /** Whether a topic or filter is longer or deeper than any may be. */
+  /** Whether a topic or filter exceeds the length or depth limit. */
   static boolean isTooLong(String topic) {
     return topic.length() > LONGEST_TOPIC
         || topic.chars().filter(letter -> letter == '/').count() >= DEEPEST_TOPIC;

@@ -19,14 +19,13 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Looks for brokers on the local networks by multicast DNS: those that serve a U2SA system say so
- * in their announcement. Anybody on the network can announce one; TLS proves its identity.
+ * Finds brokers of U2SA systems on the local networks by multicast DNS. Announcements can be forged; TLS authenticates the broker.
  */
 public final class BrokerSearch implements ServiceListener {
-  /** In the place of a broker's address: look for it. */
+  /** Placeholder for a broker's address that requests a search. */
   public static final String AUTO = "auto";
 
-  /** How long others are awaited after the first was found [s]. */
+  /** How long to wait for further brokers after the first [s]. */
   private static final double OTHERS_S = 1.0;
 
   private final Optional<String> systemId;
@@ -43,9 +42,9 @@ public final class BrokerSearch implements ServiceListener {
   /**
    * Finds the broker of a system.
    *
-   * @param systemId the system; empty: there is only one broker
+   * @param systemId the system; empty if there is only one broker
    * @param clock real time
-   * @param timeoutS how long to look for it [s]
+   * @param timeoutS search timeout [s]
    * @throws CommunicationException if none is found; names those of other systems
    * @throws BadInputException if several are found; lists them
    */
@@ -97,7 +96,7 @@ public final class BrokerSearch implements ServiceListener {
           open.add(dns);
           dns.addServiceListener(BrokerAnnouncement.TYPE, this);
         } catch (IOException e) {
-          failure = e; // another network may do
+          failure = e; // try the other networks
         }
       }
       if (open.isEmpty()) {
@@ -126,7 +125,7 @@ public final class BrokerSearch implements ServiceListener {
         .anyMatch(broker -> systemId.isEmpty() || broker.carries(systemId.get()));
   }
 
-  /** Ending takes JmDNS two seconds, which nobody need wait for. */
+  /** Closes in the background, because JmDNS takes two seconds. */
   private static void endLater(List<JmDNS> open) {
     Thread thread =
         new Thread(
@@ -135,7 +134,7 @@ public final class BrokerSearch implements ServiceListener {
                 try {
                   dns.close();
                 } catch (IOException e) {
-                  continue; // nothing was announced: there is nothing to take back
+                  continue; // nothing announced, so nothing to withdraw
                 }
               }
             },
@@ -154,7 +153,7 @@ public final class BrokerSearch implements ServiceListener {
     ServiceInfo info = event.getInfo();
     String systems = info.getPropertyString(BrokerAnnouncement.SYSTEMS);
     if (systems == null || info.getInet4Addresses().length == 0) {
-      return; // not of U2SA, or not all of its words are here yet
+      return; // not a U2SA broker, or its TXT record is incomplete
     }
     String host = info.getInet4Addresses()[0].getHostAddress();
     String id = info.getPropertyString(BrokerAnnouncement.ID);
@@ -170,6 +169,6 @@ public final class BrokerSearch implements ServiceListener {
 
   @Override
   public void serviceRemoved(ServiceEvent event) {
-    waiter.signal(); // it may have been found: whoever connects learns that it is gone
+    waiter.signal(); // a broker that has gone is noticed on connecting
   }
 }

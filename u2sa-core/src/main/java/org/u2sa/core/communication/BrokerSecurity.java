@@ -16,7 +16,7 @@ import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * How the embedded broker is secured: by users and encryption, or by being heard on this host only.
+ * Security of the embedded broker: users and encryption, or listening on this host only.
  */
 final class BrokerSecurity {
   /** The variables. */
@@ -38,10 +38,10 @@ final class BrokerSecurity {
                   "Who on this host may command without SECURITY DIRECTORY: the account that started the broker, by a private token file that tools read by themselves, or everybody. Everybody may listen.")
           String localCommands) {}
 
-  private final LocalAccount account; // null: no users, or those of the directory
-  private final SecurityDirectory directory; // null: neither users nor encryption
+  private final LocalAccount account; // null without users or with those of the directory
+  private final SecurityDirectory directory; // null without users and encryption
   private final SslContext tls; // null likewise
-  private final ProcessAccount own; // null: everybody may do everything
+  private final ProcessAccount own; // null grants everyone full access
 
   BrokerSecurity(SecurityDirectory directory, SslContext tls) {
     this(directory, tls, null);
@@ -55,10 +55,10 @@ final class BrokerSecurity {
   }
 
   /**
-   * Reads users and certificate.
+   * Reads the users and the certificate.
    *
    * @param bindAddress where the broker is to listen
-   * @throws BadInputException if that would open it to a network unsecured, or a file is wrong
+   * @throws BadInputException if that would expose an unsecured broker to a network, or a file is invalid
    */
   static BrokerSecurity of(Settings settings, String bindAddress, int port, Consumer<String> log) {
     if (!settings.securityDirectory.isEmpty()) {
@@ -112,7 +112,7 @@ final class BrokerSecurity {
     try {
       return InetAddress.getByName(address).isLoopbackAddress();
     } catch (UnknownHostException e) {
-      return false; // listening there will fail and say so
+      return false; // listening will fail with an error
     }
   }
 
@@ -124,7 +124,7 @@ final class BrokerSecurity {
     return tls;
   }
 
-  /** The known users; null: anybody may connect without a password. */
+  /** The known users; null if anyone may connect without a password. */
   Users users(Consumer<String> log) {
     if (account != null) {
       return new Users(account);
@@ -148,7 +148,7 @@ final class BrokerSecurity {
         directory == null ? "" : directory.authority().toString());
   }
 
-  /** Starts the broker that this secures; if that fails, nothing is left of either. */
+  /** Starts the broker secured by this; on failure, undoes both. */
   <B> B starting(Supplier<B> start) {
     try {
       B broker = start.get();
@@ -162,7 +162,7 @@ final class BrokerSecurity {
     }
   }
 
-  /** Takes back what {@link #of} has put down. */
+  /** Removes what {@link #of} has created. */
   void close() {
     if (account != null) {
       account.close();

@@ -22,13 +22,12 @@ import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.User;
 
 /**
- * One client's way in: first it says who it is, then each of its packets is looked at before
- * Moquette sees it. Belongs to its connection's thread.
+ * One client's session: authenticates the client, then filters each of its packets before Moquette sees it. Confined to its connection's thread.
  */
 final class ClientSession extends ChannelInboundHandlerAdapter {
   private enum Stage {
     STRANGER,
-    CHECKED, // its password is being looked at
+    CHECKED, // password check pending
     IN,
     OUT
   }
@@ -40,12 +39,12 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private final String connection;
   private Inflow inflow;
   private Stage stage = Stage.STRANGER;
-  private PacketFilter packets; // from its admission, as the rules
+  private PacketFilter packets; // set on admission, like the rules
   private PacketRules rules;
   private ClientSubscriptions subscriptions;
   private boolean isBudgeted; // what is kept for the client counts
-  private ConnectRequest.Will will; // null: none, or it was said
-  private boolean hasNews; // for Moquette, since it was told last that nothing more has come
+  private ConnectRequest.Will will; // null if none or already published
+  private boolean hasNews; // packets passed to Moquette since the last read-complete
   private String clientId = "";
   private volatile String name = ConnectionFilter.ANONYMOUS;
   private User user; // null: anonymous
@@ -70,17 +69,17 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     return name;
   }
 
-  /** Whether the user is an operator, for whom connections are kept free. */
+  /** Whether the user is an operator, for whom connections are reserved. */
   boolean isOperator() {
     return user != null && user.roles().contains(AccessRole.OPERATOR);
   }
 
-  /** The connection's own ID, which no other has had. */
+  /** Unique ID of the connection, never reused. */
   String connection() {
     return connection;
   }
 
-  /** Whether a packet may be taken now; if so, it counts. */
+  /** Whether a packet may be accepted now; if so, it is charged to the allowances. */
   boolean isInTurn(Object packet) {
     return subscriptions == null
         || !(packet instanceof MqttMessage message)
@@ -88,8 +87,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Ends the connection because its client came again by another one. Its will is not said: the
-   * client is there. May be called on any thread.
+   * Ends the connection because its client reconnected. Its will is not published, because the client is present. May be called on any thread.
    */
   void replaced() {
     ChannelHandlerContext ctx = context;
@@ -103,20 +101,18 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Whether the next packet may come: not while the client leaves answers unread. Moquette cuts a
-   * client off that subscribes before it has finished connecting it, which may be after the client
-   * has its answer.
+   * Whether the next packet may be read: not while the client leaves answers unread. Moquette disconnects a client that subscribes before Moquette has finished connecting it, which may be after the client has received CONNACK.
    */
   boolean isReady() {
     return stage != Stage.CHECKED && (stage != Stage.IN || connected) && !outflow.owesAnswers();
   }
 
-  /** Moquette is ready for the client's packets. May be called on any thread. */
+  /** Called when Moquette is ready for the client's packets. May be called on any thread. */
   void connected() {
     connected = true;
   }
 
-  /** What the client has not taken yet; may be asked on any thread. */
+  /** What is still unsent or unacknowledged to the client; may be called on any thread. */
   Future<ShutdownDrain.Owed> owed() {
     return context.executor().submit(outflow::owed);
   }
@@ -136,7 +132,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
    * Sends a message. Called on the connection's thread.
    *
    * @param eachMatters whether the client is to acknowledge it
-   * @return whether so much waits for the client that its publisher should slow down
+   * @return whether the client's backlog calls for slowing down the publisher
    */
   boolean deliver(Publication publication, boolean eachMatters) {
     ChannelHandlerContext ctx = context;
@@ -159,7 +155,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     }
   }
 
-  /** Takes note whether a subscriber of the client's last message is behind. */
+  /** Records whether a subscriber of the client's last message is behind. */
   void subscriberIsBehind(boolean behind) {
     inflow.subscriberIsBehind(behind);
   }
@@ -169,7 +165,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     outflow.acknowledge(context, packet);
   }
 
-  /** The client has acknowledged a message. */
+  /** Handles the client's acknowledgement of a message. */
   void acknowledged(int packet) {
     outflow.acknowledged(packet);
   }
@@ -191,8 +187,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Runs an action on a connection's thread, or drops it if the broker has ended that thread: its
-   * connections are closed then, and there is nobody left to answer.
+   * Runs an action on a connection's thread, or drops it if the broker has ended that thread, because its connections are then closed.
    */
   static void execute(Executor connectionThread, Runnable action) {
     try {
@@ -254,7 +249,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       } else {
         handedOn = packets.examine(ctx, packet);
         if (packet.fixedHeader().messageType() == MqttMessageType.DISCONNECT) {
-          // MQTT lets a server heed nothing after it (3.14.4), and has it forget the will.
+          // MQTT ignores all packets after DISCONNECT (3.14.4) and discards the will.
           stage = Stage.OUT;
           will = null;
         }
@@ -268,8 +263,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Moquette looks through the client's queue then, on a thread of its own. Where all that came
-   * went past it, there is nothing to be found, and to wake that thread would delay the message.
+   * Moquette then checks the client's queue on its own thread. If every packet bypassed Moquette, the queue is empty, and waking that thread would only delay the message.
    */
   @Override
   public void channelReadComplete(ChannelHandlerContext ctx) {
@@ -324,7 +318,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private void judged(
       ChannelHandlerContext ctx, ConnectRequest said, Authenticator.Verdict verdict) {
     if (stage != Stage.CHECKED) {
-      return; // gone meanwhile
+      return; // disconnected in the meantime
     }
     if (verdict.user().isEmpty()) {
       refuse(
@@ -345,7 +339,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     PacketRules its = new PacketRules(filter, user, clientId);
     Optional<ConnectRequest.Will> last = said.will();
     Optional<String> foreign = last.flatMap(one -> its.refusalOfSystem(one.topic()));
-    if (foreign.isPresent()) { // it means to act where it may not: better told at once
+    if (foreign.isPresent()) { // refuse a client of a foreign system immediately
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, foreign.get());
       return;
     }
@@ -361,7 +355,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     inflow.hold();
     filter.pending().remove(this);
     outflow.admitted(user, clientId);
-    // Without its will a client may still come: every client of U2SA has one, also an observer's.
+    // A refused will does not refuse the client: every U2SA client has one, even an observer.
     Optional<String> refused = last.flatMap(its::refusalOfWill);
     refused.ifPresent(this::willRefused);
     will = refused.isPresent() ? null : last.orElse(null);
@@ -379,7 +373,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       return;
     }
     if (last.isRetained()) {
-      rules.retain(last).ifPresent(this::willRefused); // who listens now gets it all the same
+      rules.retain(last).ifPresent(this::willRefused); // present subscribers receive it regardless
     }
     if (last.eachMatters()) {
       filter.keep(last.payload().length);
@@ -416,7 +410,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
     ConnectionFault fault = ConnectionFault.of(cause);
     if (stage == Stage.IN && fault.isLoss()) {
-      stage = Stage.OUT; // its will says so, and what it was part of
+      stage = Stage.OUT; // its will reports that, and what it was part of
       ctx.close();
     } else {
       putOut(ctx, fault.kind(), fault.words());

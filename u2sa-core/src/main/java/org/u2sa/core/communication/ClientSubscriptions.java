@@ -17,12 +17,11 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * One client's subscriptions, and what its packets cost the broker, in questions. Belongs to its
- * connection's thread.
+ * One client's subscriptions, and the cost of its packets in queries. Confined to its connection's thread.
  */
 final class ClientSubscriptions {
   private static final double TOPICS_OF_A_QUESTION = 4_096.0;
-  private static final double COMPARISONS_PER_S = 25_000.0; // of new topics with filters
+  private static final double COMPARISONS_PER_S = 25_000.0; // matching new topics against filters
   private static final double COMPARISONS_AT_ONCE = 50_000.0;
   private static final double RETAINED_OF_A_QUESTION = 64.0;
   private static final String SHARED = "$share/";
@@ -35,7 +34,7 @@ final class ClientSubscriptions {
   private final Set<String> filters = new HashSet<>();
 
   /**
-   * @param name the user's, whose filters are counted together
+   * @param name the user's name; filters are limited per user
    */
   ClientSubscriptions(ConnectionFilter filter, PacketRules rules, String name, String connection) {
     this.filter = filter;
@@ -46,9 +45,7 @@ final class ClientSubscriptions {
   }
 
   /**
-   * Whether a packet may be taken now, and if so takes it off the allowances: questions are limited
-   * for all connections of a user together, since every service answers them; messages on new
-   * topics for this connection, so that nobody else's hold up a stop.
+   * Whether a packet may be accepted now; if so, charges it to the allowances. Queries are limited per user, because every service answers them; messages on new topics per connection, so that no other connection can delay a stop.
    */
   boolean isInTurn(MqttMessage packet) {
     double questions = questions(packet);
@@ -59,7 +56,7 @@ final class ClientSubscriptions {
         || isInTurn(publish.variableHeader().topicName());
   }
 
-  /** A topic that is new to the broker is compared with the filters of all clients. */
+  /** Whether a message on the topic may be accepted now; a topic new to the broker is matched against all clients' filters and charged for it. */
   private boolean isInTurn(String topic) {
     int compared = filter.subscriptions().filters();
     if (compared == 0 || filter.subscriptions().isRemembered(topic)) {
@@ -73,8 +70,7 @@ final class ClientSubscriptions {
   }
 
   /**
-   * How many questions a packet counts as: one if it is a query to every service or changes
-   * subscriptions. Each further filter counts the more, the more topics it is compared with.
+   * Cost of a packet in queries: one if it queries every service or changes subscriptions. Further filters cost in proportion to the topics they are matched against.
    */
   double questions(MqttMessage packet) {
     if (packet.payload() instanceof MqttSubscribePayload wanted) {
@@ -95,9 +91,9 @@ final class ClientSubscriptions {
   }
 
   /**
-   * Enters subscriptions, all or none; what the client hears is looked at again message by message.
+   * Adds all subscriptions or none; access is checked again for each message delivered.
    *
-   * @return why it may not subscribe to them; empty if it may
+   * @return the reason for refusing, or empty
    */
   Optional<String> refusalOf(MqttSubscribeMessage subscribe) {
     Map<String, Boolean> eachMatters = filtersOf(subscribe);
@@ -108,7 +104,7 @@ final class ClientSubscriptions {
       if (!TopicFilter.isValid(wanted)) {
         return Optional.of("a filter is none");
       }
-      if (wanted.startsWith(SHARED)) { // of MQTT 5
+      if (wanted.startsWith(SHARED)) { // MQTT 5 shared subscription
         return Optional.of("a filter is shared");
       }
     }
@@ -127,7 +123,7 @@ final class ClientSubscriptions {
     return Optional.empty();
   }
 
-  /** The filters, and for each whether each message matters; the last of equal ones counts. */
+  /** The filters, each with whether it asks for QoS 1; the last of equal ones wins. */
   private static Map<String, Boolean> filtersOf(MqttSubscribeMessage subscribe) {
     Map<String, Boolean> eachMatters = new LinkedHashMap<>();
     for (MqttTopicSubscription one : subscribe.payload().topicSubscriptions()) {
@@ -136,7 +132,7 @@ final class ClientSubscriptions {
     return eachMatters;
   }
 
-  /** Sends what is retained to a client that has subscribed. */
+  /** Sends the retained messages to a client that has subscribed. */
   void sendRetained(MqttSubscribeMessage subscribe, ClientSession subscriber) {
     int sent = filter.router().sendRetained(filtersOf(subscribe), subscriber);
     filter.questions().charge(name, sent / RETAINED_OF_A_QUESTION, filter.nowMicros());
@@ -154,7 +150,7 @@ final class ClientSubscriptions {
     return answer.build();
   }
 
-  /** Ends subscriptions; filters that the client has not subscribed are passed over. */
+  /** Removes subscriptions; unknown filters are ignored. */
   void unsubscribe(MqttUnsubscribeMessage packet) {
     for (String unwanted : packet.payload().topics()) {
       if (filters.remove(unwanted)) {

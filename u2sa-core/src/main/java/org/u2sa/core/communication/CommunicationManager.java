@@ -22,23 +22,22 @@ import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The thesis's Communication Manager: what all services of a system talk through (4.5.1.1).
+ * The Communication Manager of the thesis, through which all services of a system communicate (4.5.1.1).
  *
- * <p>By default it is a broker in this process. Services of the process are handed messages
- * directly, and the broker gives copies to subscribers elsewhere. With {@code BROKER} = {@code
+ * <p>By default it embeds a broker. Services of this process receive messages directly; the broker sends copies to remote subscribers. With {@code BROKER} = {@code
  * external} all services use another MQTT broker, and with {@code none} nothing leaves the process.
  */
 public final class CommunicationManager implements AutoCloseable {
   private static final String LOOPBACK = "127.0.0.1";
 
   private static final double SEARCH_AT_LEAST_S = 5.0;
-  private static final double OWN_BROKER_WITHIN_S = 30.0; // on a machine that is busy
+  private static final double OWN_BROKER_WITHIN_S = 30.0; // allows for a loaded machine
 
   private final Transport transport;
   private final Supplier<MqttTransport> remote; // null without a broker
   private final Supplier<MqttTransport> own; // likewise
   private final BrokerSupervisor broker; // null unless embedded
-  private final BrokerAnnouncement announcement; // null if there is none
+  private final BrokerAnnouncement announcement; // null if none
   private final BrokerSecurity security; // null unless embedded
 
   private CommunicationManager(
@@ -60,9 +59,8 @@ public final class CommunicationManager implements AutoCloseable {
    * Starts the Communication Manager of a system.
    *
    * @param systemId the vehicle
-   * @param configuration its variables
-   * @param types the message types that remote clients may publish
-   * @param log takes later failures, a line each
+   * @param configuration the Communication Manager's variables @param types the message types that remote clients may publish
+   * @param log receives later failures, one line each
    * @throws CommunicationException if the port is taken or the external broker does not answer
    * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is wrong
    */
@@ -123,7 +121,7 @@ public final class CommunicationManager implements AutoCloseable {
     return new CommunicationManager(bus, remote, own, broker, announcement, secured);
   }
 
-  /** With the same configuration as the secured broker, its authority is the one to trust. */
+  /** Broker access; with the secured broker's own configuration, its authority is trusted by default. */
   private static BrokerAccess access(BrokerAccess.Login login, String directory) {
     String authority =
         login.authority().isEmpty() && !directory.isEmpty()
@@ -151,21 +149,19 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * The transport through the broker for this process's services, by MQTT even between them. They
-   * have full access; no account needs to be set up for them. Empty without a broker.
+   * The transport that routes this process's services through the broker by MQTT, even between themselves. They have full access and need no account. Empty without a broker.
    */
   public Optional<Transport> brokerTransport() {
     return Optional.ofNullable(own).map(Supplier::get);
   }
 
-  /** Whether the broker is another process's. */
+  /** Whether the broker runs in another process. */
   public boolean isExternal() {
     return transport instanceof MqttTransport;
   }
 
   /**
-   * The transport to another system on the same broker. The broker requires the same user and
-   * encryption as of any client.
+   * The transport to another system on the same broker, which requires a user and encryption as for any client.
    *
    * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all and publish nothing
    * @throws CommunicationException if nothing leaves this process
@@ -178,22 +174,20 @@ public final class CommunicationManager implements AutoCloseable {
     return remote.get().ofSystem(otherSystemId);
   }
 
-  /** Where the embedded broker listens. */
+  /** Address of the embedded broker. */
   public Optional<InetSocketAddress> address() {
     return Optional.ofNullable(broker).map(BrokerSupervisor::address);
   }
 
-  /** Copies for remote subscribers dropped so far because they or the broker were too slow. */
+  /** Number of copies dropped because remote subscribers or the broker were too slow. */
   public long dropped() {
     return broker == null ? 0 : broker.dropped();
   }
 
   /**
-   * Replaces the embedded broker at the same address, as happens automatically when it fails.
-   * Services of this process notice nothing; those of others reconnect. Does nothing with an
-   * external broker.
+   * Replaces the embedded broker at the same address, as happens automatically when it fails. Services of this process are unaffected; remote ones reconnect. No effect with an external broker.
    *
-   * @throws CommunicationException if the port was taken by another program meanwhile
+   * @throws CommunicationException if another program has taken the port
    */
   public void restartBroker() {
     if (broker != null) {
@@ -202,7 +196,7 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * Stops the embedded broker once everything queued is sent. Services should have ended before.
+   * Stops the embedded broker once everything queued is sent. Services should end first.
    */
   @Override
   public void close() {
@@ -217,7 +211,7 @@ public final class CommunicationManager implements AutoCloseable {
     }
   }
 
-  /** Receives nothing: connects only to learn whether the broker is there. */
+  /** Receives nothing; connects only to probe the broker. */
   private static final class Probe implements Receiver {
     @Override
     public void receive(Channel<?> channel, U2SAData message) {

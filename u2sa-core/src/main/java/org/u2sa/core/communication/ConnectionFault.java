@@ -6,11 +6,11 @@ import java.io.IOException;
 import javax.net.ssl.SSLHandshakeException;
 
 /**
- * Why a connection failed.
+ * Reason for a failed connection.
  *
  * @param kind the counter
- * @param words what the network code said, sanitised for a log line
- * @param isLoss whether the other end is gone, as a process that was killed or interrupted
+ * @param words message of the network code, sanitised for a log line
+ * @param isLoss whether the peer has gone, as when its process was killed or interrupted
  */
 record ConnectionFault(String kind, String words, boolean isLoss) {
   static final String MALFORMED = "malformed packet";
@@ -24,7 +24,7 @@ record ConnectionFault(String kind, String words, boolean isLoss) {
     if (error instanceof DecoderException) {
       return told(MALFORMED, error);
     }
-    return error instanceof IOException && error.getCause() != null // Moquette wraps the decoder's
+    return error instanceof IOException && error.getCause() != null // Moquette wraps decoder exceptions
         ? told(MALFORMED, error.getCause())
         : new ConnectionFault("connection failed", shown(error), error instanceof IOException);
   }

@@ -24,35 +24,34 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * What stands between the network and Moquette: every connection passes here, is limited, says who
- * it is, and is watched. Moquette itself takes only those whom the connection filter let in.
+ * Filter between the network and Moquette: rate-limits, authenticates and monitors every connection. Moquette accepts only connections admitted here.
  */
 final class ConnectionFilter implements AutoCloseable {
   /** User name of anonymous clients. */
   static final String ANONYMOUS = "anonymous";
 
   /**
-   * Beyond it Moquette would drop without a word; the connection filter drops earlier, and counts.
+   * Beyond this limit Moquette would drop silently; the connection filter drops earlier and counts.
    */
   private static final int NEVER_UNWRITABLE = 64 << 20;
 
-  /** Set for connections that pass here; those from before have nothing that limits them. */
+  /** Set for connections that pass this filter; earlier connections are unlimited. */
   static final AttributeKey<Boolean> FILTERED = AttributeKey.valueOf("u2sa-filtered");
 
   private static final long ACCEPT_AGAIN_AFTER_MS = 200;
 
   private static final int LEAST_READ = 512;
 
-  private static final double TOTAL_BURST_S = 0.01; // for so long a flood may hold up the others
+  private static final double TOTAL_BURST_S = 0.01; // how long a flood may delay other clients
 
-  /** They log and count each packet, and nobody reads it. */
+  /** Moquette handlers that log and count each packet, unused here. */
   private static final List<String> MOQUETTES_OBSERVERS = List.of("messageLogger", "metrics");
 
   private final BrokerLimits limits;
   private final MessageCodec codec;
   private final Clock clock;
   private final Refusals refusals;
-  private final Users users; // null: everybody may do everything
+  private final Users users; // null grants everyone full access
   private final Authenticator authenticator; // null likewise
   private final byte[] pass = newPass();
   private final AtomicLong kept = new AtomicLong();
@@ -76,7 +75,7 @@ final class ConnectionFilter implements AutoCloseable {
   private volatile boolean ending;
 
   /**
-   * @param users the known users; null: anybody may connect without a password
+   * @param users the known users; null lets anyone connect without a password
    */
   ConnectionFilter(
       BrokerLimits limits, MessageCodec codec, Clock clock, Users users, Consumer<String> log) {
@@ -100,17 +99,15 @@ final class ConnectionFilter implements AutoCloseable {
     return Base64.getEncoder().encode(random);
   }
 
-  /** What the connection filter gives those it lets in, in place of a password. */
+  /** Pass that replaces the password of admitted connections. */
   String pass() {
     return new String(pass, StandardCharsets.US_ASCII);
   }
 
   /**
-   * For Moquette: whether the connection filter let this one in.
+   * Called by Moquette: whether the connection was admitted by this filter.
    *
-   * @throws StartingException if it did not, because the connection filter was not there yet: the
-   *     connection ends without an answer and its client comes again, where "wrong password" would
-   *     be final
+   * @throws StartingException if not, because the filter was not installed yet: the connection closes without an answer and the client retries, whereas "wrong password" would be final
    */
   boolean letIn(byte[] password) {
     if (password == null || !MessageDigest.isEqual(pass, password)) {
@@ -119,7 +116,7 @@ final class ConnectionFilter implements AutoCloseable {
     return true;
   }
 
-  /** Nothing is wrong, so without a stack trace: Moquette writes one to its log. */
+  /** Carries no stack trace, because Moquette would log it although nothing is wrong. */
   static final class StartingException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
@@ -128,7 +125,7 @@ final class ConnectionFilter implements AutoCloseable {
     }
   }
 
-  /** Goes in front of the listening socket's pipeline, which hands on each new connection. */
+  /** First handler of the listening socket's pipeline; receives each new connection. */
   final class Acceptor extends ChannelInboundHandlerAdapter {
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
@@ -148,7 +145,7 @@ final class ConnectionFilter implements AutoCloseable {
           .setOption(
               ChannelOption.WRITE_BUFFER_WATER_MARK,
               new WriteBufferWaterMark(NEVER_UNWRITABLE / 2, NEVER_UNWRITABLE));
-      // One thread reads all clients in turn: none is to keep it long.
+      // One thread reads all clients in turn: none may occupy it for long.
       child
           .config()
           .setOption(
@@ -161,7 +158,7 @@ final class ConnectionFilter implements AutoCloseable {
       ctx.fireChannelRead(message);
     }
 
-    /** Accepting failed, as it does while the process has no file descriptor left: tries again. */
+    /** Handles a failed accept, such as when file descriptors run out, by retrying. */
     @Override
     public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
       refusals.add("connection not accepted", Refusals.shown(String.valueOf(cause.getMessage())));
@@ -174,7 +171,7 @@ final class ConnectionFilter implements AutoCloseable {
     }
   }
 
-  /** Puts the handlers in front of Moquette's, once those are there. */
+  /** Inserts the handlers before Moquette's once those exist. */
   private final class Furnisher extends ChannelInboundHandlerAdapter {
     @Override
     public void channelActive(ChannelHandlerContext ctx) {
@@ -196,7 +193,7 @@ final class ConnectionFilter implements AutoCloseable {
     }
   }
 
-  /** What came of {@link #enter}. */
+  /** Result of {@link #enter}. */
   enum Entry {
     FREE("", MqttConnectReturnCode.CONNECTION_ACCEPTED),
     FULL("too many connections", MqttConnectReturnCode.CONNECTION_REFUSED_SERVER_UNAVAILABLE),
@@ -215,23 +212,23 @@ final class ConnectionFilter implements AutoCloseable {
       this.answer = answer;
     }
 
-    /** Why the client may not be entered. */
+    /** Reason for refusing the client. */
     String reason() {
       return reason;
     }
 
-    /** What the client is told; where waiting helps, that it may come again. */
+    /** Return code for the client; a temporary one where retrying may help. */
     MqttConnectReturnCode answer() {
       return answer;
     }
   }
 
-  /** An ID for a connection: never the same twice. */
+  /** Creates a unique connection ID. */
   String newConnection() {
     return "connection-" + connectionsSoFar.incrementAndGet();
   }
 
-  /** Enters a client under its ID, in the place of an older connection of the same client. */
+  /** Registers a client under its ID, replacing an older connection of the same client. */
   synchronized Entry enter(String clientId, ClientSession session) {
     ClientSession before = clients.get(clientId);
     if (before != null && !before.name().equals(session.name())) {
@@ -248,7 +245,7 @@ final class ConnectionFilter implements AutoCloseable {
     }
     clients.put(clientId, session);
     connections.put(session.connection(), session);
-    if (before != null) { // a client that comes back before its old connection was found dead
+    if (before != null) { // reconnected before its old connection was detected as dead
       before.replaced();
     }
     return Entry.FREE;
@@ -258,7 +255,7 @@ final class ConnectionFilter implements AutoCloseable {
     return clients.values().stream().filter(other -> other.name().equals(name)).count();
   }
 
-  /** Moquette is ready for the packets of a connection. */
+  /** Called when Moquette is ready for a connection's packets. */
   void connected(String connection) {
     ClientSession session = connections.get(connection);
     if (session != null) {
@@ -272,7 +269,7 @@ final class ConnectionFilter implements AutoCloseable {
     subscriptions.remove(session.connection());
   }
 
-  /** What the broker retains. */
+  /** The broker's retained messages. */
   RetainedTable retained() {
     return retained;
   }
@@ -282,18 +279,18 @@ final class ConnectionFilter implements AutoCloseable {
     return subscriptions;
   }
 
-  /** The way of messages. */
+  /** The message router. */
   MessageRouter router() {
     return router;
   }
 
-  /** How many questions each user may still ask. */
+  /** Per-user allowances for queries. */
   Allowance.PerUser questions() {
     return questions;
   }
 
   /**
-   * Messages of all clients together, beyond each one's share. For the one thread that reads them.
+   * Shared allowance for messages of all clients beyond their own shares. For the network's thread only.
    */
   Allowance beyondShares() {
     return beyondShares;
@@ -315,32 +312,32 @@ final class ConnectionFilter implements AutoCloseable {
     return refusals;
   }
 
-  /** The known users; empty: anybody may connect without a password. */
+  /** The known users; empty if anyone may connect without a password. */
   Optional<Users> users() {
     return Optional.ofNullable(users);
   }
 
-  /** Where passwords are checked; there if {@link #users} have some. */
+  /** The authenticator; present if {@link #users} have passwords. */
   Authenticator authenticator() {
     return authenticator;
   }
 
-  /** What waits at the broker for the rest of its packet. For the network's thread. */
+  /** Memory budget for incomplete packets. For the network's thread. */
   MemoryBudget<ClientSession> unfinished() {
     return unfinished;
   }
 
-  /** What clients have not read or acknowledged. For the network's thread. */
+  /** Memory budget for messages that clients have not read or acknowledged. For the network's thread. */
   MemoryBudget<ClientSession> unsent() {
     return unsent;
   }
 
-  /** Takes note of a message that is kept until each of its subscribers has acknowledged it. */
+  /** Counts a message that is kept until all its subscribers have acknowledged it. */
   void keep(int bytes) {
     kept.addAndGet(bytes);
   }
 
-  /** Bytes of {@link #keep}, so far. */
+  /** Total bytes passed to {@link #keep}. */
   long kept() {
     return kept.get();
   }
@@ -349,39 +346,38 @@ final class ConnectionFilter implements AutoCloseable {
     return pending;
   }
 
-  /** Counts a message that a client was too slow for. */
+  /** Counts a message dropped because a client was too slow. */
   void dropped(String client) {
     dropped.incrementAndGet();
     refusals.add("message to a slow client dropped", client);
   }
 
-  /** Whether nothing new is taken any more. */
+  /** Whether the broker is shutting down and accepts nothing new. */
   boolean isEnding() {
     return ending;
   }
 
   /**
-   * Takes nothing new any more, and waits until the clients have taken what was sent to them.
-   * Returns how many messages at least they have not taken.
+   * Stops accepting input and waits until the clients have received what was sent to them. Returns a lower bound on the number of undelivered messages.
    */
   int drain() {
     ending = true;
     return new ShutdownDrain(clients.values(), clock).await();
   }
 
-  /** Messages dropped because a client was too slow, so far. */
+  /** Number of messages dropped because a client was too slow. */
   long dropped() {
     return dropped.get();
   }
 
-  /** To be called about every second. */
+  /** Housekeeping, to be called about once a second. */
   void tidy() {
     if (users != null) {
       users.refresh();
     }
   }
 
-  /** Connections at this moment. */
+  /** Number of open connections. */
   int open() {
     return open.get();
   }

@@ -20,8 +20,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * The broker in this process, joined to the direct path: what comes from elsewhere goes onto the
- * bus, and copies go out.
+ * The in-process broker, bridged to the direct path: remote messages go onto the bus, and copies of local ones go out.
  */
 final class EmbeddedBroker implements AutoCloseable {
   private final LocalBus bus;
@@ -29,7 +28,7 @@ final class EmbeddedBroker implements AutoCloseable {
   private final InetSocketAddress address;
   private final Server server = new Server();
   private final IncomingCopies incoming;
-  private final AtomicLong notTaken = new AtomicLong(); // when the broker ended
+  private final AtomicLong notTaken = new AtomicLong(); // undelivered at shutdown
   private final OutgoingCopies copies;
   private final ConnectionFilter filter;
   private final Runnable died;
@@ -52,7 +51,7 @@ final class EmbeddedBroker implements AutoCloseable {
   }
 
   /**
-   * Starts a broker and joins it to the bus.
+   * Starts a broker and bridges it to the bus.
    *
    * @param died called when the broker can no longer serve; must return at once
    * @throws CommunicationException if it cannot listen
@@ -75,7 +74,7 @@ final class EmbeddedBroker implements AutoCloseable {
           List.of(broker.new Listener()),
           security::tls,
           (clientId, user, password) -> filter.letIn(password),
-          new PermitAllAuthorizatorPolicy()); // the connection filter has looked at each packet
+          new PermitAllAuthorizatorPolicy()); // the connection filter has checked each packet
       FilterInstaller.install(filter, broker.server);
     } catch (IOException | RuntimeException e) {
       filter.close();
@@ -108,7 +107,7 @@ final class EmbeddedBroker implements AutoCloseable {
     return properties;
   }
 
-  /** Tries the port first: Moquette tells a taken one in a log of its own, with a stack trace. */
+  /** Probes the port first, because Moquette reports a taken one only in its own log with a stack trace. */
   private static void refuseTakenPort(InetSocketAddress address) {
     try (ServerSocket probe = new ServerSocket()) {
       probe.bind(address);
@@ -153,8 +152,7 @@ final class EmbeddedBroker implements AutoCloseable {
   }
 
   /**
-   * Called by Moquette on a thread of its own, one call after the other. What Moquette calls a
-   * client is one connection of it, {@link ClientSession#connection}: so nothing here is another's.
+   * Called by Moquette sequentially on its own thread. Moquette's client ID is the unique {@link ClientSession#connection}, so no event refers to another connection.
    */
   private final class Listener extends AbstractInterceptHandler {
     @Override
@@ -165,7 +163,7 @@ final class EmbeddedBroker implements AutoCloseable {
     @Override
     public void onSessionLoopError(Throwable error) {
       if (closing) {
-        return; // its threads end in no order, and meet what has ended already
+        return; // threads end in any order and may find others already closed
       }
       log.accept("the broker failed: " + error);
       died.run();

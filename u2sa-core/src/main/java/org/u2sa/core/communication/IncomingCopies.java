@@ -16,15 +16,15 @@ import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
-/** What remote clients publish, on its way to the bus. Counts what cannot be read or was lost. */
+/** Puts messages of remote clients on the bus. Counts undecodable and lost ones. */
 final class IncomingCopies implements MessageRouter.Reader {
   private static final int TOPICS_REMEMBERED = 1_024;
 
   /**
-   * What a topic means here.
+   * Meaning of a topic to this process.
    *
-   * @param isOurs whether it is of this process's system
-   * @param isKept whether the bus keeps the last message, for those who will ask later
+   * @param isOurs whether it belongs to this process's system
+   * @param isKept whether the bus keeps the last message for late subscribers
    */
   private record Source(Topic topic, boolean isOurs, boolean isKept) {}
 
@@ -34,7 +34,7 @@ final class IncomingCopies implements MessageRouter.Reader {
   private final Gaps gaps = new Gaps();
   private final AtomicLong unreadable = new AtomicLong();
   private final Map<String, Source> sources = new ConcurrentHashMap<>(); // by topic
-  private final Set<String> heard = ConcurrentHashMap.newKeySet(); // topics with numbers in gaps
+  private final Set<String> heard = ConcurrentHashMap.newKeySet(); // topics tracked in gaps
 
   IncomingCopies(LocalBus bus, MessageCodec codec, Consumer<String> log) {
     this.bus = bus;
@@ -46,11 +46,11 @@ final class IncomingCopies implements MessageRouter.Reader {
   public boolean wants(String topicName) {
     Source source = sources.get(topicName);
     if (source == null) {
-      return true; // that shows when it is read
+      return true; // decided when it is read
     }
     boolean wanted = source.isOurs && (source.isKept || bus.isHeard(source.topic.channel()));
     if (!wanted && heard.remove(topicName)) {
-      gaps.forget(topicName::equals); // what comes meanwhile is not missed
+      gaps.forget(topicName::equals); // messages in between do not count as lost
     }
     return wanted;
   }
@@ -73,7 +73,7 @@ final class IncomingCopies implements MessageRouter.Reader {
     return known;
   }
 
-  /** Hands a packet's message to the services of this process; of another vehicle, to nobody. */
+  /** Delivers a packet's message to the services of this process; ignores other vehicles. */
   void deliver(String topicName, byte[] payload) {
     try {
       Source source = source(topicName);
@@ -82,7 +82,7 @@ final class IncomingCopies implements MessageRouter.Reader {
       }
     } catch (MalformedMessageException | IllegalArgumentException e) {
       long count = unreadable.incrementAndGet();
-      if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      if (Long.bitCount(count) == 1) { // log the 1st, 2nd, 4th, 8th… to bound the log
         log.accept(
             "a message on "
                 + Refusals.shown(topicName)

@@ -8,20 +8,18 @@ import java.util.Deque;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Lets a client's packets in as fast as it may, and reads no more of them meanwhile, so that they
- * wait at the client and none is lost. Belongs to its connection's thread.
+ * Rate-limits a client's packets by back-pressure: stops reading, so that packets wait at the client and none is lost. Confined to its connection's thread.
  */
 final class Inflow extends ChannelInboundHandlerAdapter {
   private static final long LOOK_AGAIN_MS = 2;
 
-  /** What part of its rates a client has while a subscriber of its messages is behind. */
+  /** Fraction of its rates a client has while a subscriber of its messages is behind. */
   private static final double SLOWER = 0.1;
 
-  private static final double SLOWER_BURST_MESSAGES = 20.0; // as many come between two looks
+  private static final double SLOWER_BURST_MESSAGES = 20.0; // arrive between two checks
 
   /**
-   * What part of its rate a client has to itself, however much the others send: as much as a
-   * vehicle's service or an operator needs.
+   * Guaranteed fraction of its rate, whatever others send: enough for a vehicle's service or an operator.
    */
   private static final double SHARE = 0.01;
 
@@ -29,15 +27,15 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   private final ConnectionFilter filter;
   private final ClientSession session;
-  private final Deque<Object> held = new ArrayDeque<>(); // what was read already
-  private final Allowance share; // what it need not ask the others for
+  private final Deque<Object> held = new ArrayDeque<>(); // packets already read
+  private final Allowance share; // its guaranteed share
   private final Allowance messages;
   private final Allowance bytes;
   private final Allowance slowMessages;
   private final Allowance slowBytes;
-  private long decoded; // packets
-  private boolean isBehind; // a subscriber
-  private boolean isWithinShare; // the next message
+  private long decoded; // number of packets
+  private boolean isBehind; // whether a subscriber is behind
+  private boolean isWithinShare; // whether the next message is
   private boolean paused;
   private ChannelHandlerContext context;
 
@@ -59,7 +57,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     context = ctx;
   }
 
-  /** Reads no more until the session is ready. */
+  /** Pauses reading until the session is ready. */
   void hold() {
     pause(context);
   }
@@ -75,7 +73,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     }
   }
 
-  /** Packets that came from the decoder so far, those that it could not read included. */
+  /** Number of packets from the decoder, including undecodable ones. */
   long decoded() {
     return decoded;
   }
@@ -90,7 +88,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
         && (!isBehind || slowMessages.isOpen(now) && slowBytes.isOpen(now));
   }
 
-  /** Counts bytes as they are received, before anything is decrypted or decoded. */
+  /** Counts bytes as received, before decryption and decoding. */
   void received(int length) {
     long now = filter.nowMicros();
     bytes.take(length, now);
@@ -103,9 +101,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Takes note whether a subscriber of the client's last message is behind. Until none is, the
-   * client is read more slowly, so that a burst is not lost; but not stopped, since a subscriber
-   * that reads little or nothing must not hold up who publishes.
+   * Records whether a subscriber of the client's last message is behind. Meanwhile the client is read more slowly, so that a burst is not lost, but never stopped, because a slow subscriber must not block the publisher.
    */
   void subscriberIsBehind(boolean behind) {
     isBehind = behind;

@@ -11,19 +11,15 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * Takes messages from publishers to subscribers, and what is retained to new subscribers. All of it
- * happens on the network's thread, past Moquette, in which each message would change threads twice
- * or more and wait in queues that drop what does not fit. So a message reaches a subscriber either
- * as a retained one, if it was published before the subscription, or as a new one: none is missed,
- * and none is followed by an older one.
+ * Routes messages from publishers to subscribers, and retained messages to new subscribers. Runs entirely on the network's thread and bypasses Moquette, where each message would change threads at least twice and wait in queues that drop on overflow. A subscriber receives a message either as retained, if it was published before the subscription, or as new: none is missed, and none is followed by an older one.
  */
 final class MessageRouter {
-  /** Takes what remote clients publish to the services of this process. */
+  /** Delivers messages of remote clients to the services of this process. */
   interface Reader {
-    /** Whether any service listens to the topic; otherwise {@link #read} is not called. */
+    /** Whether any service subscribes to the topic; otherwise {@link #read} is not called. */
     boolean wants(String topic);
 
-    /** Takes one message. The payload stays the caller's. Must not block. */
+    /** Reads one message. The caller keeps ownership of the payload. Must not block. */
     void read(String topic, ByteBuf payload);
   }
 
@@ -36,7 +32,7 @@ final class MessageRouter {
   private final Map<String, ClientSession> connections;
   private final Queue<Outgoing> outgoing = new ConcurrentLinkedQueue<>();
   private final AtomicBoolean isSending = new AtomicBoolean();
-  private volatile Reader reader; // null: no service of this process listens
+  private volatile Reader reader; // null if no service of this process listens
   private volatile EventLoop loop;
 
   /**
@@ -51,7 +47,7 @@ final class MessageRouter {
     this.connections = connections;
   }
 
-  /** Joins the services of this process. */
+  /** Attaches the services of this process. */
   void join(Reader services) {
     reader = services;
   }
@@ -62,7 +58,7 @@ final class MessageRouter {
   }
 
   /**
-   * Hands a client's message to all that listen. Called on the network's thread.
+   * Delivers a client's message to all subscribers. Called on the network's thread.
    *
    * @param publisher the client
    */
@@ -75,11 +71,10 @@ final class MessageRouter {
   }
 
   /**
-   * Sends a message of this process. May be called on any thread; what one thread sends leaves in
-   * its order.
+   * Sends a message of this process. May be called on any thread; the order of each thread's messages is preserved.
    *
-   * @param isRetained whether it is also for those who subscribe later
-   * @param sent called on the network's thread once it was handed to each listener's connection
+   * @param isRetained whether late subscribers receive it too
+   * @param sent called on the network's thread once it has been queued on every subscriber's connection
    */
   void send(String topic, boolean eachMatters, boolean isRetained, byte[] payload, Runnable sent) {
     outgoing.add(new Outgoing(topic, eachMatters, isRetained, payload, sent));
@@ -89,7 +84,7 @@ final class MessageRouter {
   }
 
   private void sendOutgoing() {
-    isSending.set(false); // first: what is added from here on comes again
+    isSending.set(false); // first, so that messages added from here on reschedule the sending
     for (Outgoing next = outgoing.poll(); next != null; next = outgoing.poll()) {
       try {
         if (next.isRetained) {
@@ -106,11 +101,11 @@ final class MessageRouter {
   }
 
   /**
-   * Sends a client what is retained on the topics that its new filters match, each once. Called on
+   * Sends a client the retained messages matching its new filters, each once. Called on
    * the network's thread.
    *
-   * @param filters and for each whether each message matters
-   * @return how many messages that were
+   * @param filters each with whether it asks for QoS 1
+   * @return the number of messages sent
    */
   int sendRetained(Map<String, Boolean> filters, ClientSession subscriber) {
     Map<RetainedTable.Retained, Boolean> wanted = new LinkedHashMap<>();
@@ -129,7 +124,7 @@ final class MessageRouter {
     return wanted.size();
   }
 
-  /** Returns whether a listener is behind. */
+  /** Returns whether a subscriber is behind. */
   private boolean send(TopicRoute route, boolean eachMatters, ByteBuf payload) {
     if (!route.isWanted()) {
       return false;

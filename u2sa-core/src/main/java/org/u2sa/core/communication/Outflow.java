@@ -13,8 +13,7 @@ import java.util.Optional;
 import org.u2sa.core.security.User;
 
 /**
- * What goes out to one client: only of systems that it may listen to, and no more than it takes.
- * Belongs to its connection's thread.
+ * Outgoing messages of one client: filters by the systems it may listen to and bounds its backlog. Confined to its connection's thread.
  */
 final class Outflow extends ChannelOutboundHandlerAdapter {
   private static final String SYSTEMS = "u2sa/";
@@ -22,12 +21,11 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   private static final int LAST_PACKET = 65_535;
 
   /**
-   * Messages that wait for a client's acknowledgement. With half of the numbers free, the next free
-   * one is found soon, however the client chooses what it acknowledges.
+   * Maximum number of unacknowledged messages per client. Half of the packet IDs stay free, so the next free one is found quickly in whatever order the client acknowledges.
    */
   private static final int MAX_UNACKNOWLEDGED = LAST_PACKET / 2;
 
-  private static final int BYTES_OF_A_NUMBER = 128; // in the map of those unacknowledged
+  private static final int BYTES_OF_A_NUMBER = 128; // memory of one map entry
   private static final int PUBACK = 0x4002; // its type and length
 
   /** More than one read of ordinary messages makes. */
@@ -35,24 +33,24 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
 
   private final ConnectionFilter filter;
   private final Map<Integer, Unacknowledged> unacknowledged = new LinkedHashMap<>(); // by packet
-  private User user; // null: may listen to everything
+  private User user; // null grants access to all systems
   private String client = "";
-  private long taken; // packets that the client's side of the network took
+  private long taken; // packets written to the client's socket
   private long takenBefore;
   private long idleSince; // [µs]
-  private int unsentAnswers; // acknowledgements and the like
-  private int onTheWay; // of those that are not acknowledged: handed over and not sent yet
-  private long sentMicros = Long.MIN_VALUE / 2; // the last message
+  private int unsentAnswers; // acknowledgements and other replies
+  private int onTheWay; // unacknowledged messages queued but not yet written
+  private long sentMicros = Long.MIN_VALUE / 2; // time of the last message
   private int lastPacket;
   private String mayHear = ""; // what topics begin with of which it is known
-  private boolean isFlushing; // soon
+  private boolean isFlushing; // flush scheduled
   private ChannelHandlerContext packets; // where they are bytes already
 
   /**
-   * A message that is to be acknowledged.
+   * A message awaiting acknowledgement.
    *
    * @param since when it was sent [µs]
-   * @param keptBefore how much had been published then for acknowledgement by anybody
+   * @param keptBefore total bytes kept for acknowledgement when it was sent
    */
   private record Unacknowledged(long since, long keptBefore) {}
 
@@ -91,7 +89,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
       return null;
     }
     long unread = unread(ctx);
-    // What is retained comes all at once, and shares its payload with the table.
+    // Retained messages come in bursts and share their payload with the table.
     long limit =
         publication.isRetained()
             ? filter.limits().unacknowledgedBytesAtMost()
@@ -122,12 +120,12 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     return null;
   }
 
-  /** Bytes of memory that the client's messages take, about. */
+  /** Approximate memory used by the client's messages [bytes]. */
   long kept(ChannelHandlerContext ctx) {
     return unread(ctx) + (long) BYTES_OF_A_NUMBER * unacknowledged.size();
   }
 
-  /** Acknowledges what the client published. */
+  /** Acknowledges a message published by the client. */
   void acknowledge(ChannelHandlerContext ctx, int packet) {
     note(write(ctx, ctx.alloc().ioBuffer(2 * Short.BYTES).writeShort(PUBACK).writeShort(packet)));
   }
@@ -148,14 +146,13 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   }
 
   /**
-   * Whether so many answers wait for the client that it should be read no further: one that asks
-   * and never reads would otherwise fill the memory.
+   * Whether too many answers are unsent to read further requests: a client that asks and never reads would otherwise exhaust memory.
    */
   boolean owesAnswers() {
     return unsentAnswers > MAX_UNSENT_ANSWERS;
   }
 
-  /** What is written while the network's thread reads goes out together. */
+  /** Flushes all writes of one read pass of the network's thread together. */
   private ChannelFuture write(ChannelHandlerContext ctx, ByteBuf packet) {
     flushSoon(ctx);
     return packets.write(packet);
@@ -176,7 +173,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     packets.flush();
   }
 
-  /** What the client has not taken yet. */
+  /** What is still unsent or unacknowledged. */
   ShutdownDrain.Owed owed() {
     return new ShutdownDrain.Owed(unacknowledged.size() + onTheWay, sentMicros);
   }
@@ -191,7 +188,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
             && end > 0
             && user.mayEnter(topic.substring(SYSTEMS.length(), end));
     if (may) {
-      mayHear = topic.substring(0, end + 1); // who is changed is put out
+      mayHear = topic.substring(0, end + 1); // a changed user is disconnected
     }
     return may;
   }
@@ -204,17 +201,17 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
             - ctx.channel().bytesBeforeUnwritable());
   }
 
-  /** The client has taken a message; another number means nothing. */
+  /** Handles an acknowledgement; unknown packet IDs are ignored. */
   void acknowledged(int packet) {
     unacknowledged.remove(packet);
   }
 
-  /** Whether so much waits for the client that those who publish to it should slow down. */
+  /** Whether the client's backlog calls for slowing down publishers to it. */
   static boolean isBehind(ChannelHandlerContext ctx) {
     return unread(ctx) > BrokerLimits.BEHIND_BYTES;
   }
 
-  /** Why to disconnect the client; empty to keep it. Asked about once a second. */
+  /** Reason to disconnect the client, or empty. Called about once a second. */
   Optional<String> tooSlow(ChannelHandlerContext ctx) {
     long now = filter.nowMicros();
     if (unread(ctx) == 0 || taken != takenBefore) {

@@ -15,19 +15,17 @@ import org.u2sa.messages.schema.Origin;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Copies of local messages on their way to subscribers elsewhere. Encoding and sending happen on a
- * thread of its own, behind a bounded queue, so that no service ever waits for a network; what does
- * not fit is counted.
+ * Sends copies of local messages to remote subscribers. Encoding and sending run on a dedicated thread behind a bounded queue, so that no service blocks on the network; overflow is dropped and counted.
  */
 final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private static final int WAITING_AT_MOST = 8_192;
 
-  /** Copies that wait for the network's thread. */
+  /** Maximum number of copies waiting for the network's thread. */
   private static final int ON_THE_WAY_AT_MOST = 512;
 
   private static final long LAST_WORDS_WITHIN_MS = 2_000;
   private static final long LOST_AFTER_MS = 1_000;
-  private static final long LOOK_UP_EVERY_MS = 100; // for the end
+  private static final long LOOK_UP_EVERY_MS = 100; // poll interval for shutdown
 
   private record Copy(Channel<?> channel, String topic, U2SAData message, Origin origin) {}
 
@@ -60,7 +58,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   @Override
   public void forward(Channel<?> channel, U2SAData message) {
-    if (channel.isRetained()) { // also for those who will ask later
+    if (channel.isRetained()) { // needed by late subscribers, too
       String topic = Topic.of(systemId, channel, message).toString();
       number(numbers.on(topic), channel, topic, message, true);
     } else {
@@ -69,7 +67,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     }
   }
 
-  /** The broker may have got a local message after the remote one: this one is to be the last. */
+  /** Sends a message again as the last one, because the broker may have received a local message after the remote one. */
   @Override
   public void restate(Channel<?> channel, U2SAData message) {
     forward(channel, message);
@@ -94,7 +92,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private void send() {
     try {
-      // After close what still waits is sent, as it may hold the actuators' neutral commands.
+      // Drains the queue after close, as it may hold the actuators' neutral commands.
       for (Copy copy = next(); copy != null; copy = next()) {
         send(copy);
       }
@@ -104,7 +102,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     }
   }
 
-  /** The next copy to send; null if there is none left and none will come. */
+  /** The next copy to send; null if the queue is empty and closed. */
   private Copy next() throws InterruptedException {
     Copy copy = null;
     while (copy == null && !(closing && waiting.isEmpty())) {
@@ -115,7 +113,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private void send(Copy copy) throws InterruptedException {
     if (!onTheWay.tryAcquire(LOST_AFTER_MS, TimeUnit.MILLISECONDS)) {
-      // A network's thread that has ended completes nothing; to wait for it would be for ever.
+      // A network thread that has ended completes nothing; do not wait for it.
       onTheWay = new Semaphore(ON_THE_WAY_AT_MOST);
       onTheWay.acquire();
     }
@@ -133,7 +131,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     boolean eachMatters =
         copy.channel.deliversEvery()
             || copy.channel.isRetained()
-            || closing; // the last words are to be confirmed, whatever they are
+            || closing; // request acknowledgement of the final messages
     byte[] payload = codec.encode(copy.message, copy.origin);
     if (eachMatters) {
       filter.keep(payload.length);
@@ -143,7 +141,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private void drop(String why) {
     long count = dropped.incrementAndGet();
-    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+    if (Long.bitCount(count) == 1) { // log the 1st, 2nd, 4th, 8th… to bound the log
       log.accept("a copy for remote subscribers was dropped, " + why + " (" + count + " so far)");
     }
   }

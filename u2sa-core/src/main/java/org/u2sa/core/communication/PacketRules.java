@@ -12,13 +12,13 @@ import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.U2SAData;
 
-/** What one client may publish. Belongs to its connection's thread. */
+/** Rules for what one client may publish. Confined to its connection's thread. */
 final class PacketRules {
   private static final double BYTES_OF_AN_ORDER = 4_096.0;
 
   private final ConnectionFilter filter;
-  private final User user; // null: everything within the limits
-  private final String owner; // of what it has retained
+  private final User user; // null allows everything within the limits
+  private final String owner; // owner of its retained messages
   private final TopicPermissions judge;
   private final Allowance orders;
 
@@ -35,7 +35,7 @@ final class PacketRules {
     return judge.judge(topic).is(AccessRule.Kind.QUESTION);
   }
 
-  /** Why the message may not be published; empty if it may, and is retained if it should be. */
+  /** Reason for refusing the message; if empty, it has been retained where requested. */
   Optional<String> refusalOf(MqttPublishMessage publish) {
     TopicPermissions.Verdict verdict = judge.judge(publish.variableHeader().topicName());
     if (verdict.refusal() != null) {
@@ -76,7 +76,7 @@ final class PacketRules {
     return refusal;
   }
 
-  /** A long order counts as several. */
+  /** Cost of an order; a long one counts as several. */
   private boolean mayOrder(int bytes) {
     boolean open = orders.isOpen(filter.nowMicros());
     if (open) {
@@ -85,7 +85,7 @@ final class PacketRules {
     return open;
   }
 
-  /** Why the client may not come as one of the topic's system; empty if it may, or it is none. */
+  /** Reason for refusing the client as a member of the topic's system; empty if allowed or not a system topic. */
   Optional<String> refusalOfSystem(String topic) {
     try {
       return user == null || user.mayEnter(Topic.parse(topic).systemId())
@@ -97,8 +97,7 @@ final class PacketRules {
   }
 
   /**
-   * Why the client may not have that will; empty if it may. A will is said when nobody is there any
-   * more who would answer for it: it says that a service is lost, or stops, and clears nothing.
+   * Reason for refusing the will, or empty. A will is published when its sender is gone and cannot answer for it, so it may report a lost service or stop, but not clear anything.
    */
   Optional<String> refusalOfWill(ConnectRequest.Will will) {
     TopicPermissions.Verdict verdict = judge.judge(will.topic());
@@ -122,7 +121,7 @@ final class PacketRules {
     return refusal;
   }
 
-  /** Retains a will that was not refused. Returns why there is no room for it; empty if it was. */
+  /** Retains an accepted will. Returns the reason if there is no room, or empty. */
   Optional<String> retain(ConnectRequest.Will will) {
     return retain(judge.judge(will.topic()), will.payload());
   }
@@ -132,8 +131,7 @@ final class PacketRules {
   }
 
   /**
-   * Who may not clear an emergency stop may not delete the retained one either; nor may those who
-   * may clear it, since a deleted one stands on where it was heard and is unknown to latecomers.
+   * A retained emergency stop may not be deleted, not even by users who may clear it: it would remain in force where it was heard and be unknown to late subscribers.
    */
   private Optional<String> refusalOfStop(
       TopicPermissions.Verdict verdict, byte[] payload, boolean isWill) {
@@ -158,7 +156,7 @@ final class PacketRules {
         .enter(verdict.topic().toString(), owner, payload, verdict.is(AccessRule.Kind.URGENT));
   }
 
-  /** Only channels that retain do, each source's message under its own topic. */
+  /** Retention is allowed only on retaining channels, with each source under its own topic. */
   private Optional<String> refusalAsRetained(TopicPermissions.Verdict verdict, byte[] payload) {
     AccessRule rule = verdict.rule();
     if (rule != null && !rule.retained()) {

@@ -12,10 +12,7 @@ import java.util.function.BiPredicate;
 import java.util.function.Consumer;
 
 /**
- * The subscriptions of remote clients, by connection, so that nothing is encoded without a
- * subscriber, and messages find theirs at once. A change is compared with the topics on the thread
- * of the client that changed it, so that no number of filters costs the services' threads anything.
- * Safe for several threads.
+ * Subscriptions of remote clients by connection, so that messages without subscribers are not encoded and subscribers are found quickly. Filters are matched against topics on the thread of the changing client, so the number of filters does not slow the services' threads. Thread-safe.
  */
 final class RemoteSubscriptions {
   private static final int TOPICS_REMEMBERED = 4_096;
@@ -29,7 +26,7 @@ final class RemoteSubscriptions {
   private final BiPredicate<Topic, Topic> matches;
   private final Map<String, Client> clients = new HashMap<>(); // by connection; guarded by this
   private final Map<String, Integer> byUser = new HashMap<>(); // filters; guarded by this
-  private final Map<String, Filter> filters = new HashMap<>(); // each once; guarded by this
+  private final Map<String, Filter> filters = new HashMap<>(); // distinct filters; guarded by this
   private final Map<String, TopicRoute> interests =
       new ConcurrentHashMap<>(); // asked for, by topic
   private final Map<String, TopicRoute> routes = // by topic; guarded by this
@@ -41,14 +38,14 @@ final class RemoteSubscriptions {
   }
 
   /**
-   * @param matches whether a topic, the first, matches a filter
+   * @param matches whether a topic (first argument) matches a filter
    */
   RemoteSubscriptions(BiPredicate<Topic, Topic> matches) {
     this.matches = matches;
   }
 
   /**
-   * Enters a filter, or a new quality for one that is there.
+   * Adds a filter, or changes the QoS of an existing one.
    *
    * @param filter a {@link TopicFilter#isValid valid} one
    * @param eachMatters whether the client asks for QoS 1 or more
@@ -81,7 +78,7 @@ final class RemoteSubscriptions {
     }
   }
 
-  /** Removes all filters of a connection without comparing any of them with a topic. */
+  /** Removes all filters of a connection without matching any topics. */
   synchronized void remove(String connection) {
     Client client = clients.remove(connection);
     if (client != null) {
@@ -108,12 +105,12 @@ final class RemoteSubscriptions {
     version.incrementAndGet();
   }
 
-  /** How many filters a user has, by all connections. */
+  /** Number of filters of a user over all connections. */
   synchronized int ofUser(String user) {
     return byUser.getOrDefault(user, 0);
   }
 
-  /** Changes with every change, so that answers of {@link #wants} may be remembered. */
+  /** Version number that changes with every modification, so that results of {@link #wants} can be cached. */
   int version() {
     return version.get();
   }
@@ -128,19 +125,18 @@ final class RemoteSubscriptions {
     }
   }
 
-  /** Topics with which each new filter is compared. */
+  /** Number of topics each new filter is matched against. */
   synchronized int topics() {
     return routes.size() + interests.size();
   }
 
-  /** Filters with which each new topic is compared. */
+  /** Number of filters each new topic is matched against. */
   synchronized int filters() {
     return filters.size();
   }
 
   /**
-   * Whether any client listens to the topic. The answer is kept at hand from then on: for the
-   * topics of this process, whose number no client determines.
+   * Whether any client subscribes to the topic. The result is cached from then on; use it only for topics of this process, whose number no client controls.
    */
   boolean wants(String topic) {
     TopicRoute known = interests.get(topic);
@@ -151,12 +147,12 @@ final class RemoteSubscriptions {
     return interests.computeIfAbsent(topic, this::newRoute);
   }
 
-  /** Whether {@link #route} need not compare the topic with any filter. */
+  /** Whether the topic is cached, so that {@link #route} need not match any filter. */
   synchronized boolean isRemembered(String topic) {
     return routes.containsKey(topic);
   }
 
-  /** Who listens to a topic. Topics not used for long are forgotten, then compared again. */
+  /** The subscribers of a topic. Least recently used topics are evicted and matched again on demand. */
   synchronized TopicRoute route(String topic) {
     TopicRoute known = routes.get(topic);
     if (known == null) {

@@ -10,19 +10,17 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * The last message of each topic that retains it, and whose it is. Bounded by number and bytes, of
- * one client and of all; what is urgent, such as an emergency stop, has room of its own, which
- * nobody else can take. Safe for several threads.
+ * Retained messages by topic, with their owners. Bounded in number and bytes, per client and in total; urgent messages, such as an emergency stop, have reserved room. Thread-safe.
  */
 final class RetainedTable {
-  /** Its owner: services of this process, whose own these limits are not. */
+  /** Owner for services of this process, which are exempt from the limits. */
   static final String LOCAL = "";
 
-  private static final int HEAP_PART = 4; // of a small heap at most
-  private static final int URGENT_TOPICS = 256; // three of each of many systems
-  private static final int URGENT_BYTES = 16 * 1_024; // of one message
+  private static final int HEAP_PART = 4; // at most this fraction of a small heap
+  private static final int URGENT_TOPICS = 256; // three each for many systems
+  private static final int URGENT_BYTES = 16 * 1_024; // per message
 
-  /** A message that is retained. */
+  /** A retained message. */
   record Retained(String topic, byte[] payload) {}
 
   private record Entry(String owner, byte[] payload, boolean urgent, Topic topic) {}
@@ -36,7 +34,7 @@ final class RetainedTable {
   private final long bytesAtMost;
   private final long bytesOfOneAtMost;
   private final Map<String, Entry> entries = new ConcurrentHashMap<>(); // written under this
-  private final Map<String, Sum> byOwner = new HashMap<>(); // guarded by this, as what follows
+  private final Map<String, Sum> byOwner = new HashMap<>(); // this and the following: guarded by this
   private final Sum ordinary = new Sum();
   private final Sum urgent = new Sum();
 
@@ -48,11 +46,11 @@ final class RetainedTable {
   }
 
   /**
-   * Retains a message, or with an empty one deletes what was retained.
+   * Retains a message; an empty one deletes the retained message.
    *
    * @param owner the client's user, or the client where there are no users
-   * @param payload not to be changed any more
-   * @return why it may not be retained; empty if it was
+   * @param payload must not be modified afterwards
+   * @return the reason for refusing, or empty
    */
   synchronized Optional<String> enter(
       String topic, String owner, byte[] payload, boolean isUrgent) {
@@ -126,7 +124,7 @@ final class RetainedTable {
     }
   }
 
-  /** What is retained on the topics that a filter matches. */
+  /** The retained messages on topics that match a filter. */
   List<Retained> matching(Topic filter) {
     List<Retained> matching = new ArrayList<>();
     entries.forEach(
@@ -138,7 +136,7 @@ final class RetainedTable {
     return matching;
   }
 
-  /** The topics; may change while they are looked at. */
+  /** The topics; weakly consistent. */
   Set<String> topics() {
     return entries.keySet();
   }

@@ -10,9 +10,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 
 /**
- * How far the clocks of others are from this one, by the timestamps of their health reports. Of
- * several reports the one that was least delayed tells most: an offset is its timestamp less its
- * arrival.
+ * Offsets of other services' clocks from this one, from the timestamps of their health reports: timestamp minus arrival of the least delayed of several reports.
  */
 final class ClockOffsets {
   private static final int REPORTS = 8; // 2 s at the usual interval
@@ -27,7 +25,7 @@ final class ClockOffsets {
   private final Map<String, Source> sources = new TreeMap<>();
 
   /**
-   * Takes note of a report that a service gave of itself.
+   * Handles a report that a service sent about itself.
    *
    * @param toleranceS beyond which a clock is reported [s]
    * @return what to report of its clock that was not reported before; empty if nothing

@@ -27,13 +27,13 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. Each service
  * has its own policy. The monitor itself is watched by its process's {@code HealthWatch} or its
- * supervisor. While cut off from all others it judges no service. It reports services whose clocks
+ * supervisor. While disconnected from all others it judges no service. It reports services whose clocks
  * differ from its own by name.
  */
 public final class HealthMonitor extends PeriodicService {
   private static final double LOOKS_PER_S = 4.0;
 
-  /** Steps that the monitor itself may miss before it no longer trusts what it did not hear. */
+  /** Steps the monitor itself may miss before it stops treating silence as evidence. */
   private static final double LOST_AFTER_PERIODS = 4.0;
 
   private final Map<String, WatchedService> services = new TreeMap<>();

@@ -9,11 +9,10 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * What was heard of one service, and what follows from it. Instances tell starts of the service
- * apart: what an instance says that another one has followed is left out.
+ * Reports of one service and the condition concluded from them. Each start of the service is a new instance; reports of superseded instances are ignored.
  */
 final class HealthObservation {
-  /** Intervals without a report after which a service is silent. */
+  /** Number of missed report intervals after which a service is silent. */
   private static final double SILENT_AFTER = 3.0;
 
   private static final double USUAL_INTERVAL_S = 0.25;
@@ -22,7 +21,7 @@ final class HealthObservation {
   /**
    * A condition and what it was concluded from.
    *
-   * @param mayPass whether it may well be over soon without anybody's help
+   * @param mayPass whether it is likely to clear by itself soon
    */
   record Finding(Condition condition, String reason, boolean mayPass) {}
 
@@ -40,7 +39,7 @@ final class HealthObservation {
     sinceS = nowS;
   }
 
-  /** Takes note of a report. Returns whether a new instance was heard. */
+  /** Handles a report. Returns whether a new instance was heard. */
   boolean hear(HealthReport report, double nowS) {
     String of = report.instance().orElse(instance);
     if (former.contains(of)) {
@@ -129,7 +128,7 @@ final class HealthObservation {
     return last != null && last.status() == ServiceStatus.STOPPED;
   }
 
-  /** How the service is now. */
+  /** Present condition of the service. */
   Finding judge(MonitorSettings.Limits limits, double dataTimeoutS, double nowS) {
     if (last == null) {
       return nowS - sinceS > limits.startWithin()

@@ -1,6 +1,6 @@
 package org.u2sa.core.health;
 
-/** What to do about a service that no longer works. The names stand in configurations. */
+/** Action on a failed service. The names are used in configurations. */
 enum Policy {
   /** Restart it a few times, then do what AFTER RESTARTS says. */
   RESTART,

@@ -21,7 +21,7 @@ final class ReceptionCheck {
     heardS = nowS;
   }
 
-  /** Takes note of a report of the monitor itself. */
+  /** Handles a report of the monitor itself. */
   void hear(HealthReport own, double nowS) {
     heardS = nowS;
     lostAfterS = Math.max(LOST_AFTER_AT_LEAST_S, LOST_AFTER_INTERVALS * own.interval().orElse(0.0));

@@ -11,12 +11,10 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * One service under watch: how it is, and what its policy makes of it. Restarts wait longer each
- * time; when they do not help, the service is given up until somebody else starts it. A service
- * that was told to stop is left alone.
+ * One monitored service: its condition and the policy applied to it. Restarts back off; when they do not help, the service is given up until somebody else starts it. A service that was told to stop is left alone.
  */
 final class WatchedService {
-  /** What a policy is for. */
+  /** Kinds of failure that have a policy. */
   private static final Set<Condition> BROKEN =
       EnumSet.of(
           Condition.HUNG, Condition.DEAD, Condition.LOST, Condition.STALLED, Condition.FAILED);
@@ -73,18 +71,18 @@ final class WatchedService {
     }
   }
 
-  /** Somebody told it to stop: that it is gone then is no failure. */
+  /** Called when it was told to stop, so that its absence is no failure. */
   void toldToStop() {
     toldToStop = true;
   }
 
-  /** Somebody else had it started or restarted. */
+  /** Called when somebody else had it started or restarted. */
   void startedByOthers() {
     toldToStop = false;
     givenUp = false;
   }
 
-  /** Takes note of what came of the restart that was ordered. */
+  /** Handles the result of the ordered restart. */
   void answered(boolean accepted, String reason, double nowS) {
     if (accepted) {
       observation.expectAnother(orderedInstance, nowS);

@@ -18,10 +18,9 @@ import org.u2sa.service.U2SAService;
  *
  * <p>A restart ends the present instance (its {@code release} leaves actuators neutral), and makes
  * and starts a new one of the same class, name and configuration file. A thread that hangs cannot
- * be ended in Java: it is cut off from all others and given up.
+ * be ended in Java: it is disconnected and abandoned.
  *
- * <p>A swap puts another class in the place of a service that runs ({@link ServiceSwap}), with the
- * configuration that the old one has. A restart after it starts the class that ran last; the next
+ * <p>A swap replaces a running service by another class ({@link ServiceSwap}) with the same configuration. A restart after it starts the class that ran last; the next
  * run of the system starts what the system file says.
  */
 final class HostedServices implements ServiceHost {

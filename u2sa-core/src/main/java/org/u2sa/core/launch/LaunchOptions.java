@@ -17,7 +17,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
-/** How a system is run: all that its files do not say. */
+/** Run options of a system beyond its files. */
 public final class LaunchOptions {
   private Clock clock = new SystemClock();
   private Path logDirectory = Paths.get("out", "logs");
@@ -45,7 +45,7 @@ public final class LaunchOptions {
     return this;
   }
 
-  /** Sets the seed from which whatever is random derives; without it, 1. */
+  /** Sets the seed of all random numbers; 1 by default. */
   public LaunchOptions seed(long value) {
     seed = value;
     return this;
@@ -60,7 +60,7 @@ public final class LaunchOptions {
     return this;
   }
 
-  /** Sets what takes the launcher's and the Communication Manager's own words, a line each. */
+  /** Sets the log of the launcher and the Communication Manager, called once per line. */
   public LaunchOptions console(Consumer<String> value) {
     console = Objects.requireNonNull(value, "console");
     return this;

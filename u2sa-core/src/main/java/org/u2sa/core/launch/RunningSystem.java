@@ -213,7 +213,7 @@ public final class RunningSystem implements AutoCloseable {
       watch.close();
     }
     if (launcher != null) {
-      launcher.kill(); // first, so that nothing is started while the others end
+      launcher.kill(); // first, so that nothing starts during shutdown
     }
     if (hosted != null) {
       hosted.close();

@@ -47,7 +47,7 @@ final class FailsafeMissions {
   }
 
   /**
-   * Reads the files anew.
+   * Reloads the files.
    *
    * @throws org.u2sa.interfaces.BadInputException if one is wrong; then nothing has changed
    */

@@ -26,7 +26,7 @@ final class GoalSequence {
   enum Options {
     /** All are to be finished, in whatever order, before what follows them. */
     ALL,
-    /** One is to be finished; what follows is what that one's {@code next} names. */
+    /** One is to be finished; its {@code next} names what follows. */
     ANY
   }
 
@@ -40,7 +40,7 @@ final class GoalSequence {
 
   /**
    * @param goals at least one, with unique names; the first is where the mission begins
-   * @param loop whether the mission begins anew when no goal is left
+   * @param loop whether the mission restarts when no goal is left
    */
   GoalSequence(List<? extends GoalInformation> goals, boolean loop, Options options) {
     this(
@@ -104,7 +104,7 @@ final class GoalSequence {
     return followers;
   }
 
-  /** The goals to be pursued now; none if the mission is over. */
+  /** The current goals; none if the mission is over. */
   List<GoalInformation> current() {
     return book.named(at.current);
   }

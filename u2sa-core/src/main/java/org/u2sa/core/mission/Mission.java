@@ -13,8 +13,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * A mission as its file has it (docs/missions.md): the goals in the file's order, and where the
- * vehicle starts. Its goals have unique names and are frozen, but for waypoints that lack a
+ * A mission as read from its file (docs/missions.md): the goals in file order, and where the vehicle starts. Its goals have unique names and are frozen, but for waypoints that lack a
  * threshold (see {@link #load(Path)}): nobody can publish those.
  */
 public final class Mission {
@@ -123,7 +122,7 @@ public final class Mission {
         .error(what);
   }
 
-  /** What is odd but not wrong, such as goals that no other leads to: file, line, and what. */
+  /** Warnings, such as unreachable goals: file, line and finding. */
   public List<String> warnings() {
     return warnings;
   }

@@ -130,7 +130,7 @@ public final class MissionManager extends PeriodicService {
     return progress;
   }
 
-  /** The time now [µs of the run's clock]. */
+  /** Current time [µs of the run's clock]. */
   long micros() {
     return clock().micros();
   }
@@ -253,13 +253,13 @@ public final class MissionManager extends PeriodicService {
         + (progress.isLeft() ? ", after the failsafe " + progress.pursuedFor() : "");
   }
 
-  /** Takes note that an order was carried out. */
+  /** Records that an order was carried out. */
   void ordered(String what) {
     log(what);
     publishGoals();
   }
 
-  /** Takes note that an order was refused. */
+  /** Records that an order was refused. */
   void refused(String why) {
     log(LogLevelEnum.WARN, why);
   }

@@ -20,8 +20,7 @@ import org.u2sa.messages.contract.MissionOrderResult;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * Carries out what operators order of a {@link MissionManager}, and says what came of it. An order
- * that comes again, as the network may bring it, is answered again and not obeyed again.
+ * Carries out operators' orders to a {@link MissionManager} and reports the results. Idempotent: a repeated order is answered again but not executed again.
  */
 final class MissionOrders {
   private static final int REMEMBERED = 64;

@@ -13,8 +13,7 @@ import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.service.HandOver;
 
 /**
- * How far the vehicle is: in its mission, or in that of a failsafe, with the mission left where it
- * is to be resumed. Belongs to one thread.
+ * Progress of the mission, or of a failsafe's goals while the mission waits to be resumed. Not thread-safe.
  */
 final class MissionProgress {
   private static final String COMPLETED = "COMPLETED";
@@ -82,7 +81,7 @@ final class MissionProgress {
   }
 
   /**
-   * Takes note of another failsafe.
+   * Handles a change of the failsafe.
    *
    * @param own its own goals; empty if it has none
    * @return whether other goals are pursued now
@@ -103,7 +102,7 @@ final class MissionProgress {
   }
 
   /**
-   * Takes note of a goal that was completed or given up.
+   * Handles a goal that was completed or given up.
    *
    * @param micros the time now [µs of the run's clock]
    * @return false if it is not pursued

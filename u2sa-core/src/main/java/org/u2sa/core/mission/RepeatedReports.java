@@ -5,9 +5,7 @@ import java.util.Map;
 import org.u2sa.messages.GoalInformation;
 
 /**
- * Recognises reports that come again, as the network or a planner that waits for an answer may
- * bring them: of the same goal and moment. In a loop each would count as another lap. Belongs to
- * one thread.
+ * Detects duplicate reports (same goal and time) from the network or from a planner that waits for an answer. In a loop each would count as another lap. Not thread-safe.
  */
 final class RepeatedReports {
   private final Map<String, Long> newest = new HashMap<>(); // by goal [µs]

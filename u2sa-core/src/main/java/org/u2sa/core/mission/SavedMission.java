@@ -13,8 +13,7 @@ import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
 
 /**
- * How far a mission is, in a file beside the logs, for another process that resumes it. Written as
- * configuration is: after a power cut there is the old file or the new one, whole.
+ * Mission progress saved beside the logs, so that another process can resume it. Replaced atomically: a power cut leaves the old or the new file intact.
  */
 final class SavedMission {
   private static final String DIGEST = "MISSION SHA-256";
@@ -37,7 +36,7 @@ final class SavedMission {
    * Replaces the file.
    *
    * @param mission the mission's file, whose contents must be the same for it to be resumed
-   * @throws IOException if that failed: then the one before stands
+   * @throws IOException if writing fails; the previous file is kept
    */
   void write(MissionProgress progress, Path mission) throws IOException {
     HandOver state = new HandOver(MissionManager.class.getName());
@@ -54,9 +53,9 @@ final class SavedMission {
   }
 
   /**
-   * What was written last; empty if nothing was.
+   * Last saved progress; empty if none.
    *
-   * @throws IOException if it cannot be read, or is of another mission or vehicle; says so
+   * @throws IOException if it is unreadable, or saved for another mission or vehicle
    */
   Optional<MissionProgress> read(Path mission, boolean loop, GoalSequence.Options options)
       throws IOException {

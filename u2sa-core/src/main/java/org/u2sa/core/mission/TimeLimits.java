@@ -6,7 +6,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalResult;
 import org.u2sa.service.HandOver;
 
-/** Ends what has taken too long: goals, and the mission. Belongs to the manager's thread. */
+/** Enforces time limits of goals and the mission. Confined to the manager's thread. */
 final class TimeLimits {
   private final MissionManager manager;
   private final MissionTime time = new MissionTime();

@@ -10,19 +10,17 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Whether actuators obey, by the counts of obeyed and refused commands in their services' health
- * reports. Trouble is a service that has only refused for a time. What it refused while the vehicle
- * was not armed does not count.
+ * Checks that actuators obey, by the counts of obeyed and refused commands in their services' health reports. Trouble is a service that has only refused for a time. Refusals while disarmed do not count.
  */
 final class ActuationWatch implements Watch {
-  /** What one service reported last. */
+  /** Last report of a service. */
   private static final class Heard {
     private String instance = "";
     private long obeyed;
     private long refused;
     private long refusedBefore; // when it began to refuse all
-    private long sinceMicros = Clock.NEVER; // when that was; NEVER: it does not
-    private long refusedMicros; // when it was heard to refuse last
+    private long sinceMicros = Clock.NEVER; // time of that; NEVER if it obeys
+    private long refusedMicros; // time of the last refusal
   }
 
   private final Supplier<SafetySettings> settings;

@@ -7,8 +7,7 @@ import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Whether the vehicle may move: once all checks have passed and an operator, or ARM AT START, armed
- * it.
+ * Arming state: the vehicle may move once all checks have passed and an operator, or ARM AT START, has armed it.
  */
 final class Arming {
   private final SafetyManager manager;
@@ -36,7 +35,7 @@ final class Arming {
     return armed;
   }
 
-  /** Arms if nothing speaks against it. */
+  /** Arms if all checks pass. */
   void arm(long nowMicros) {
     if (armed) {
       return;

@@ -15,9 +15,9 @@ import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EmergencyLatch;
 
-/** What speaks against arming. */
+/** Reasons against arming. */
 final class ArmingChecks {
-  /** Actuators announce themselves every 5 s; one that did not for three times is gone. */
+  /** Actuators announce themselves every 5 s; after three missed announcements one counts as gone. */
   private static final double GONE_AFTER_S = 15.0;
 
   private final Configurator matrix;
@@ -27,7 +27,7 @@ final class ArmingChecks {
   private final EmergencyLatch emergency;
   private final Map<String, Long> actuators = new TreeMap<>(); // when each was heard last [µs]
   private boolean mission;
-  private OptionalLong landGoals = OptionalLong.empty(); // empty: nobody has said
+  private OptionalLong landGoals = OptionalLong.empty(); // empty if unknown
   private List<String> fileFaults = List.of();
 
   ArmingChecks(
@@ -57,7 +57,7 @@ final class ArmingChecks {
     }
   }
 
-  /** All that speaks against arming now; empty if nothing does. */
+  /** Present reasons against arming; empty if none. */
   List<String> reasons(long nowMicros) {
     List<String> reasons = new ArrayList<>();
     emergency

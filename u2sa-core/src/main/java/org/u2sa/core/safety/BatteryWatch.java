@@ -10,7 +10,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Whether a battery has been below a threshold, of voltage or charge, for BATTERY TIME. */
+/** Checks whether a battery has been below a voltage or charge threshold for BATTERY TIME. */
 final class BatteryWatch implements Watch {
   /** Since when a battery has been below, and what is below what, in words. */
   private record Low(long sinceMicros, String words) {}

@@ -10,7 +10,7 @@ import java.util.TreeMap;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ServiceCondition;
 
-/** The condition of each service, by the health monitor. */
+/** Condition of each service, as published by the health monitor. */
 final class Conditions {
   /** A service that is silent may yet turn out to be alive. */
   private static final Set<Condition> WORKING = EnumSet.of(Condition.ALIVE, Condition.SILENT);
@@ -29,7 +29,7 @@ final class Conditions {
   }
 
   /**
-   * What is wrong with the first of these services that fails; empty if all work as far as known.
+   * Fault of the first of these services that fails; empty if all work as far as known.
    *
    * @param services names with commas between
    */

@@ -12,13 +12,10 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /**
- * The action on the present hazards: the most severe of those in the matrix. A cause counts until
- * it has been gone for CLEAR AFTER. RETURN and more severe actions stay until {@link #acknowledge},
- * unless RESUME is set. The action on the fence always stays: the mission that led there once would
- * do so again.
+ * Selects the failsafe action: the most severe one in the matrix of the active hazards. A cause stays active until it has been absent for CLEAR AFTER. RETURN and more severe actions latch until {@link #acknowledge}, unless RESUME is set. The fence action always latches, because the mission would breach the fence again.
  */
 final class FailsafeDecision {
-  /** A hazard that counts. */
+  /** An active hazard. */
   private record Cause(Hazard hazard, FailsafeAction action, String words, long seenMicros) {}
 
   private static final String OVER = " (over; stays until armed again)";
@@ -27,7 +24,7 @@ final class FailsafeDecision {
   private final Supplier<SafetySettings> settings;
   private final List<Hazard> hazards;
   private final Map<Hazard, Cause> causes;
-  private Cause kept; // the most severe of those that stay though they are gone; null if none does
+  private Cause kept; // most severe latched cause that is gone; null if none
 
   /**
    * @param hazards all that there are, in the order in which equal causes are reported
@@ -42,7 +39,7 @@ final class FailsafeDecision {
     }
   }
 
-  /** Takes note of a hazard that is there now. */
+  /** Adds a hazard that is present now. */
   void present(Hazard hazard, String words, long nowMicros) {
     Cause cause = new Cause(hazard, hazard.action(matrix), words, nowMicros);
     causes.put(hazard, cause);
@@ -58,7 +55,7 @@ final class FailsafeDecision {
     return cause.action().compareTo(FailsafeAction.RETURN) >= 0 && !settings.get().resume();
   }
 
-  /** Forgets causes that have been gone for long enough. */
+  /** Drops causes that have been absent for long enough. */
   void forgetUntil(long nowMicros) {
     long clearMicros = Clock.micros(settings.get().clearAfter());
     causes
@@ -68,7 +65,7 @@ final class FailsafeDecision {
                 cause.seenMicros() < nowMicros && nowMicros - cause.seenMicros() >= clearMicros);
   }
 
-  /** Keeps an action of the previous Safety Manager, if it is one that stays. */
+  /** Takes over an action of the previous Safety Manager if it latches. */
   void adopt(FailsafeAction action, List<String> words) {
     for (Hazard hazard : hazards) {
       String prefix = hazard.words() + ": ";
@@ -80,13 +77,13 @@ final class FailsafeDecision {
     }
   }
 
-  /** Forgets everything: only what is present from now on counts. */
+  /** Clears all causes; only those present from now on count. */
   void acknowledge() {
     causes.clear();
     kept = null;
   }
 
-  /** What the most severe cause demands. */
+  /** Action of the most severe cause. */
   FailsafeAction action() {
     FailsafeAction least = kept == null ? FailsafeAction.CONTINUE : kept.action();
     return causes.values().stream()
@@ -106,7 +103,7 @@ final class FailsafeDecision {
     return words;
   }
 
-  /** The hazards that count, for noticing a change whatever their words. */
+  /** The active hazards, for detecting changes regardless of wording. */
   List<Hazard> hazards() {
     return new ArrayList<>(causes.keySet());
   }

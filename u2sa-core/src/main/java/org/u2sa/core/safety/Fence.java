@@ -16,9 +16,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Where a vehicle may be: within a polygon, outside of others, between two altitudes. On a plane of
- * metres east and north of the polygon's first corner, which serves for fences of some tens of
- * kilometres. Immutable.
+ * Geofence: a keep-in polygon, keep-out polygons and two altitude limits. Uses a local plane in metres east and north of the polygon's first corner, accurate enough for fences of some tens of kilometres. Immutable.
  */
 final class Fence {
   private final Optional<Geodetic> origin; // empty: of a local plane
@@ -56,7 +54,7 @@ final class Fence {
   }
 
   /**
-   * The same, drawn in on all sides.
+   * Copy shrunk on all sides.
    *
    * @throws IllegalArgumentException if nothing is left of it
    */
@@ -131,17 +129,17 @@ final class Fence {
     return origin.enuOf(new Geodetic(longitudeDeg, latitudeDeg, 0.0));
   }
 
-  /** Whether all of a region is where the vehicle may be, altitudes aside. */
+  /** Whether an entire region is allowed, ignoring altitude. */
   boolean allows(Geometry region) {
     return inside.covers(region) && outside.stream().noneMatch(each -> each.intersects(region));
   }
 
-  /** Whether a place is where the vehicle may be, altitudes aside. */
+  /** Whether a position is allowed, ignoring altitude. */
   boolean allows(Point place) {
     return allows(geometry(place));
   }
 
-  /** Distance from a place where the vehicle may be to the nearest where it may not [m]. */
+  /** Distance from an allowed position to the nearest forbidden one [m]. */
   double clearanceM(Point place) {
     Geometry here = geometry(place);
     double clearance = border.distance(here);
@@ -155,12 +153,12 @@ final class Fence {
     return new GeometryFactory().createPoint(new Coordinate(place.x(), place.y()));
   }
 
-  /** The least altitude allowed [m]. */
+  /** Minimum altitude [m]. */
   OptionalDouble floorM() {
     return floorM;
   }
 
-  /** The greatest altitude allowed [m]. */
+  /** Maximum altitude [m]. */
   OptionalDouble ceilingM() {
     return ceilingM;
   }

@@ -7,7 +7,7 @@ import org.u2sa.core.mission.LoadedFile;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 
-/** The file that the variable FENCE names, as it was loaded and as it is now. */
+/** The file named by the variable FENCE; detects changes since loading. */
 final class FenceFile {
   private final XmlConfiguration configuration;
   private Optional<LoadedFile> loaded = Optional.empty();
@@ -73,7 +73,7 @@ final class FenceFile {
     }
   }
 
-  /** What is wrong with the file now; empty if it is as it was loaded. */
+  /** Fault of the file; empty if unchanged since loading. */
   Optional<String> fault() {
     return loaded.flatMap(LoadedFile::fault);
   }

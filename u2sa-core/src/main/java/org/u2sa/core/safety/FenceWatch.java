@@ -10,8 +10,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Whether the vehicle can still stop or turn round inside the fence, if there is one. The floor
- * counts once the armed vehicle has been above it, so that it can take off.
+ * Checks that the vehicle can still stop or turn round inside the fence, if any. The floor applies once the armed vehicle has been above it, so that it can take off.
  */
 final class FenceWatch implements Watch {
   private static final double ROUNDING_M = 1e-3;
@@ -20,10 +19,10 @@ final class FenceWatch implements Watch {
   private final Supplier<SafetySettings> settings;
   private final FenceFile file;
   private final PositionWatch states;
-  private volatile Fence fence; // null: none; written by the Safety Manager's thread
+  private volatile Fence fence; // null if none; written by the Safety Manager's thread
   private boolean aboveFloor;
-  private Point clear = Point.of(0.0, 0.0, 0.0); // where it was last looked how far the fence is
-  private double clearM; // nowhere within this of it is forbidden; 0: not looked yet
+  private Point clear = Point.of(0.0, 0.0, 0.0); // where the distance to the fence was last computed
+  private double clearM; // free radius around it; 0 if unknown
 
   /**
    * Loads the fence that the configuration names.
@@ -97,7 +96,7 @@ final class FenceWatch implements Watch {
         : Optional.empty();
   }
 
-  /** Looks closely only where the fence may be within reach. */
+  /** Does the full check only where the fence may be within reach. */
   private boolean allows(Manoeuvre manoeuvre, Point place, Point velocity) {
     double reachM = manoeuvre.reachM(Math.hypot(velocity.x(), velocity.y()));
     if (Math.hypot(place.x() - clear.x(), place.y() - clear.y()) + reachM < clearM) {

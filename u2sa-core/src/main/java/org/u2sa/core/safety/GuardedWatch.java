@@ -6,8 +6,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A watch whose faults silence no other watch: one that throws reports its own hazard, until it
- * hears a message or judges without a fault again.
+ * Isolates a watch's exceptions from other watches: one that throws reports its own hazard until it handles a message or judges without a fault again.
  */
 final class GuardedWatch implements Watch {
   private final Watch watch;

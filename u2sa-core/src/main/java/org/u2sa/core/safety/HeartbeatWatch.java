@@ -9,7 +9,7 @@ import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Whether somebody who reports at intervals is still heard. */
+/** Checks that a periodic sender is still heard. */
 final class HeartbeatWatch implements Watch {
   /** What is expected: from whom, whether at all before the first was heard, how often [s]. */
   private record Expected(String who, boolean required, double deadlineS) {}
@@ -18,7 +18,7 @@ final class HeartbeatWatch implements Watch {
   private final Supplier<Expected> expected;
   private final BiFunction<U2SAData, Expected, Optional<String>> sender;
   private String heard = "";
-  private long heardMicros = -1; // by this clock: the sender's own may differ
+  private long heardMicros = -1; // by the local clock; the sender's may differ
 
   private HeartbeatWatch(
       Hazard hazard,

@@ -11,8 +11,7 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /**
- * What a vehicle needs to get out of its own way: how far it goes before it stands, or where it may
- * be before it has turned round.
+ * Room a vehicle needs to stop or turn round: its stopping distance, or the region it may cover while turning.
  *
  * @param turns whether it turns; otherwise it brakes
  * @param reactionS from the failsafe until it brakes or turns [s]; till then it goes straight on
@@ -46,18 +45,18 @@ record Manoeuvre(
         settings.verticalAcceleration());
   }
 
-  /** Distance from the first braking until it stands [m]: v²/2a. */
+  /** Braking distance [m]: v²/2a. */
   double stoppingM(double speedMps) {
     return speedMps * speedMps / (2.0 * brakingMps2);
   }
 
-  /** Radius of its turn in the air [m]: v²/(g tan φ), at the airspeed that it has at most. */
+  /** Turn radius in the air [m]: v²/(g tan φ), at its maximum possible airspeed. */
   double turnRadiusM(double speedMps) {
     double fastest = speedMps + windMps;
     return Math.max(leastRadiusM, fastest * fastest / lateralMps2());
   }
 
-  /** How far wind may blow it on while it turns round [m], to any side. */
+  /** Maximum wind drift while it turns round [m], in any direction. */
   double driftM(double speedMps) {
     double halfTurnS = Math.PI * turnRadiusM(speedMps) / Math.max(SLOWEST_MPS, speedMps + windMps);
     return windMps * halfTurnS;
@@ -72,7 +71,7 @@ record Manoeuvre(
     return upMps * reactionS + Math.signum(upMps) * upMps * upMps / (2.0 * verticalMps2);
   }
 
-  /** What no place of its {@link #region} is farther away than [m]. */
+  /** Upper bound of the distance to any point of its {@link #region} [m]. */
   double reachM(double speedMps) {
     if (speedMps < SLOWEST_MPS) {
       return 0.0;

@@ -7,7 +7,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.MessageAge;
 
-/** Whether the vehicle knows where it is: lost with fresh states, their x and y, or certainty. */
+/** Checks that the vehicle knows its position: lost when states are stale, lack x and y, or are too uncertain. */
 final class PositionWatch implements Watch {
   private final Supplier<SafetySettings> settings;
   private StateInformation newest; // null until the first

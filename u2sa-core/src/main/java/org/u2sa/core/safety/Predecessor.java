@@ -8,9 +8,7 @@ import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The last retained messages of the previous Safety Manager: one that restarts in flight must
- * neither disarm the vehicle nor forget a failsafe. Messages older than a restart takes, or as far
- * ahead of this clock, are from another run.
+ * Last retained messages of the previous Safety Manager, so that a restart in flight neither disarms the vehicle nor drops a failsafe. Messages older than a restart takes, or that far ahead of this clock, are from another run.
  */
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent what it retained
@@ -39,7 +37,7 @@ final class Predecessor {
     }
   }
 
-  /** Whether it may yet be heard. */
+  /** Whether it may still be heard. */
   boolean isAwaited(long nowMicros) {
     awaited &= nowMicros < listensUntilMicros;
     return awaited;

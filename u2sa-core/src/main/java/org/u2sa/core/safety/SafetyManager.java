@@ -29,7 +29,7 @@ import org.u2sa.service.ServiceRole;
  * configuration, and whether it may move at all. In: state, conditions, health, operator, power,
  * actuators, goals, arming, emergency-stop. Out: failsafe, arming-state, emergency-stop.
  *
- * <p>Failsafes act while it is armed. Of several causes the most severe wins.
+ * <p>Failsafes act while it is armed. The most severe cause wins.
  */
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;

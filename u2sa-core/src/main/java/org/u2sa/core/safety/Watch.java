@@ -26,18 +26,18 @@ interface Watch {
 
   Hazard hazard();
 
-  /** Whether it takes note of messages of the channel. */
+  /** Whether it handles messages of the channel. */
   default boolean hears(Channel<?> channel) {
     return STANDARD.contains(channel);
   }
 
-  /** Takes note of a message. */
+  /** Handles a message. */
   default void see(U2SAData message, long nowMicros) {}
 
-  /** What is wrong now, in words; empty if nothing is. */
+  /** Present trouble, in words; empty if none. */
   Optional<String> trouble(long nowMicros);
 
-  /** What speaks against arming, in words; empty if nothing does. */
+  /** Reason against arming, in words; empty if none. */
   default Optional<String> objection(long nowMicros) {
     return trouble(nowMicros);
   }
