@@ -14,14 +14,13 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Spec;
 
-/** Builds the tree of commands from the frame's own and the contributed ones. */
+/** Builds the command tree from the frame's own commands and those of the providers. */
 final class CommandTree {
 
   private CommandTree() {}
 
   /**
-   * All providers on the class path; a broken one is told on {@code err} and left out, so that one
-   * bad jar spoils no other command.
+   * Loads all providers on the class path; a broken one is reported on {@code err} and skipped, so that one bad jar does not disable the other commands.
    */
   static List<CommandProvider> discover(PrintWriter err) {
     List<CommandProvider> found = new ArrayList<>();
@@ -38,7 +37,7 @@ final class CommandTree {
     }
   }
 
-  /** The command line over all commands, with the project's way of answering errors. */
+  /** Creates the command line of all commands, with the project's error handling. */
   static CommandLine build(List<CommandProvider> providers, Help.Ansi ansi) {
     RootCommand root = new RootCommand();
     CommandLine line = new CommandLine(root);
@@ -64,8 +63,7 @@ final class CommandTree {
   }
 
   /**
-   * Gives each command {@code --help} that has none of its own: authors of commands cannot forget
-   * it.
+   * Adds {@code --help} to each command without it, so that authors of commands cannot forget it.
    */
   private static void addHelp(CommandLine command) {
     CommandSpec spec = command.getCommandSpec();
@@ -83,8 +81,7 @@ final class CommandTree {
   }
 
   /**
-   * {@code u2sa demo}: lists the demos that the modules on the class path contribute; each is a
-   * sub-command of it.
+   * {@code u2sa demo}: lists the demos contributed by modules on the class path; each is a subcommand.
    */
   @Command(
       name = "demo",

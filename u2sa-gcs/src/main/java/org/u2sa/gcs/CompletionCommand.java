@@ -9,7 +9,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa completion}: what a shell needs to complete commands, options and their values. */
+/** {@code u2sa completion}: prints the shell script that completes commands, options and their values. */
 @Command(
     name = "completion",
     description = {
@@ -19,11 +19,11 @@ import picocli.CommandLine.Spec;
       "  source <(./u2sa completion zsh)      in zsh, behind autoload -Uz compinit && compinit"
     })
 final class CompletionCommand implements Callable<Integer> {
-  /** The shells that are known. */
+  /** Supported shells. */
   enum Shell {
     /** GNU bash. */
     BASH,
-    /** zsh, which runs bash's completion. */
+    /** zsh, which uses bash's completion. */
     ZSH
   }
 

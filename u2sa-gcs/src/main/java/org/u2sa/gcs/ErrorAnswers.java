@@ -16,7 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Answers errors in one clear line; a stack trace only for those who ask by {@code --debug}. */
+/** Reports errors in one clear line, with a stack trace only if {@code --debug} is given. */
 final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExceptionHandler {
 
   private static final String PREFIX = "u2sa: ";
@@ -44,10 +44,10 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
     return answer(e, command.getErr());
   }
 
-  /** Tells {@code thrown} on {@code err} and returns the exit code. */
+  /** Reports {@code thrown} on {@code err} and returns the exit code. */
   int answer(Throwable thrown, PrintWriter err) {
     boolean badInput =
-        thrown instanceof BadInputException || thrown instanceof McapException; // names the file
+        thrown instanceof BadInputException || thrown instanceof McapException; // their messages name the file
     boolean told =
         badInput
             || thrown instanceof RunFailedException
@@ -67,7 +67,7 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
     return badInput ? ExitCode.BAD_INPUT : ExitCode.FAILED;
   }
 
-  /** The command or option that a mistyped one is nearest to. */
+  /** Returns the command or option closest to a mistyped one. */
   private static Optional<String> meant(UnmatchedArgumentException e) {
     String typed = e.getUnmatched().get(0).replaceFirst("=.*", "");
     CommandLine command = e.getCommandLine();
@@ -87,7 +87,7 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
               : command.getSubcommands().isEmpty() ? "argument" : "command";
       return "unknown " + kind + " '" + typed + "'";
     }
-    // picocli names Java's types, which nobody at a terminal needs to know
+    // picocli names Java types, which mean nothing to a user
     return e.getMessage().replaceFirst("is not an? (long|int)$", "is not a whole number");
   }
 

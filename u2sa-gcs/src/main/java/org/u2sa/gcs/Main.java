@@ -10,29 +10,27 @@ import org.u2sa.gcs.terminal.PlainLines;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
 
-/** Entry of the program {@code u2sa}. */
+/** Entry point of the program {@code u2sa}. */
 public final class Main {
-  /** Of the MQTT library; held here, as a logger that nobody holds forgets its level. */
+  /** Logger of the MQTT library; referenced here because an unreferenced logger may be garbage-collected and lose its level. */
   private static final Logger MQTT = Logger.getLogger("org.eclipse.paho.client.mqttv3");
 
   private Main() {}
 
-  /** Runs one command and ends the virtual machine with its exit code ({@link ExitCode}). */
+  /** Runs one command and exits the virtual machine with its exit code ({@link ExitCode}). */
   public static void main(String[] args) {
     PrintWriter out = new PrintWriter(System.out, true);
     PrintWriter err = new PrintWriter(System.err, true);
     Thread.setDefaultUncaughtExceptionHandler(new LostThreads(err));
-    MQTT.setLevel(Level.OFF); // services log each lost link in a line of their own
+    MQTT.setLevel(Level.OFF); // services log each lost link themselves
     System.exit(run(CommandTree.discover(err), out, err, Help.Ansi.AUTO, args));
   }
 
   /**
-   * Runs one command in this virtual machine, which goes on afterwards: for programs and tests that
-   * use the command line.
+   * Runs one command without exiting the virtual machine, for programs and tests that use the command line.
    *
-   * @param out takes what the command prints, without colours; commands flush by the line if it
-   *     does
-   * @param err takes errors
+   * @param out receives the command's output, without colours; flushed after each line if it auto-flushes
+   * @param err receives errors
    * @return exit code, see {@link ExitCode}
    */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
@@ -54,7 +52,7 @@ public final class Main {
         CommandTree.build(providers, ansi).setOut(new PlainLines(out)).setErr(new PlainLines(err));
     try {
       return line.execute(args);
-    } catch (Error e) { // picocli hands it on; a broken installation deserves a clear line, too
+    } catch (Error e) { // picocli rethrows it; a broken installation deserves a clear message, too
       RootCommand root = line.getCommand();
       return new ErrorAnswers(root::debug).answer(e, err);
     } finally {
@@ -64,9 +62,7 @@ public final class Main {
   }
 
   /**
-   * Tells of threads that end by an exception that nobody caught. Paho's threads do when their
-   * client is closed while it connects, as in a process that is told to end at its start: that is a
-   * line and no stack trace, since the connection's end is noticed elsewhere.
+   * Reports uncaught exceptions of threads. Paho's threads end that way when their client is closed while connecting, as in a process stopped during startup; they get one line and no stack trace, because the lost connection is handled elsewhere.
    */
   static final class LostThreads implements Thread.UncaughtExceptionHandler {
     private static final String PAHO = "org.eclipse.paho.";

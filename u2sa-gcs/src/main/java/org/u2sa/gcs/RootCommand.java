@@ -9,7 +9,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 
-/** The command {@code u2sa} itself: alone it prints the help, which is where newcomers start. */
+/** The command {@code u2sa} itself: without arguments it prints the help, where newcomers start. */
 @Command(
     name = "u2sa",
     versionProvider = RootCommand.Version.class,
@@ -75,12 +75,12 @@ final class RootCommand implements Runnable {
     spec.commandLine().usage(spec.commandLine().getOut());
   }
 
-  /** Whether stack traces are wanted. */
+  /** Whether to print stack traces. */
   boolean debug() {
     return debug;
   }
 
-  /** The versions of U2SA and of what it runs on. */
+  /** Provides the versions of U2SA, Java and picocli. */
   static final class Version implements IVersionProvider {
     @Override
     public String[] getVersion() {

@@ -4,33 +4,30 @@ import java.util.List;
 
 /**
  * Adds commands to the command line {@code u2sa}. A module names its provider in {@code
- * META-INF/services/org.u2sa.gcs.command.CommandProvider}; the frame finds it through {@link
- * java.util.ServiceLoader}, so that the frame depends on no module that adds to it.
+ * META-INF/services/org.u2sa.gcs.command.CommandProvider}; the frame finds it through {@link java.util.ServiceLoader} and so depends on none of the contributing modules.
  *
- * <p>All providers are asked at each start of {@code u2sa}, {@code --help} included: constructors
- * of providers and commands must only set fields, and load what they need when the command runs.
+ * <p>All providers are queried at each start of {@code u2sa}, even for {@code --help}, so constructors of providers and commands must only set fields; load resources when the command runs.
  */
 public interface CommandProvider {
 
-  /** Where a command stands in the tree. */
+  /** Position of a command in the tree. */
   enum Group {
-    /** Beside {@code u2sa demo}: {@code u2sa <command>}. */
+    /** Top level: {@code u2sa <command>}. */
     TOP_LEVEL,
-    /** {@code u2sa demo <command>}: something to watch that needs nothing else installed. */
+    /** {@code u2sa demo <command>}: a demo that needs no further installation. */
     DEMO
   }
 
   /**
-   * One command and its place.
+   * A command and its position.
    *
-   * @param group where it stands
+   * @param group position in the tree
    * @param command object of a class annotated with {@link picocli.CommandLine.Command} that is a
    *     {@link Runnable} or a {@link java.util.concurrent.Callable} of {@link Integer} (the exit
-   *     code, see {@link ExitCode}); its first line of description is what the list of commands
-   *     shows
+   *     code, see {@link ExitCode}); the first line of its description appears in the command list
    */
   record Contribution(Group group, Object command) {}
 
-  /** The commands, in the order in which help lists them; new objects on each call. */
+  /** Returns the commands in help order; new objects on each call. */
   List<Contribution> commands();
 }

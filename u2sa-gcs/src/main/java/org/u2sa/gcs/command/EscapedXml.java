@@ -1,13 +1,12 @@
 package org.u2sa.gcs.command;
 
-/** Text for XML files that are written as text. */
+/** Escapes text for XML files assembled as strings. */
 public final class EscapedXml {
 
   private EscapedXml() {}
 
   /**
-   * {@code text} as character data or attribute value: markup escaped, characters that XML 1.0
-   * forbids replaced by U+FFFD.
+   * Returns {@code text} as character data or attribute value: markup is escaped, and characters forbidden in XML 1.0 are replaced by U+FFFD.
    */
   public static String of(String text) {
     StringBuilder xml = new StringBuilder(text.length() + 16);

@@ -1,15 +1,15 @@
 package org.u2sa.gcs.command;
 
-/** What {@code u2sa} answers to the shell. */
+/** Exit codes of {@code u2sa}. */
 public final class ExitCode {
 
-  /** Done; of a mission: every goal was reached. */
+  /** Success; for a mission, every goal was reached. */
   public static final int DONE = 0;
 
   /** The run failed: a goal was missed, or something unexpected happened. */
   public static final int FAILED = 1;
 
-  /** The input was wrong (command, option, configuration, mission); nothing was started. */
+  /** Invalid input (command, option, configuration, mission); nothing was started. */
   public static final int BAD_INPUT = 2;
 
   private ExitCode() {}

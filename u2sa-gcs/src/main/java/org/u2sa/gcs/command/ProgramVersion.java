@@ -5,13 +5,13 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Properties;
 
-/** The version of this program and of all its modules, as the build wrote it. */
+/** Version of this program and all its modules, as written by the build. */
 public final class ProgramVersion {
   private static final String RESOURCE = "/org/u2sa/gcs/version.properties";
 
   private ProgramVersion() {}
 
-  /** The version, such as 0.1.0. */
+  /** Returns the version, such as 0.1.0. */
   public static String text() {
     Properties properties = new Properties();
     try (InputStream in = ProgramVersion.class.getResourceAsStream(RESOURCE)) {

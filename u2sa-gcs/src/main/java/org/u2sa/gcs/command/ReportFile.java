@@ -13,16 +13,16 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 
-/** Writes a file whole or not at all: into a temporary neighbour, renamed when complete. */
+/** Writes a file atomically: to a temporary file in the same folder, renamed when complete. */
 public final class ReportFile {
 
-  /** Fills a file with bytes. */
+  /** Writes a file's bytes. */
   @FunctionalInterface
   public interface Bytes {
     void writeTo(OutputStream out) throws IOException;
   }
 
-  /** Fills a file with text. */
+  /** Writes a file's text. */
   @FunctionalInterface
   public interface Text {
     void writeTo(Writer out) throws IOException;
@@ -60,7 +60,7 @@ public final class ReportFile {
     }
   }
 
-  /** The system's reason: the exceptions of java.nio that carry only a path get words. */
+  /** Returns the operating system's reason; java.nio exceptions whose message is only a path get an explanation. */
   public static String reason(IOException e) {
     if (e instanceof AccessDeniedException) {
       return "permission denied";

@@ -1,8 +1,7 @@
 package org.u2sa.gcs.command;
 
 /**
- * A run ended badly for a reason that its message tells in full: the command line prints it without
- * a stack trace and exits with 1.
+ * Thrown when a run fails for a reason fully explained by the message: the command line prints it without a stack trace and exits with 1.
  */
 public class RunFailedException extends RuntimeException {
 

@@ -10,20 +10,20 @@ import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.xml.NearestNames;
 
 /**
- * A variable set on the command line.
+ * A configuration variable set on the command line.
  *
  * @param service the simple name of the service's class, or CommunicationManager
  * @param variable the variable's name
- * @param value Boolean, Integer, Double or String, as it looks
+ * @param value Boolean, Integer, Double or String, inferred from the text
  */
 public record Setting(String service, String variable, Object value) {
   private static final String MANAGER = "CommunicationManager";
   private static final Pattern FORM = Pattern.compile("([^:=]+):([^=]+)=(.*)", Pattern.DOTALL);
 
   /**
-   * Reads {@code SERVICE:VARIABLE=VALUE}.
+   * Parses {@code SERVICE:VARIABLE=VALUE}.
    *
-   * @throws IllegalArgumentException if the text is not of that form
+   * @throws IllegalArgumentException if the text does not have that form
    */
   public static Setting parse(String text) {
     Matcher matcher = FORM.matcher(text);
@@ -34,9 +34,9 @@ public record Setting(String service, String variable, Object value) {
   }
 
   /**
-   * Reads several.
+   * Parses several settings.
    *
-   * @throws IllegalArgumentException if a text is not of that form, or a variable comes twice
+   * @throws IllegalArgumentException if a text does not have that form, or a variable is set twice
    */
   public static List<Setting> parseAll(List<String> texts) {
     List<Setting> settings = new ArrayList<>();
@@ -54,10 +54,10 @@ public record Setting(String service, String variable, Object value) {
   }
 
   /**
-   * Refuses a setting of a service that is not there: nobody would see that it has no effect.
+   * Rejects settings of absent services, which would silently have no effect.
    *
-   * @param system whole, as in its file
-   * @throws IllegalArgumentException naming the services there are, and the nearest
+   * @param system complete, as in its file
+   * @throws IllegalArgumentException naming the available services and the closest match
    */
   public void requireServiceOf(SystemFile system) {
     Set<String> known = new LinkedHashSet<>();

@@ -1,5 +1,4 @@
 /**
- * What a command needs of the command line: its provider, exit codes, failures, files it writes.
- * The tree of commands is in {@code gcs}.
+ * Building blocks of commands: provider, exit codes, failures, output files. The command tree is in {@code gcs}.
  */
 package org.u2sa.gcs.command;

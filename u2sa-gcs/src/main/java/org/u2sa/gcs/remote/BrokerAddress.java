@@ -4,7 +4,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Where a broker listens.
+ * Address of a broker.
  *
  * @param host name or address, an IPv6 address without brackets
  * @param port TCP port, 1…65535
@@ -16,9 +16,9 @@ public record BrokerAddress(String host, int port) {
       Pattern.compile("(?:\\[([0-9A-Fa-f:.%]+)]|([^\\s:\\[\\]/]+))(?::(\\d{1,5}))?");
 
   /**
-   * Reads {@code HOST}, {@code HOST:PORT} or {@code [IPv6]:PORT}; without a port, MQTT's own holds.
+   * Parses {@code HOST}, {@code HOST:PORT} or {@code [IPv6]:PORT}; the port defaults to MQTT's.
    *
-   * @throws IllegalArgumentException if it is none of them
+   * @throws IllegalArgumentException if it has another form
    */
   public static BrokerAddress parse(String text) {
     Matcher matcher = FORM.matcher(text);
@@ -34,7 +34,7 @@ public record BrokerAddress(String host, int port) {
     return new BrokerAddress(matcher.group(1) == null ? matcher.group(2) : matcher.group(1), port);
   }
 
-  /** The host as it stands in an address: IPv6 in brackets. */
+  /** Returns the host as written in a URI: IPv6 in brackets. */
   public String hostInAddress() {
     return host.indexOf(':') < 0 ? host : "[" + host + "]";
   }

@@ -16,13 +16,11 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * The systems that this account runs on this machine, and where their brokers listen, so that a
- * command finds the one that is meant although another program has the usual port. A file for each,
- * named after its process, in a folder that only this account can write.
+ * Registry of the systems run by this account on this machine and their broker addresses, so that a command finds the right broker even if another program has the default port. One file per system, named after its process, in a folder writable only by this account.
  */
 public final class LocalSystems {
   /**
-   * One system.
+   * A system.
    *
    * @param broker where its own broker listens
    */
@@ -42,7 +40,7 @@ public final class LocalSystems {
     this.folder = folder;
   }
 
-  /** Those of this account. */
+  /** Opens the registry of this account. */
   public static LocalSystems ofAccount() {
     String chosen = System.getProperty(FOLDER, "");
     String runtime = System.getenv().getOrDefault("XDG_RUNTIME_DIR", "");
@@ -56,7 +54,7 @@ public final class LocalSystems {
             : Path.of(runtime, "u2sa"));
   }
 
-  /** Ends what {@link #announce} began. */
+  /** Withdraws what {@link #announce} announced. */
   @FunctionalInterface
   public interface Announcement extends AutoCloseable {
     @Override
@@ -66,8 +64,8 @@ public final class LocalSystems {
   /**
    * Announces a system of this process.
    *
-   * @param broker where its own broker listens; empty: it has none, and is not announced
-   * @param console told if that fails, which is no reason not to run
+   * @param broker address of its own broker; empty if it has none, and then it is not announced
+   * @param console receives a line if that fails, which does not prevent the run
    */
   public Announcement announce(
       String systemId, Optional<InetSocketAddress> broker, Consumer<String> console) {
@@ -118,7 +116,7 @@ public final class LocalSystems {
     }
   }
 
-  /** The systems whose processes run. */
+  /** Returns the systems whose processes are running. */
   public List<LocalSystem> running() {
     List<LocalSystem> running = new ArrayList<>();
     if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
@@ -139,7 +137,7 @@ public final class LocalSystems {
     }
   }
 
-  /** Empty if its process has ended without removing it, or it is no such file. */
+  /** Returns the system of a file; empty if the process ended without removing it, or if it is another file. */
   private static Optional<LocalSystem> read(Path file) throws IOException {
     String name = file.getFileName().toString();
     if (!name.matches("\\d{1,9}-\\d{1,5}") || Files.size(file) > MAX_BYTES) {
@@ -157,10 +155,10 @@ public final class LocalSystems {
   }
 
   /**
-   * Where the broker of the only system is; empty if none runs.
+   * Returns the broker address of the only running system; empty if none runs.
    *
-   * @param systemId which is meant; empty: any
-   * @throws BadInputException if several brokers could be meant
+   * @param systemId wanted system; empty for any
+   * @throws BadInputException if several brokers match
    */
   Optional<BrokerAddress> theOnly(Optional<String> systemId) {
     List<LocalSystem> meant =

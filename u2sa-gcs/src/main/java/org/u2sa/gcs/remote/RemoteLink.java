@@ -19,8 +19,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A command's connection to a running system. Made by {@link RemoteSystem#connect}; safe for
- * several threads.
+ * A command's connection to a running system. Created by {@link RemoteSystem#connect}. Thread-safe.
  */
 public final class RemoteLink implements AutoCloseable {
   private static final long LOOK_MICROS = 20_000;
@@ -31,14 +30,14 @@ public final class RemoteLink implements AutoCloseable {
   private final Consumer<String> trouble;
   private final Map<String, List<Consumer<U2SAData>>> listeners = new ConcurrentHashMap<>();
   private final Connection connection;
-  private final Thread ending; // a command that is interrupted takes leave, too: it is not lost
+  private final Thread ending; // an interrupted command disconnects cleanly, too
 
   /**
    * Connects.
    *
-   * @param name of who connects, for the broker's log
-   * @param timeoutS how long answers are waited for [s]
-   * @param trouble takes a line when the connection is lost or restored
+   * @param name of the client, for the broker's log
+   * @param timeoutS timeout for answers [s]
+   * @param trouble receives a line when the connection is lost or restored
    * @throws CommunicationException if the broker cannot be reached
    */
   public RemoteLink(
@@ -52,28 +51,27 @@ public final class RemoteLink implements AutoCloseable {
     Runtime.getRuntime().addShutdownHook(ending);
   }
 
-  /** The system that was joined. */
+  /** Returns the ID of the joined system. */
   public String systemId() {
     return systemId;
   }
 
-  /** How long {@link #ask} waits at most [s]. */
+  /** Returns the timeout of {@link #ask} [s]. */
   public double timeoutS() {
     return timeoutS;
   }
 
-  /** Real time, in which this link waits and dates what it publishes. */
+  /** Returns the real-time clock used for waiting and for timestamps. */
   public Clock clock() {
     return clock;
   }
 
   /**
-   * Calls the listener with each message of the channel from now on, on the transport's thread: it
-   * must return at once.
+   * Subscribes the listener to a channel. It is called on the transport's thread and must not block.
    *
    * @throws CommunicationException if the broker refuses the subscription
    */
-  @SuppressWarnings("unchecked") // only messages of the channel's type come in on it
+  @SuppressWarnings("unchecked") // a channel carries only messages of its type
   public <T extends U2SAData> void listen(Channel<T> channel, Consumer<? super T> listener) {
     listeners
         .computeIfAbsent(channel.name(), name -> new CopyOnWriteArrayList<>())
@@ -84,15 +82,15 @@ public final class RemoteLink implements AutoCloseable {
     }
   }
 
-  /** Ends {@link #listen} for this listener. */
+  /** Unsubscribes a listener of {@link #listen}. */
   public void listenNoMore(Channel<?> channel, Consumer<?> listener) {
     listeners.getOrDefault(channel.name(), new ArrayList<>()).remove(listener);
   }
 
   /**
-   * Publishes; system ID and time are filled in if absent.
+   * Publishes a message; system ID and time are filled in if absent.
    *
-   * @throws CommunicationException if the message was not taken
+   * @throws CommunicationException if the message was not accepted
    */
   public void publish(Channel<?> channel, U2SAData message) {
     if (!message.isFrozen()) {
@@ -111,14 +109,13 @@ public final class RemoteLink implements AutoCloseable {
   }
 
   /**
-   * Publishes a request, and hands on the answers that come in on its channel until they are
-   * enough, or for {@link #timeoutS}.
+   * Publishes a request and passes on the answers on its channel until {@code enough} holds or {@link #timeoutS} has elapsed.
    *
    * @param request not frozen yet; system and time are filled in
-   * @param type what answers are; subclasses count
-   * @param answers takes each answer, on the transport's thread
-   * @param enough whether to wait no longer; asked every 20 ms
-   * @throws CommunicationException if the request was not taken
+   * @param type of the answers, including subclasses
+   * @param answers receives each answer, on the transport's thread
+   * @param enough whether to stop waiting; polled every 20 ms
+   * @throws CommunicationException if the request was not accepted
    */
   public <T extends U2SAData> void ask(
       Channel<?> channel,
@@ -143,9 +140,9 @@ public final class RemoteLink implements AutoCloseable {
   }
 
   /**
-   * The first answer to a request, as {@link #ask}; empty if none comes in time.
+   * Returns the first answer to a request, like {@link #ask}; empty on timeout.
    *
-   * @param isAnswer tells answers apart, for example by the request's ID
+   * @param isAnswer whether a message is the answer, for example by the request's ID
    */
   public <T extends U2SAData> Optional<T> first(
       Channel<?> channel, U2SAData request, Class<T> type, Predicate<? super T> isAnswer)
@@ -162,10 +159,10 @@ public final class RemoteLink implements AutoCloseable {
   }
 
   /**
-   * Waits until something holds, at most for a time.
+   * Waits until a condition holds, or for a maximum time.
    *
-   * @param holds is asked every 20 ms: answers, and who is heard at all, both count
-   * @param atMostS how long [s]
+   * @param holds condition, polled every 20 ms; may depend on answers or on which services are heard
+   * @param atMostS maximum wait [s]
    */
   public void await(BooleanSupplier holds, double atMostS) throws InterruptedException {
     long deadline = clock.micros() + Clock.micros(atMostS);
@@ -181,7 +178,7 @@ public final class RemoteLink implements AutoCloseable {
     try {
       Runtime.getRuntime().removeShutdownHook(ending);
     } catch (IllegalStateException e) {
-      return; // the program is ending, and the hook closes the connection
+      return; // shutting down: the hook closes the connection
     }
     connection.close();
   }

@@ -26,8 +26,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * The options of all commands that join a running system of another process or host, and the way to
- * it; used as {@code @Mixin RemoteSystem remote}:
+ * Options of all commands that join a running system in another process or on another host, and the connection to it; used as {@code @Mixin RemoteSystem remote}:
  *
  * <pre>{@code
  * try (RemoteLink link = remote.connect()) {
@@ -40,20 +39,19 @@ import picocli.CommandLine.Spec;
  * }
  * }</pre>
  *
- * Failures (no broker, no system, several systems) are exceptions that the command line prints in
- * one line.
+ * Failures (no broker, no system, several systems) are exceptions that the command line reports in one line.
  */
 public final class RemoteSystem {
   private static final double LONGEST_S = 3_600.0;
 
-  /** Services report each quarter of a second unless told otherwise; twice that, and some slack. */
+  /** Services report every 0.25 s by default; twice that plus some slack. */
   private static final double LISTEN_ON_S = 0.6;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 
-  private BrokerAddress broker = BrokerAddress.parse("localhost"); // null: to be looked for
-  private boolean isNamed; // the broker was
+  private BrokerAddress broker = BrokerAddress.parse("localhost"); // null if it must be found first
+  private boolean isNamed; // whether the broker was given
   private String systemId;
   private double timeoutS = 3.0;
 
@@ -128,8 +126,7 @@ public final class RemoteSystem {
   }
 
   /**
-   * The way to the system, for a service that joins it; fails like {@link #connect}, except where a
-   * system was chosen by its ID: whether its broker answers, who connects will learn.
+   * Returns an unconnected transport for a service that joins the system. Fails like {@link #connect}, except if a system was chosen by ID: then an unreachable broker is detected only when connecting.
    */
   public MqttTransport transport() throws InterruptedException {
     Clock clock = new SystemClock();
@@ -138,9 +135,9 @@ public final class RemoteSystem {
   }
 
   /**
-   * The way to a system that need not be there, by the ID that was chosen.
+   * Returns an unconnected transport to a system that may be absent, by the chosen ID.
    *
-   * @param otherwise its ID if none was chosen
+   * @param otherwise default ID if none was chosen
    */
   public MqttTransport transport(String otherwise) throws InterruptedException {
     findBroker(new SystemClock());
@@ -184,8 +181,7 @@ public final class RemoteSystem {
   }
 
   /**
-   * What to say of a system of which nothing is heard: which others are at the broker, and which of
-   * them may have been meant. Empty if it was not chosen by name.
+   * Returns a hint for a silent system: the other systems at the broker, and the closest match. Empty if the system was not chosen by name.
    */
   public Optional<String> otherSystems(RemoteLink link) throws InterruptedException {
     if (systemId == null) {
@@ -202,8 +198,7 @@ public final class RemoteSystem {
   }
 
   /**
-   * The systems whose services report health at the broker: listens until the first is heard, and
-   * then on for others. Lost connections are not reported: what was not heard is said at the end.
+   * Finds the systems whose services report health at the broker: listens until the first is heard, and then for others. Lost connections are not reported, because a missing system is reported at the end.
    */
   private SortedSet<String> heard(String name, Clock clock) throws InterruptedException {
     SortedSet<String> heard = new ConcurrentSkipListSet<>();
@@ -226,7 +221,7 @@ public final class RemoteSystem {
             id,
             new MessageCodec(MessageTypes.discovered()),
             BrokerAccess.of(user, passwordFile, !caFile.isEmpty(), caFile))
-        .waiting(timeoutS); // the broker may be starting anew
+        .waiting(timeoutS); // the broker may be restarting
   }
 
   private String name() {
@@ -238,18 +233,18 @@ public final class RemoteSystem {
     err.println("u2sa: " + trouble);
   }
 
-  /** Where the broker is, for messages: {@code host:port}. */
+  /** Returns the broker's address for messages: {@code host:port}. */
   public String brokerAddress() {
     return broker == null ? BrokerSearch.AUTO : broker.toString();
   }
 
-  /** Who gives orders, for logs: {@code user@host}. */
+  /** Returns the operator's name for logs: {@code user@host}. */
   public static String operator() {
     String user = System.getProperty("user.name", "unknown");
     try {
       return user + "@" + InetAddress.getLocalHost().getHostName();
     } catch (UnknownHostException e) {
-      return user + "@localhost"; // the machine does not know its own name
+      return user + "@localhost"; // own host name unknown
     }
   }
 }

@@ -13,30 +13,26 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Supervises the health monitor, and restarts in its place what ends while no monitor works.
+ * Supervises the health monitor, and restarts ended processes in its place while no monitor works.
  *
- * <p>It restarts a health monitor's process when it has ended badly, and when it has been silent
- * for long, as nobody else would order that. A silence in which the own launcher is not heard
- * either is a broken link, and nobody's fault. The process of any other service is the monitor's
- * concern by its policy, as long as a monitor speaks. While none does, because the system has none,
- * or because it ended too, the guard restarts the process at once, a few times.
+ * <p>It restarts a health monitor's process if it failed or has been silent for too long, because nothing else would. If this process's own launcher is not heard either, the silence is blamed on a broken link. Processes of other services are left to the monitor's policy while a monitor is heard. Without one, because the system has none or it ended too, the guard restarts the process immediately, a limited number of times.
  *
- * <p>One thread looks for silence; ends are told by any.
+ * <p>One thread checks for silence; ends may be reported from any thread.
  */
 final class MonitorGuard implements AutoCloseable {
   private static final long LOOKS_EVERY_MICROS = 500_000;
-  private static final long SILENT_AFTER_MICROS = 4_000_000; // as a monitor's LOST AFTER
+  private static final long SILENT_AFTER_MICROS = 4_000_000; // same as a monitor's LOST AFTER
   private static final long STARTS_WITHIN_MICROS = 15_000_000;
   private static final long DEAF_AFTER_MICROS = 1_000_000;
   private static final long AT_MOST_EVERY_MICROS = 1_000_000;
-  private static final int MAX_RESTARTS = 3; // as a monitor's RESTART LIMIT, as the window is
+  private static final int MAX_RESTARTS = 3; // RESTART LIMIT and window of a monitor
   private static final long RESTART_WINDOW_MICROS = 60_000_000;
 
-  /** The processes of the services, by entry. */
+  /** Service processes, by entry. */
   interface Processes {
     boolean isAlive(String entry);
 
-    /** Starts the entry's process again. */
+    /** Restarts the entry's process. */
     void startAnew(String entry);
   }
 
@@ -44,17 +40,17 @@ final class MonitorGuard implements AutoCloseable {
   private final Clock clock;
   private final Processes processes;
   private final Consumer<String> console;
-  private final Map<String, Long> starts = new HashMap<>(); // of monitors; guarded by this
-  private final Map<String, Long> ends = new LinkedHashMap<>(); // not dealt with; guarded by this
+  private final Map<String, Long> starts = new HashMap<>(); // monitors only; guarded by this
+  private final Map<String, Long> ends = new LinkedHashMap<>(); // unhandled; guarded by this
   private final Map<String, ArrayDeque<Long>> restarts = new HashMap<>(); // guarded by this
   private final Thread thread = new Thread(this::watch, "u2sa-monitor-guard");
   private Clock.Waiter waiter; // null until started
-  private long excusedMicros; // until when silences are not counted; touched by the thread only
-  private long failures; // likewise
+  private long excusedMicros; // silence is excused until then; own thread only
+  private long failures; // own thread only
   private volatile boolean closed;
 
   /**
-   * @param console takes what it has to say, a line each
+   * @param console receives status lines
    */
   MonitorGuard(ServiceNames names, Clock clock, Processes processes, Consumer<String> console) {
     this.names = names;
@@ -88,13 +84,13 @@ final class MonitorGuard implements AutoCloseable {
     try {
       look(clock.micros());
     } catch (RuntimeException e) {
-      if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: it looks twice a second
+      if (Long.bitCount(++failures) == 1) { // log at 1, 2, 4, 8…: checks run at 2 Hz
         console.accept(LogLevelEnum.ERROR + ": supervising the health monitor failed: " + e);
       }
     }
   }
 
-  /** Looks for monitors that are silent. */
+  /** Checks for silent monitors. */
   synchronized void look(long now) {
     if (silentMicros(Launcher.NAME, now) > DEAF_AFTER_MICROS) {
       excusedMicros = now;
@@ -123,7 +119,7 @@ final class MonitorGuard implements AutoCloseable {
     return names.lastWord(serviceName).map(word -> now - word.atMicros()).orElse(0L);
   }
 
-  /** Takes note that an entry's process has ended badly. */
+  /** Records that an entry's process has failed. */
   synchronized void ended(String entry, int exitCode) {
     long now = clock.micros();
     if (isMonitor(entry)) {
@@ -134,7 +130,7 @@ final class MonitorGuard implements AutoCloseable {
       } else {
         restartMonitor(entry, now);
       }
-    } else if (exitCode != ExitCode.BAD_INPUT) { // which would be refused again
+    } else if (exitCode != ExitCode.BAD_INPUT) { // bad input would be rejected again
       ends.put(entry, now);
       restartUnlessMonitored(now);
     }
@@ -147,7 +143,7 @@ final class MonitorGuard implements AutoCloseable {
   private void restartMonitor(String entry, long now) {
     starts.put(entry, now);
     processes.startAnew(entry);
-    restartUnlessMonitored(now); // what the monitor has not seen to
+    restartUnlessMonitored(now); // not handled by a monitor
   }
 
   private void restartUnlessMonitored(long now) {
@@ -162,7 +158,7 @@ final class MonitorGuard implements AutoCloseable {
     ends.clear();
   }
 
-  /** Whether a monitor's process lives and has been heard since it was started. */
+  /** Whether a monitor's process is alive and has been heard since its start. */
   private boolean speaks(String entry) {
     long started = starts.getOrDefault(entry, Long.MIN_VALUE);
     return processes.isAlive(entry)

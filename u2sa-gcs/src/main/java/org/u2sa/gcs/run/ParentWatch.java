@@ -7,9 +7,7 @@ import java.util.function.IntConsumer;
 import org.u2sa.gcs.command.ExitCode;
 
 /**
- * Ends this process when its parent has ended. The parent holds the other end of standard input and
- * writes nothing, so its end of file means that the parent is gone. An orphan would keep its
- * service's name from the next run.
+ * Exits this process when its parent ends. The parent holds the other end of standard input and writes nothing, so end of file means that the parent is gone. An orphan would block its service's name in the next run.
  */
 final class ParentWatch {
   private static final long ENDS_WITHIN_S = 5;
@@ -19,20 +17,20 @@ final class ParentWatch {
   private volatile Runnable end = () -> {};
 
   /**
-   * @param parent ends when the parent has
-   * @param halt ends the process at once, with that exit code
+   * @param parent stream that reaches its end when the parent exits
+   * @param halt exits the process immediately with the given exit code
    */
   ParentWatch(InputStream parent, IntConsumer halt) {
     this.parent = parent;
     this.halt = halt;
   }
 
-  /** Begins to watch. */
+  /** Starts watching. */
   void start() {
     daemon("u2sa-parent", this::watch).start();
   }
 
-  /** Sets what is done first when the parent has ended: to end in good order. */
+  /** Sets the orderly shutdown to run first when the parent has ended. */
   void endingBy(Runnable inGoodOrder) {
     end = inGoodOrder;
   }
@@ -40,10 +38,10 @@ final class ParentWatch {
   private void watch() {
     try {
       while (parent.read() >= 0) {
-        continue; // what somebody typed
+        continue; // stray input
       }
     } catch (IOException e) {
-      end(); // the pipe is broken, which says the same
+      end(); // broken pipe: the parent is gone, too
       return;
     }
     end();

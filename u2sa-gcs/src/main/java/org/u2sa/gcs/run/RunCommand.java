@@ -36,7 +36,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa run <system.xml>}: starts any system and runs it until it ends or is interrupted. */
+/** {@code u2sa run <system.xml>}: runs any system until it ends or is interrupted. */
 @Command(
     name = "run",
     description = {
@@ -163,8 +163,7 @@ public final class RunCommand implements Callable<Integer> {
   }
 
   /**
-   * Has the broker listen on another port where a program has the configured one, if only this
-   * machine can reach it: those of other machines would look for it at the configured port.
+   * Moves the broker to another port if the configured one is taken, provided that only this machine can reach it: clients on other machines expect the configured port.
    */
   private void evadeTakenPort(SystemFile system, PrintWriter out) {
     XmlConfiguration configuration =
@@ -176,7 +175,7 @@ public final class RunCommand implements Callable<Integer> {
     try {
       ofManager = Setting.parseAll(settings).stream().filter(RunCommand::isOfManager).toList();
     } catch (IllegalArgumentException e) {
-      return; // refused later, with all others
+      return; // rejected later, with all others
     }
     if (ofManager.stream().anyMatch(each -> each.variable().equals(ManagerSettings.PORT))) {
       return;
@@ -202,7 +201,7 @@ public final class RunCommand implements Callable<Integer> {
     return setting.service().equals(MANAGER);
   }
 
-  /** Two runs of one vehicle would both command its devices. */
+  /** Rejects a second run of the same vehicle, because both would command its devices. */
   private static void refuseSecondRun(SystemFile system) {
     LocalSystems.ofAccount().running().stream()
         .filter(each -> each.systemId().equals(system.systemId()))
@@ -221,7 +220,7 @@ public final class RunCommand implements Callable<Integer> {
     return facts;
   }
 
-  /** Watches the process that started this one, if there is one that holds it. */
+  /** Watches the parent process, if one supervises this process. */
   private Optional<ParentWatch> parentWatch() {
     if (!supervised) {
       return Optional.empty();
@@ -241,7 +240,7 @@ public final class RunCommand implements Callable<Integer> {
     }
   }
 
-  /** Said as settings, so that processes that this one starts use the same broker. */
+  /** Returned as settings, so that child processes use the same broker. */
   private List<String> settingsOfBroker() {
     String manager = MANAGER + ":";
     if (broker.equals(BrokerSearch.AUTO)) {
@@ -330,7 +329,7 @@ public final class RunCommand implements Callable<Integer> {
         system.communicationManager().transport(), services, new SystemClock(), out::println);
   }
 
-  /** Those that this process speaks for: where one supervises it, that one speaks for all. */
+  /** Entries whose troubles this process prints: with a supervising process, that one prints all. */
   private Predicate<String> ownServices(RunningSystem system) {
     Set<String> own = new HashSet<>();
     if (!supervised) {
@@ -349,7 +348,7 @@ public final class RunCommand implements Callable<Integer> {
     return String.join(", ", services.stream().map(U2SAService::getServiceName).toList());
   }
 
-  /** Ends something in good order when the program is interrupted (Ctrl-C, TERM). */
+  /** Closes a resource in an orderly way when the program is interrupted (Ctrl-C, TERM). */
   private static final class EndOnInterrupt implements AutoCloseable {
     private final Thread hook;
 
@@ -363,7 +362,7 @@ public final class RunCommand implements Callable<Integer> {
       try {
         Runtime.getRuntime().removeShutdownHook(hook);
       } catch (IllegalStateException e) {
-        // The program is ending already, which is what the hook is for: it runs now.
+        // Already shutting down: the hook is running now.
         return;
       }
     }

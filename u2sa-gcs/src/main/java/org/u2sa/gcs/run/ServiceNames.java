@@ -20,13 +20,12 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Learns under which names the services of a system file speak: a name is a matter of the service
- * and its configuration, so the running services are asked.
+ * Maps system-file entries to service names by asking the running services, because a name depends on the service and its configuration.
  */
 final class ServiceNames implements Receiver, AutoCloseable {
-  private static final int ASKS_AT_MOST = 20; // for each name that is nobody's of this file
+  private static final int ASKS_AT_MOST = 20; // per unknown name
 
-  private static final int MAX_NAMES = 1_000; // that are nobody's of this file
+  private static final int MAX_NAMES = 1_000; // unknown names
 
   private final List<SystemFile.Entry> entries;
   private final Clock clock;
@@ -39,11 +38,11 @@ final class ServiceNames implements Receiver, AutoCloseable {
   private final String systemId;
 
   /**
-   * What was heard of a service last.
+   * Last report about a service.
    *
-   * @param instance which one said it
-   * @param atMicros when [µs of this clock]
-   * @param isLast whether it said that it has stopped
+   * @param instance that sent it
+   * @param atMicros time of receipt [µs of this clock]
+   * @param isLast whether it announced its stop
    */
   record Word(String instance, long atMicros, boolean isLast) {}
 
@@ -69,9 +68,9 @@ final class ServiceNames implements Receiver, AutoCloseable {
   private void hear(HealthReport report) {
     String name = report.serviceName();
     if (asked.size() >= MAX_NAMES && !asked.containsKey(name) && !entryNames.containsKey(name)) {
-      return; // somebody invents names
+      return; // names are being made up
     }
-    if (report.threadAlive().isEmpty()) { // it speaks for itself
+    if (report.threadAlive().isEmpty()) { // sent by the service itself
       boolean isLast = report.status() == ServiceStatus.STOPPED;
       words.put(name, new Word(report.instance().orElse(""), clock.micros(), isLast));
     }
@@ -100,14 +99,14 @@ final class ServiceNames implements Receiver, AutoCloseable {
     }
   }
 
-  /** The simple name of the entry whose service speaks under that name; also takes that itself. */
+  /** Returns the simple entry name for a service name; also accepts an entry name. */
   Optional<String> entryOf(String serviceName) {
     String known = entryNames.get(serviceName);
     boolean itself = entries.stream().anyMatch(entry -> entry.simpleName().equals(serviceName));
     return known == null && itself ? Optional.of(serviceName) : Optional.ofNullable(known);
   }
 
-  /** Under which name the entry's service speaks, as far as it has said so. */
+  /** Returns the service name of the entry, if known. */
   Optional<String> nameOf(String entryName) {
     return entryNames.entrySet().stream()
         .filter(each -> each.getValue().equals(entryName))
@@ -115,7 +114,7 @@ final class ServiceNames implements Receiver, AutoCloseable {
         .findFirst();
   }
 
-  /** The entries whose services have that role, as far as they have said so. */
+  /** Returns the entries known to have the role. */
   List<String> entriesOf(String role) {
     return entries.stream()
         .map(SystemFile.Entry::simpleName)
@@ -123,12 +122,12 @@ final class ServiceNames implements Receiver, AutoCloseable {
         .toList();
   }
 
-  /** What a service said for itself last. */
+  /** Returns the last status reported by the service itself. */
   Optional<Word> lastWord(String serviceName) {
     return Optional.ofNullable(words.get(serviceName));
   }
 
-  /** The role of the entry's service, as far as it has said so. */
+  /** Returns the role of the entry's service, if known. */
   Optional<String> roleOf(String entryName) {
     return Optional.ofNullable(roles.get(entryName));
   }

@@ -16,8 +16,7 @@ import org.u2sa.interfaces.communication.MqttClient;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * One Java process a service: starts them, says at once when one ends, kills and starts again. All
- * calls are safe from any thread.
+ * Runs one Java process per service: starts and restarts them, and reports immediately when one ends. Thread-safe.
  */
 final class ServiceProcesses implements AutoCloseable {
   private static final long END_WITHIN_S = 5;
@@ -26,14 +25,14 @@ final class ServiceProcesses implements AutoCloseable {
   private final List<String> entries;
   private final Consumer<String> console;
   private final Map<String, Process> processes = new LinkedHashMap<>(); // guarded by this
-  private final Map<String, Integer> failed = new LinkedHashMap<>(); // last ends; guarded by this
+  private final Map<String, Integer> failed = new LinkedHashMap<>(); // exit codes; guarded by this
   private volatile ObjIntConsumer<String> onFailure = (entry, exitCode) -> {};
-  private boolean refused; // a first process ended for bad input; guarded by this
+  private boolean refused; // a first start failed on bad input; guarded by this
   private volatile boolean closing;
 
   /**
    * @param entries simple names of the services' classes
-   * @param console takes what happens to the processes, a line each
+   * @param console receives process events, one per line
    */
   ServiceProcesses(ProcessCommand command, List<String> entries, Consumer<String> console) {
     this.command = command;
@@ -41,12 +40,12 @@ final class ServiceProcesses implements AutoCloseable {
     this.console = console;
   }
 
-  /** Sets what is told which service's process ended badly and how, on a thread of the JVM's. */
+  /** Sets the listener for failed processes (service and exit code), called on a JVM thread. */
   void onFailure(ObjIntConsumer<String> takes) {
     onFailure = takes;
   }
 
-  /** Starts one process a service, unless {@link #close} was called meanwhile. */
+  /** Starts one process per service, unless {@link #close} was called meanwhile. */
   synchronized void start() {
     for (String entry : entries) {
       try {
@@ -62,7 +61,7 @@ final class ServiceProcesses implements AutoCloseable {
     if (closing) {
       return false;
     }
-    // Its standard input is a pipe that this process holds: so it knows when this one has ended.
+    // Standard input is a pipe held by this process, so the child notices when this one ends.
     Process process =
         command
             .of(entry, again)
@@ -92,22 +91,22 @@ final class ServiceProcesses implements AutoCloseable {
     }
   }
 
-  /** Whether the service's process lives. */
+  /** Whether the service's process is alive. */
   synchronized boolean isAlive(String entry) {
     Process process = processes.get(entry);
     return process != null && process.isAlive();
   }
 
   /**
-   * Kills the service's process, if it lives, and starts another one.
+   * Kills the service's process, if alive, and starts a new one.
    *
-   * @return whether it was started; not while everything ends
+   * @return whether it was started; false during shutdown
    * @throws IOException if the process cannot be started
    */
   boolean startAnew(String entry) throws IOException, InterruptedException {
     Process old;
     synchronized (this) {
-      old = processes.remove(entry); // whose end is no news
+      old = processes.remove(entry); // so that its end is not reported
     }
     if (old != null && old.isAlive()) {
       old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS);
@@ -124,8 +123,7 @@ final class ServiceProcesses implements AutoCloseable {
   }
 
   /**
-   * Waits until no process is left, or one refuses what it was first started with, so that the
-   * system never was whole. Returns the exit codes of those that did not end well.
+   * Waits until no process is left, or until one rejects its input on its first start, so that the system was never complete. Returns the exit codes of the failed processes.
    */
   synchronized Map<String, Integer> awaitEnd() throws InterruptedException {
     while (!refused && processes.values().stream().anyMatch(Process::isAlive)) {
@@ -134,7 +132,7 @@ final class ServiceProcesses implements AutoCloseable {
     return new LinkedHashMap<>(failed);
   }
 
-  /** Whether {@link #awaitEnd} ended for bad input. */
+  /** Whether {@link #awaitEnd} returned because of bad input. */
   synchronized boolean isRefused() {
     return refused;
   }
@@ -143,7 +141,7 @@ final class ServiceProcesses implements AutoCloseable {
     return new ArrayList<>(processes.values());
   }
 
-  /** Asks all processes to end, and ends those that do not. */
+  /** Asks all processes to end and kills those that do not. */
   @Override
   public void close() {
     closing = true; // before the lock, so that a start in progress ends
@@ -162,18 +160,18 @@ final class ServiceProcesses implements AutoCloseable {
   }
 
   /**
-   * How a process of one service is started: {@code u2sa run --only}, with this program's own Java.
+   * Launch parameters of single-service processes: {@code u2sa run --only}, with this program's own Java.
    *
    * @param file the system file
-   * @param logs where log files go
+   * @param logs folder of the log files
    * @param seed the run's seed
    * @param settings the {@code --set} options
    */
   record ProcessCommand(Path file, Path logs, long seed, List<String> settings) {
     /**
-     * The process of one service.
+     * Returns the process builder of one service.
      *
-     * @param restart whether it ran before in this run
+     * @param restart whether it has already run in this run
      */
     ProcessBuilder of(String service, boolean restart) {
       List<String> command = new ArrayList<>();

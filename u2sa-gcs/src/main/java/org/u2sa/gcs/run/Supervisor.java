@@ -19,12 +19,9 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Carries orders to start and restart out where each service has a process of its own: kills it
- * (SIGKILL: it may hang) and starts it again. Actuators go neutral meanwhile as their commands
- * expire.
+ * Executes start and restart orders when each service has its own process: kills it (SIGKILL, because it may hang) and starts it again. Actuators go neutral meanwhile, as their commands expire.
  *
- * <p>It says of a process that ended so, on health. A health monitor's process it starts again
- * without an order, as nobody else would give one, and where no monitor works, that of any service.
+ * <p>It reports ended processes on the health channel. It restarts a health monitor's process without an order, because nothing else would give one, and any process while no monitor works.
  */
 final class Supervisor implements ServiceHost, AutoCloseable {
   private final ServiceProcesses processes;
@@ -34,7 +31,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
   private final MonitorGuard guard;
 
   /**
-   * Connects and begins to obey.
+   * Connects and starts executing orders.
    *
    * @param system the Communication Manager of the processes
    */
@@ -57,8 +54,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
   }
 
   /**
-   * Acts, if no monitor does, and says so at once: nobody knows it sooner, and the broker learns
-   * only that a link broke.
+   * Acts if no monitor does, and reports the end immediately: this process is the first to know, and the broker only sees a broken link.
    */
   private void ended(String entry, int exitCode) {
     Optional<ServiceNames.Word> last = names.nameOf(entry).flatMap(names::lastWord);
@@ -77,7 +73,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
             });
   }
 
-  /** The processes as the guard sees them. */
+  /** The guard's view of the processes. */
   private final class GuardedProcesses implements MonitorGuard.Processes {
     private final Consumer<String> console;
 

@@ -7,14 +7,14 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.util.OptionalInt;
 
-/** Finds another TCP port for a run's broker where a program has the configured one. */
+/** Finds another TCP port for a run's broker if the configured one is taken. */
 public final class TakenPort {
   private TakenPort() {}
 
   /**
-   * A free port to use instead.
+   * Returns a free port to use instead.
    *
-   * @param address that the broker is to listen on
+   * @param address the broker will listen on
    * @return empty if the configured port is free
    */
   public static OptionalInt replacement(String address, int port) {
@@ -26,7 +26,7 @@ public final class TakenPort {
       probe.bind(new InetSocketAddress(address, port));
       return false;
     } catch (IOException | IllegalArgumentException e) {
-      return true; // or the address is wrong, which the Communication Manager will say
+      return true; // an invalid address is reported by the Communication Manager
     }
   }
 

@@ -15,31 +15,30 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Prints what services report as trouble, such as a device that is not there, which would otherwise
- * stand in their log files only. Each text once, and a line per service every few seconds.
+ * Prints troubles reported by services, such as a missing device, which would otherwise appear only in their log files. Each text is printed once, and each service is limited to one line every few seconds.
  */
 public final class TroubleLines implements Receiver, AutoCloseable {
   private static final long APART_MICROS = 5_000_000;
   private static final int MAX_TEXT = 300;
   private static final int MAX_SERVICES = 1_000;
 
-  /** In the will of every client: whoever runs the service's process says what became of it. */
+  /** From every client's last will: the process's supervisor reports what happened. */
   private static final String LOST = "connection lost";
 
-  /** What was printed last of a service. */
+  /** Last line printed for a service. */
   private record Printed(String text, long micros) {}
 
   private final Predicate<String> services;
   private final Clock clock;
   private final Consumer<String> console;
-  private final Map<String, Printed> printed = new HashMap<>(); // by service; guarded by this
+  private final Map<String, Printed> printed = new HashMap<>(); // by service name; guarded by this
   private final Connection connection;
 
   /**
    * @param transport to the system's messages
    * @param services whose troubles are printed
    * @param clock of the run
-   * @param console takes lines
+   * @param console receives the lines
    */
   public TroubleLines(
       Transport transport, Predicate<String> services, Clock clock, Consumer<String> console) {
