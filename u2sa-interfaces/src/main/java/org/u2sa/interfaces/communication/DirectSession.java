@@ -22,12 +22,10 @@ import org.eclipse.paho.client.mqttv3.MqttException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A session over a socket without encryption that a message leaves on its publisher's thread, and
- * enters on the one thread that reads: two hand-offs between threads less than with Paho. Nobody
- * waits for the network: what it does not take at once, the reading thread sends later.
+ * An MQTT session over an unencrypted socket. Messages are sent on the publisher's thread and received on one reader thread: two thread hand-offs fewer than with Paho. Publishing never blocks on the network: the reader thread sends later what the socket does not accept immediately.
  */
 final class DirectSession implements MqttSession {
-  private static final int REFUSED = 0x80; // in the broker's answer to a subscription
+  private static final int REFUSED = 0x80; // failure code in a SUBACK
   private static final long FAREWELL_WITHIN_MS = 1_000;
   private static final int PINGREQ = 0xc0;
   private static final int DISCONNECT = 0xe0;
@@ -37,17 +35,17 @@ final class DirectSession implements MqttSession {
   private final MqttConnection owner;
   private final long answerWithinMs;
   private final Clock clock;
-  private final Set<String> asked = ConcurrentHashMap.newKeySet(); // filters that it answered
+  private final Set<String> asked = ConcurrentHashMap.newKeySet(); // filters acknowledged
   private final CompletableFuture<Integer> connected = new CompletableFuture<>();
-  private final AwaitedAnswers awaited = new AwaitedAnswers(); // numbers are guarded by lock
+  private final AwaitedAnswers awaited = new AwaitedAnswers(); // its identifiers guarded by lock
   private final CountDownLatch settled = new CountDownLatch(1);
-  private final CountDownLatch ended = new CountDownLatch(1); // the reading thread
-  private final Object lock = new Object(); // of what goes out
+  private final CountDownLatch ended = new CountDownLatch(1); // counted down by the reader
+  private final Object lock = new Object(); // guards the output
   private SocketChannel channel; // set once, by open
   private Selector selector; // likewise
   private SelectionKey key; // likewise
   private MqttOutbox outbox; // likewise; guarded by lock
-  private int waiting; // messages of QoS 0 that the network has not taken; guarded by lock
+  private int waiting; // unsent messages of QoS 0; guarded by lock
   private volatile long sentMicros;
   private volatile boolean over;
   private volatile boolean closing;
@@ -91,14 +89,14 @@ final class DirectSession implements MqttSession {
     synchronized (lock) {
       put(MqttPackets.connect(clientId, options));
     }
-    reader.start(); // which sends it, knows why an answer is wrong, and closes what was opened
+    reader.start(); // sends it, reports a wrong answer, and closes the channel
     int code = await(connected);
     if (code != 0) {
       throw new MqttException(code);
     }
   }
 
-  /** The broker's answer, from the reading thread. */
+  /** Waits for the broker's answer from the reader thread. */
   private <T> T await(CompletableFuture<T> answer) throws MqttException {
     try {
       return answer.get(answerWithinMs, TimeUnit.MILLISECONDS);
@@ -133,7 +131,7 @@ final class DirectSession implements MqttSession {
         sendOutbox();
         sent = true;
       } finally {
-        if (!sent) { // told by the exception
+        if (!sent) { // reported by the exception
           awaited.forget(packet);
           waiting -= eachMatters ? 0 : 1;
         }
@@ -177,7 +175,7 @@ final class DirectSession implements MqttSession {
     if (outbox.isEmpty()) {
       waiting = 0;
     } else {
-      selector.wakeup(); // who sends the rest
+      selector.wakeup(); // the reader sends the rest
     }
   }
 
@@ -200,7 +198,7 @@ final class DirectSession implements MqttSession {
     ask(packet -> MqttPackets.unsubscribe(packet, filters));
   }
 
-  /** A packet that is answered, given its number. */
+  /** Creates a packet that is answered, given its identifier. */
   @FunctionalInterface
   private interface Question {
     ByteBuffer numbered(int packet);
@@ -242,15 +240,15 @@ final class DirectSession implements MqttSession {
     try {
       settled.await(answerWithinMs, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // ends at once, then
+      Thread.currentThread().interrupt(); // then the close ends immediately
     }
     long lost = end();
-    cut = true; // that the broker ends it now is no loss
+    cut = true; // the broker closing it now is not a loss
     try {
       send(MqttPackets.empty(DISCONNECT));
       ended.await(FAREWELL_WITHIN_MS, TimeUnit.MILLISECONDS);
     } catch (MqttException e) {
-      return lost + abandon(); // it broke meanwhile
+      return lost + abandon(); // the connection broke meanwhile
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -269,7 +267,7 @@ final class DirectSession implements MqttSession {
         selector.wakeup(); // the reading thread closes it
       }
     } catch (IOException e) {
-      return lost; // it is closed all the same
+      return lost; // closed anyway
     }
     return lost;
   }
@@ -308,11 +306,11 @@ final class DirectSession implements MqttSession {
                   : SelectionKey.OP_READ | SelectionKey.OP_WRITE);
         }
         closed.select(connected.isDone() ? link.waitMs(sentMicros) : link.waitMs());
-        // A key that was not selected this time still says what it was ready for the last time.
+        // An unselected key still holds the ready set of the previous selection.
         boolean readable = closed.selectedKeys().contains(key) && key.isReadable();
         closed.selectedKeys().clear();
         if (readable) {
-          packets.read(closedToo); // once: in a flood, what is read is to be acknowledged, too
+          packets.read(closedToo); // only once: acknowledgements must go out even in a flood
           acknowledgements.renew();
           link.heard();
         }
@@ -329,7 +327,7 @@ final class DirectSession implements MqttSession {
     broke(why);
   }
 
-  /** Sends acknowledgements of what was read, and what the network did not take before. */
+  /** Sends acknowledgements and the unsent rest. */
   private void sendRest() throws MqttException {
     synchronized (lock) {
       if (!outbox.isEmpty()) {
@@ -355,7 +353,7 @@ final class DirectSession implements MqttSession {
     ended.countDown();
   }
 
-  /** Belongs to the reading thread. */
+  /** Used by the reader thread only. */
   private final class FromBroker implements MqttPacketReader.Handler {
     @Override
     public void connected(int code) {
@@ -370,7 +368,7 @@ final class DirectSession implements MqttSession {
       if (packetId != 0) {
         synchronized (lock) {
           ByteBuffer room = outbox.room(MqttPackets.PUBACK_BYTES);
-          if (room != null) { // otherwise the broker hears nothing anyway, and ends it
+          if (room != null) { // if full, the broker receives nothing anyway and closes it
             MqttPackets.putPubAck(room, packetId);
           }
         }

@@ -1,7 +1,7 @@
 package org.u2sa.interfaces.time;
 
 /**
- * The time of a run, and the only way in which a service's thread waits.
+ * The time source of a run, and the only way a service's thread waits.
  *
  * <p>All services of a system share one clock. Because waiting is a call on the clock, the same
  * service runs in real time ({@link SystemClock}) and in simulated time ({@link LockstepClock})
@@ -21,19 +21,17 @@ public interface Clock {
   long micros();
 
   /**
-   * Makes the means by which one thread waits on this clock.
+   * Creates a waiter for one thread.
    *
    * @param name who waits, for diagnostics
    */
   Waiter newWaiter(String name);
 
   /**
-   * {@link #newWaiter(String)} for a thread that is to react at once: in real time it looks out for
-   * a while before it sleeps, which takes that much of a core, and again before a deadline. In
-   * simulated time this is left out.
+   * {@link #newWaiter(String)} for a low-latency thread: in real time it spins for a while before it sleeps, at the cost of that much CPU time, and again before a deadline. In simulated time it does not spin.
    *
    * @param name who waits, for diagnostics
-   * @param spinMicros how long it looks out at most, each time [µs]; 0: not at all
+   * @param spinMicros maximum spin time per wait [µs]; 0 to not spin
    */
   default Waiter newWaiter(String name, long spinMicros) {
     return newWaiter(name);
@@ -41,19 +39,17 @@ public interface Clock {
 
   /**
    * {@link #newWaiter(String)} for a thread whose code may also wait elsewhere, such as in {@link
-   * Thread#sleep} or for a device. Simulated time goes on without the thread meanwhile.
+   * Thread#sleep} or for a device. Simulated time advances without the thread meanwhile.
    *
-   * @param thread who waits; started after this
-   * @param outOfStep called when simulated time first goes on without the thread, by whoever drives
-   *     the clock
+   * @param thread the waiting thread, started after this call
+   * @param outOfStep called by the driving thread when simulated time first advances without the thread
    */
   default Waiter newWaiter(Thread thread, Runnable outOfStep) {
     return newWaiter(thread.getName());
   }
 
   /**
-   * The thread whose code the calling one runs: the one that {@linkplain Waiter#lend lent} its
-   * turns, if a clock takes one of them on another thread; otherwise the calling one itself.
+   * The thread on whose behalf the caller runs: the one that {@linkplain Waiter#lend lent} the current turn if the clock runs it on another thread, else the calling thread.
    */
   static Thread runningThread() {
     return Thread.currentThread() instanceof TurnCarriers.Carrier carrier
@@ -71,25 +67,23 @@ public interface Clock {
     return Math.round(seconds * MICROS_PER_SECOND);
   }
 
-  /** What a thread does between its waits, one turn at a time. */
+  /** The work a thread does between its waits, one turn at a time. */
   @FunctionalInterface
   interface Turns {
-    /** Says that no further turn follows. */
+    /** Return value that ends the turns. */
     long OVER = Long.MIN_VALUE;
 
     /**
-     * Does what there is to do now.
+     * Runs one turn.
      *
-     * @return time of the clock [µs] until which to wait for the next turn, unless a signal comes
-     *     first, or {@link Clock#NEVER}; {@link #OVER} at the end
+     * @return deadline of the next turn, time of the clock [µs], or {@link Clock#NEVER}; a signal starts the turn earlier; {@link #OVER} at the end
      * @throws InterruptedException if the thread was interrupted
      */
     long take() throws InterruptedException;
   }
 
   /**
-   * One thread's place to wait. {@link #await} and {@link #lend} belong to that thread, the other
-   * calls to anyone.
+   * The waiting point of one thread. Only that thread may call {@link #await} and {@link #lend}; any thread may call the other methods.
    */
   interface Waiter extends AutoCloseable {
     /**
@@ -102,15 +96,11 @@ public interface Clock {
     void await(long deadlineMicros) throws InterruptedException;
 
     /**
-     * Takes turns until they are over, and {@linkplain #await waits} between them.
+     * Runs turns until they are over, {@linkplain #await waiting} between them.
      *
-     * <p>The thread lends its turns: a clock may take some on a thread of its own while this one
-     * waits for the call to return. One turn is taken at a time, each sees what those before it
-     * wrote, and no lock must be held from one to the next. An interrupt of this thread reaches the
-     * turn that is being taken. {@link Clock#runningThread} is this thread in all of them.
+     * <p>The thread lends its turns: the clock may run some of them on its own thread while this one is blocked in the call. Turns run one at a time, each sees the writes of earlier ones, and no lock may be held between turns. Interrupting this thread interrupts the running turn. {@link Clock#runningThread} is this thread in all of them.
      *
-     * @throws InterruptedException if this thread was interrupted, or a turn threw it; whatever
-     *     else a turn throws comes out here, too
+     * @throws InterruptedException if this thread was interrupted, or a turn threw it; any other exception of a turn is rethrown here
      */
     default void lend(Turns turns) throws InterruptedException {
       for (long next = turns.take(); next != Turns.OVER; next = turns.take()) {
@@ -122,8 +112,7 @@ public interface Clock {
     void signal();
 
     /**
-     * Gives the place up: waits end at once from now on, and a simulation goes on without this
-     * thread. Safe to call twice.
+     * Releases the waiter: waits return immediately from now on, and a simulation advances without this thread. Idempotent.
      */
     @Override
     void close();

@@ -4,24 +4,22 @@ import java.lang.reflect.UndeclaredThrowableException;
 import java.util.function.Predicate;
 
 /**
- * Turns that a thread lent to a {@link LockstepClock}, until it gets them back. Carriers take them
- * meanwhile, one at a time. All but {@link #carry} and what belongs to the lender belongs to
- * whoever holds the clock's lock.
+ * The turns a thread has lent to a {@link LockstepClock}; carriers run them one at a time until they are returned. Guarded by the clock's lock, except {@link #carry} and the methods of the lender.
  */
 final class Loan {
   private final Thread lender = Thread.currentThread();
   private final TurnWait wait = new TurnWait(); // the lender's
   private final Clock.Turns turns;
   private final Predicate<Loan> goesOn;
-  private TurnCarriers.Carrier carrier; // while it takes a turn; otherwise null
-  private long deadlineMicros; // what follows is the outcome of the last turn
+  private TurnCarriers.Carrier carrier; // running a turn; null if none
+  private long deadlineMicros; // this and the fields below: outcome of the last turn
   private Throwable thrown;
   private boolean interrupted;
 
   /**
-   * Turns that the calling thread is going to lend.
+   * Creates a loan of the calling thread's turns.
    *
-   * @param goesOn asked on the carrier after each turn, whether it is to take the next one
+   * @param goesOn evaluated on the carrier after each turn: whether it runs the next one, too
    */
   Loan(Clock.Turns turns, Predicate<Loan> goesOn) {
     this.turns = turns;
@@ -37,7 +35,7 @@ final class Loan {
     wait.begin();
   }
 
-  /** A carrier takes the turn; null: none does any more. */
+  /** Sets the carrier that runs the turn, or null for none. */
   void carriedBy(TurnCarriers.Carrier taker) {
     carrier = taker;
   }
@@ -46,35 +44,35 @@ final class Loan {
     return carrier;
   }
 
-  /** Takes turns on the calling thread, a carrier, as long as it goes on. */
+  /** Runs turns on the calling carrier thread while it may continue. */
   void carry() {
     do {
       try {
         deadlineMicros = turns.take();
-      } catch (Throwable e) { // comes out of the lender's call, as if it had taken the turn
+      } catch (Throwable e) { // rethrown on the lender
         thrown = e;
       }
     } while (goesOn.test(this));
   }
 
-  /** Whether the lender has to go on itself after this turn; asked on the carrier, once a turn. */
+  /** Whether the lender must continue by itself after this turn; called on the carrier, once per turn. */
   boolean isEnding() {
     interrupted = Thread.interrupted();
     return interrupted || thrown != null || deadlineMicros == Clock.Turns.OVER;
   }
 
-  /** Until when to wait for the next turn [µs]. */
+  /** Deadline of the next turn [µs]. */
   long deadlineMicros() {
     return deadlineMicros;
   }
 
-  /** Ends the loan: the lender goes on by itself. */
+  /** Ends the loan: the lender continues by itself. */
   void giveBack() {
     carrier = null;
     wait.end();
   }
 
-  /** Has an interrupt of the lender, which calls this, reach the code that runs for it. */
+  /** Forwards an interrupt of the lender to the running turn; called by the lender. */
   void passInterruptOn() {
     if (carrier == null) {
       lender.interrupt();
@@ -83,18 +81,18 @@ final class Loan {
     }
   }
 
-  /** Returns when the loan was given back or the thread interrupted; called by the lender. */
+  /** Blocks until the loan is returned or the thread is interrupted; called by the lender. */
   void await() {
     wait.await();
   }
 
-  /** Whether the lender has yet to be given its turns back. */
+  /** Whether the loan is still outstanding. */
   boolean isLent() {
     return wait.isWaiting();
   }
 
   /**
-   * Whether the last turn was the last of all; for the lender, after it was given back.
+   * Whether the turns are over; called by the lender after the loan was returned.
    *
    * @throws InterruptedException if that turn threw it, or was interrupted and did not end them
    */

@@ -6,43 +6,33 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 
 /**
- * Simulated time in lockstep: one thread runs at a time, and time moves only when all of them wait.
+ * Simulated time in lockstep: one thread runs at a time, and time advances only when all of them wait.
  *
- * <p>Threads take turns in an order that depends on nothing but their own signals and deadlines:
- * whoever was signalled first runs first, then whoever's deadline is nearest (of equal ones, whose
- * waiter was made first). So a run with many threads repeats bit for bit, as fast as the machine
- * allows, and every service has answered a step of the simulation before the next one begins.
+ * <p>The order of turns depends only on the threads' signals and deadlines: signalled threads run first, in order of their signals, then the earliest deadline (ties: the waiter created first). A multi-threaded run is therefore bit-for-bit repeatable, runs as fast as the machine allows, and every service has reacted to a simulation step before the next one begins.
  *
- * <p>Waking a sleeping thread takes the machine longer than most turns last. So the turns that
- * threads {@linkplain Waiter#lend lend} are taken one after the other on one thread of the clock, a
- * carrier. Whoever else is certain to be next is woken while the one before still runs, and looks
- * out for its turn for a few microseconds before it sleeps again. Both change which thread runs and
- * when it wakes, never whose turn it is.
+ * <p>Waking a sleeping thread takes longer than most turns. Therefore {@linkplain Waiter#lend lent} turns run one after the other on one thread of the clock, a carrier. A thread that keeps its turns and is certain to be next is woken while the previous turn still runs, and spins for a few microseconds before it sleeps again. Both affect which thread runs and when it wakes, never the order of turns.
  *
- * <p>The thread that calls {@link #runUntil} or {@link #advance} drives: it is blocked while the
- * services run. A waiter counts as busy from its creation until its thread first waits, so make it
- * where the order is certain (in the thread that starts the services) and start its thread. Time
- * goes on without a thread that has a turn and waits for something else, if its waiter was made by
+ * <p>The thread that calls {@link #runUntil} or {@link #advance} is the driver: it is blocked while the services run. A waiter counts as busy from its creation until its thread first waits, so create it where the order is deterministic (in the thread that starts the services) and start its thread. Time advances without a thread that has the turn but blocks on something else, if its waiter was created by
  * {@link #newWaiter(Thread, Runnable)}.
  */
 public final class LockstepClock implements Clock {
-  /** With one core, who looks out for its turn would only keep the core from whoever has it. */
+  /** On a single core a spinning thread would only take the core from the running one. */
   private static final boolean CALLS_AHEAD = Runtime.getRuntime().availableProcessors() > 1;
 
   private static final long LOOKS_EVERY_MS = 10;
 
   private final Object lock =
-      new Object(); // guards everything below but nowMicros, which it guards for writing
+      new Object(); // guards all fields below; nowMicros only for writing
   private final List<Turn> turns = new ArrayList<>(); // in order of creation
   private final ArrayDeque<Turn> ready =
-      new ArrayDeque<>(); // signalled while waiting, first come first
+      new ArrayDeque<>(); // signalled while waiting, FIFO
   private final TurnCarriers carriers = new TurnCarriers();
-  private final List<Turn> unreliable = new ArrayList<>(); // of threads that may wait elsewhere
+  private final List<Turn> unreliable = new ArrayList<>(); // threads that may block elsewhere
   private int busy; // turns that are not waiting
   private volatile long nowMicros;
   private long targetMicros;
   private BooleanSupplier done;
-  private Throwable failure; // of the condition; thrown where it came from, in the driver
+  private Throwable failure; // thrown by the condition; rethrown in the driver
   private boolean driving;
 
   @Override
@@ -62,7 +52,7 @@ public final class LockstepClock implements Clock {
     synchronized (lock) {
       Turn turn = newTurn(new StepWatch(thread, outOfStep));
       unreliable.add(turn);
-      lock.notifyAll(); // the driver is to look from now on
+      lock.notifyAll(); // start the driver's watching
       return turn;
     }
   }
@@ -75,10 +65,9 @@ public final class LockstepClock implements Clock {
   }
 
   /**
-   * Lets everything happen that is due in the next span of time, its end included, and returns when
-   * all threads wait.
+   * Advances time by the span, running everything due up to and including its end; returns when all threads wait.
    *
-   * @param micros span [µs], not negative; 0 lets threads answer what they have been sent
+   * @param micros span [µs], not negative; 0 only lets threads handle pending signals
    * @throws InterruptedException if the calling thread was interrupted
    */
   public void advance(long micros) throws InterruptedException {
@@ -90,9 +79,9 @@ public final class LockstepClock implements Clock {
   }
 
   /**
-   * Lets time run until the condition holds or the limit is reached.
+   * Advances time until the condition holds or the limit is reached.
    *
-   * @param condition asked whenever time is about to move, while no service runs; must not block
+   * @param condition evaluated each time before time advances, while no service runs; must not block
    * @param limitMicros time of this clock [µs] at which to give up
    * @return whether the condition held
    * @throws InterruptedException if the calling thread was interrupted
@@ -144,9 +133,7 @@ public final class LockstepClock implements Clock {
   }
 
   /**
-   * Whether the driver's condition holds. It is asked on whichever thread waits last, but what it
-   * throws belongs to the driver: that thread's service must neither die of it nor leave the driver
-   * waiting.
+   * Whether the driver's condition holds. It is evaluated on the last thread to wait, but its exceptions go to the driver: they must neither kill that thread's service nor leave the driver blocked.
    */
   private boolean isDone() {
     try {
@@ -157,7 +144,7 @@ public final class LockstepClock implements Clock {
     }
   }
 
-  /** Gives the turn to whoever is next, or back to the driver. The caller holds the lock. */
+  /** Passes the turn to the next thread, or back to the driver. The caller holds the lock. */
   private void passTurnIfIdle() {
     if (!driving || busy > 0) {
       return;
@@ -200,14 +187,14 @@ public final class LockstepClock implements Clock {
     return earliest;
   }
 
-  /** One thread's place in the order. Its fields are guarded by the clock's lock. */
+  /** One thread's position in the order. Guarded by the clock's lock. */
   private final class Turn implements Waiter {
-    private final StepWatch watch; // null: time always waits for the thread
-    private boolean hasLeft; // time goes on without the thread
+    private final StepWatch watch; // null if time always waits for the thread
+    private boolean hasLeft; // time advances without the thread
     private boolean hasWaited;
     private final TurnWait wait = new TurnWait();
     private Loan loan; // the last one; null if it never lent
-    private boolean isLent; // while it waits for a turn that a carrier is to take
+    private boolean isLent; // while waiting for a turn that a carrier will run
     private boolean queued;
     private boolean signalled;
     private boolean closed;
@@ -258,10 +245,10 @@ public final class LockstepClock implements Clock {
       }
     }
 
-    /** Whether there is no wait now: it was signalled meanwhile, or closed. */
+    /** Whether a wait returns immediately: signalled meanwhile, or closed. */
     private boolean goesOn() {
-      // A thread's first wait is where it joins the order, so it gives its turn up whatever is
-      // pending.
+      // A thread joins the order at its first wait, so it yields its turn even if a signal
+      // is pending.
       boolean goesOn = closed || signalled && hasWaited;
       signalled &= !goesOn;
       return goesOn;
@@ -286,7 +273,7 @@ public final class LockstepClock implements Clock {
       }
     }
 
-    /** Lends the turns that follow, unless the next one is to be taken at once. */
+    /** Lends the following turns, unless the next one is due immediately. */
     private boolean isLent(Loan mine, long deadline) {
       synchronized (lock) {
         if (goesOn()) {
@@ -304,7 +291,7 @@ public final class LockstepClock implements Clock {
       }
     }
 
-    /** Waits until the lender has its turns back. Returns whether they are over. */
+    /** Blocks until the turns are returned to the lender. Returns whether they are over. */
     private boolean awaitReturn(Loan mine) throws InterruptedException {
       while (mine.isLent()) {
         mine.await();
@@ -321,7 +308,7 @@ public final class LockstepClock implements Clock {
       return mine.isOver();
     }
 
-    /** Whether a carrier that has taken a lent turn is to take the next one at once. */
+    /** Whether the carrier of a finished turn runs the next one immediately. */
     private boolean goesOn(Loan lent) {
       synchronized (lock) {
         boolean isEnding = lent.isEnding();
@@ -367,7 +354,7 @@ public final class LockstepClock implements Clock {
           queued = true;
           ready.add(this);
           if (ready.size() == 1) {
-            callAhead(); // those behind it are, once it has its turn
+            callAhead(); // later threads are called once this one has its turn
           }
         }
       }
@@ -384,7 +371,7 @@ public final class LockstepClock implements Clock {
           loan.giveBack();
         }
         if (wait.isWaiting()) {
-          take(); // its thread returns from its wait and ends; it is no longer waited for
+          take(); // its thread returns from its wait and ends; time no longer waits for it
         }
         if (loan != null) {
           carriers.leave();

@@ -1,37 +1,36 @@
 package org.u2sa.interfaces.time;
 
 /**
- * Tells whether a thread that has its turn on a {@link LockstepClock} waits for something else.
- * Looked at regularly while the turn lasts. Belongs to whoever holds the clock's lock.
+ * Detects whether a thread that has its turn on a {@link LockstepClock} is blocked on something else. Polled during the turn. Guarded by the clock's lock.
  */
 final class StepWatch {
-  /** Looks in a row that find the thread asleep: a lock or a log file is waited for briefly. */
+  /** Consecutive polls that must find the thread asleep; waits for a lock or a log file are shorter. */
   private static final int ASLEEP_LOOKS = 3;
 
-  /** Looks at a thread that seems to compute, but may block in a system call or loop for ever. */
+  /** Polls of a thread that appears runnable, but may block in a system call or loop forever. */
   private static final int BUSY_LOOKS = 200;
 
   private final Thread thread;
   private final Runnable outOfStep;
-  private int looks; // in this turn
-  private int asleep; // of them in a row
+  private int looks; // polls in this turn
+  private int asleep; // consecutive polls that found it asleep
   private boolean hasTold;
 
   /**
-   * @param outOfStep called when the thread first waits for something else
+   * @param outOfStep called when the thread first blocks on something else
    */
   StepWatch(Thread thread, Runnable outOfStep) {
     this.thread = thread;
     this.outOfStep = outOfStep;
   }
 
-  /** Takes note that the thread waits for the clock. */
+  /** Resets the watch: the thread waits on the clock. */
   void reset() {
     looks = 0;
     asleep = 0;
   }
 
-  /** Looks once. */
+  /** Polls once. */
   boolean isElsewhere() {
     Thread.State state = thread.getState();
     if (state == Thread.State.TERMINATED) {

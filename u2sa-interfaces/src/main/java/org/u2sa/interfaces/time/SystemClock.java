@@ -5,16 +5,13 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongSupplier;
 
 /**
- * Real time: the machine's monotonic clock, set to the time of day once a process, so that it never
- * jumps while a vehicle moves. All of a process agree, whenever they were made, and so do those of
- * the processes that it starts with {@link #option}, even if somebody has set the time of day
- * meanwhile.
+ * Real time: the machine's monotonic clock, aligned with the time of day once per process, so it never jumps while a vehicle moves. All instances of a process agree, as do those of child processes started with {@link #option}, even if the time of day was changed meanwhile.
  *
  * <p>The only class that calls the system's clock.
  */
 public final class SystemClock implements Clock {
   private static final long NANOS_PER_MICRO = 1_000L;
-  private static final long LONGEST_PARK_MICROS = 3_600 * MICROS_PER_SECOND; // in ns it must fit
+  private static final long LONGEST_PARK_MICROS = 3_600 * MICROS_PER_SECOND; // must fit in ns
 
   private static final String PROPERTY = "u2sa.time.base";
   private static final TimeBase OF_PROCESS =
@@ -22,7 +19,7 @@ public final class SystemClock implements Clock {
 
   private final TimeBase base;
 
-  /** The time of this process. */
+  /** Creates a clock with the time of this process. */
   public SystemClock() {
     this(OF_PROCESS);
   }
@@ -32,17 +29,16 @@ public final class SystemClock implements Clock {
   }
 
   /**
-   * A clock that is ahead of this one.
+   * A clock with an offset to this one.
    *
-   * @param offsetMicros by how much [µs]; negative: behind it
+   * @param offsetMicros by how much it is ahead [µs]; negative: behind
    */
   public SystemClock ahead(long offsetMicros) {
     return new SystemClock(new TimeBase(base.zeroMicros() + offsetMicros));
   }
 
   /**
-   * What a process of this machine that is started now is to be told, so that it agrees with this
-   * one on the time: an option of its Java virtual machine.
+   * The JVM option that makes a child process on this machine, started now, agree with this process on the time.
    */
   public static String option() {
     return "-D" + PROPERTY + "=" + OF_PROCESS.text(System.nanoTime());
@@ -58,14 +54,14 @@ public final class SystemClock implements Clock {
     return newWaiter(name, 0L);
   }
 
-  /** {@inheritDoc} With one core it never looks out: nobody could signal meanwhile. */
+  /** {@inheritDoc} With one core it never spins: no thread could signal meanwhile. */
   @Override
   public Waiter newWaiter(String name, long spinMicros) {
     return new ParkingWaiter(Runtime.getRuntime().availableProcessors() > 1 ? spinMicros : 0L);
   }
 
   private final class ParkingWaiter implements Waiter {
-    /** Looks between two offers of the core to other threads. */
+    /** Spin iterations between two yields. */
     private static final int LOOKS_BEFORE_YIELD = 64;
 
     private final AtomicBoolean signalled = new AtomicBoolean();
@@ -80,7 +76,7 @@ public final class SystemClock implements Clock {
     @Override
     public void await(long deadlineMicros) throws InterruptedException {
       if (spinMicros > 0) {
-        lookOut(deadlineMicros); // nobody has to wake the thread meanwhile
+        lookOut(deadlineMicros); // saves the signaller a wake-up
       }
       waiting = Thread.currentThread();
       try {
@@ -96,7 +92,7 @@ public final class SystemClock implements Clock {
               return;
             }
             if (leftMicros <= spinMicros) {
-              lookOut(deadlineMicros); // to be there in time; waking takes a while
+              lookOut(deadlineMicros); // to meet the deadline despite wake-up latency
             } else {
               long sleepMicros = Math.min(leftMicros - spinMicros, LONGEST_PARK_MICROS);
               LockSupport.parkNanos(this, sleepMicros * NANOS_PER_MICRO);
@@ -108,20 +104,20 @@ public final class SystemClock implements Clock {
       }
     }
 
-    /** Waits awake for a signal, the deadline or the end of the time to look out. */
+    /** Spins until a signal, the deadline or the end of the spin time. */
     private void lookOut(long deadlineMicros) {
       long until = Math.min(deadlineMicros, micros() + spinMicros);
       for (int looks = 1; !signalled.get() && !closed && micros() < until; looks++) {
         if (looks % LOOKS_BEFORE_YIELD == 0) {
-          Thread.yield(); // Android 28 has no gentler way, Thread.onSpinWait
+          Thread.yield(); // Android 28 lacks Thread.onSpinWait
         }
       }
     }
 
     @Override
     public void signal() {
-      // An unpark is a system call; a flood of messages to a thread that is busy anyway needs one
-      // only, and most of them need not even write.
+      // An unpark is a system call: a flood of messages to a busy thread needs only one, and
+      // most of them need not even write.
       if (!signalled.get() && !signalled.getAndSet(true)) {
         LockSupport.unpark(waiting);
       }
@@ -135,15 +131,12 @@ public final class SystemClock implements Clock {
   }
 
   /**
-   * Which time of day a reading of the machine's monotonic clock is. It is taken once a process,
-   * and handed on to the processes that this one starts, so that none of them notices when somebody
-   * sets the machine's time of day. On Linux and Android the monotonic clock is one for all
-   * processes of a machine; where it is not, what was handed on shows that and is left out.
+   * Maps the machine's monotonic clock to the time of day. It is determined once per process and handed to child processes, so that none of them sees changes of the machine's time of day. On Linux and Android all processes share the monotonic clock; elsewhere an inherited base is detected as implausible and ignored.
    *
    * @param zeroMicros time of day when the monotonic clock read 0 [µs since 1970-01-01T00:00Z]
    */
   record TimeBase(long zeroMicros) {
-    /** A process starts within this time of being handed its base, or it is not its own. */
+    /** An inherited base is valid only if the process started within this time of the hand-over. */
     private static final long STARTS_WITHIN_NANOS = 600_000_000_000L;
 
     private static final long NANOS_PER_MICRO = 1_000L;
@@ -152,7 +145,7 @@ public final class SystemClock implements Clock {
     /**
      * The base of this process.
      *
-     * @param handed what {@link #text} gave in the process that started this one; empty if none did
+     * @param handed {@link #text} of the parent process; empty if none
      * @param timeOfDayMillis the machine's time of day [ms since 1970-01-01T00:00Z]
      * @param monotonicNanos the machine's monotonic clock [ns]
      */
@@ -165,7 +158,7 @@ public final class SystemClock implements Clock {
             return new TimeBase(Long.parseLong(parts[0]));
           }
         } catch (NumberFormatException e) {
-          return now(timeOfDayMillis, monotonicNanos); // not ours
+          return now(timeOfDayMillis, monotonicNanos); // of a different clock
         }
       }
       return now(timeOfDayMillis, monotonicNanos);
@@ -181,7 +174,7 @@ public final class SystemClock implements Clock {
       return zeroMicros + monotonicNanos / NANOS_PER_MICRO;
     }
 
-    /** The base for a process that is started now. */
+    /** The base to hand to a child process started now. */
     String text(long monotonicNanos) {
       return zeroMicros + "," + monotonicNanos;
     }

@@ -3,21 +3,19 @@ package org.u2sa.interfaces.time;
 import java.util.ArrayDeque;
 
 /**
- * The threads on which a {@link LockstepClock} takes the turns that others lent it. One does, as a
- * rule; further ones are made while code in a lent turn waits for another turn or hangs. They end
- * when nobody lends turns any more. Belongs to whoever holds the clock's lock.
+ * Worker threads on which a {@link LockstepClock} runs lent turns. Usually one; more are created while code in a lent turn waits for another turn or hangs. They end when no thread lends turns any more. Guarded by the clock's lock.
  */
 final class TurnCarriers {
-  private final ArrayDeque<Carrier> free = new ArrayDeque<>(); // the last to be released is first
+  private final ArrayDeque<Carrier> free = new ArrayDeque<>(); // LIFO
   private int lenders;
   private int made;
 
-  /** A thread begins to lend turns. */
+  /** Registers a thread that starts lending turns. */
   void join() {
     lenders++;
   }
 
-  /** One that joined lends no more. */
+  /** Unregisters a thread that stops lending. */
   void leave() {
     lenders--;
     if (lenders == 0) {
@@ -26,7 +24,7 @@ final class TurnCarriers {
     }
   }
 
-  /** Has a carrier take a lent turn. */
+  /** Runs a lent turn on a carrier. */
   void carry(Loan loan) {
     Carrier carrier = free.poll();
     if (carrier == null) {
@@ -38,7 +36,7 @@ final class TurnCarriers {
     carrier.carry(loan);
   }
 
-  /** Takes note that the carrier of a loan is free for the next turn. */
+  /** Releases the carrier of a loan for the next turn. */
   void release(Loan loan) {
     Carrier carrier = loan.carrier();
     loan.carriedBy(null);
@@ -50,18 +48,18 @@ final class TurnCarriers {
     }
   }
 
-  /** One thread that takes lent turns. */
+  /** A thread that runs lent turns. */
   static final class Carrier extends Thread {
     private final TurnWait wait = new TurnWait();
-    private Loan loan; // null while it waits, and at the end
+    private Loan loan; // null while idle, and at the end
 
     private Carrier(String name) {
       super(name);
-      setDaemon(false); // nor are the threads that a turn starts, whoever happened to make this one
+      setDaemon(false); // inherited by threads that a turn starts
       wait.begin();
     }
 
-    /** Whose turn it takes; itself if nobody's. Called on this thread. */
+    /** The thread whose turn it runs, or this one if none. Called on this thread. */
     Thread lender() {
       return loan == null ? this : loan.lender();
     }
@@ -91,7 +89,7 @@ final class TurnCarriers {
     private Loan next() {
       while (wait.isWaiting()) {
         wait.await();
-        Thread.interrupted(); // of nobody's turn
+        Thread.interrupted(); // belongs to no turn
       }
       return loan;
     }

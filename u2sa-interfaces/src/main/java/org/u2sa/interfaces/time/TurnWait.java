@@ -3,15 +3,13 @@ package org.u2sa.interfaces.time;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Where one thread waits for its turn on a {@link LockstepClock}: asleep, or, once it was called
- * ahead, awake for a few microseconds. All but {@link #await} belongs to whoever holds the clock's
- * lock.
+ * One thread's wait for its turn on a {@link LockstepClock}: asleep, or spinning for a few microseconds once it was called ahead. Guarded by the clock's lock, except {@link #await}.
  */
 final class TurnWait {
-  /** About what it takes to wake a thread: to look out for longer than that gains nothing. */
+  /** About the latency of waking a thread; spinning longer gains nothing. */
   private static final long LOOKS_OUT_MICROS = 20;
 
-  /** Looks between two offers of the core to other threads, which may include who has the turn. */
+  /** Spin iterations between two yields to other threads, possibly the one that has the turn. */
   private static final int LOOKS_BEFORE_YIELD = 32;
 
   private static final Clock MACHINE = new SystemClock();
@@ -20,12 +18,12 @@ final class TurnWait {
   private volatile boolean called;
   private volatile Thread asleep; // null while the thread is awake
 
-  /** Whether the thread has yet to get its turn. */
+  /** Whether the thread is still waiting for its turn. */
   boolean isWaiting() {
     return waiting;
   }
 
-  /** Takes note that the thread is going to {@link #await} its turn. */
+  /** Marks the thread as about to {@link #await} its turn. */
   void begin() {
     called = false;
     waiting = true;
@@ -37,7 +35,7 @@ final class TurnWait {
     wake();
   }
 
-  /** Has the thread look out, as its turn comes soon. */
+  /** Wakes the thread to spin, because its turn is next. */
   void callAhead() {
     called = true;
     wake();
@@ -46,12 +44,12 @@ final class TurnWait {
   private void wake() {
     Thread sleeper = asleep;
     if (sleeper != null) {
-      asleep = null; // woken once: that is a call of the operating system
+      asleep = null; // wake only once: it is a system call
       LockSupport.unpark(sleeper);
     }
   }
 
-  /** Returns when the wait was ended or the thread interrupted; called by that thread. */
+  /** Blocks until the wait is ended or the thread is interrupted; called by that thread. */
   void await() {
     Thread thread = Thread.currentThread();
     while (waiting && !thread.isInterrupted()) {
@@ -60,7 +58,7 @@ final class TurnWait {
         lookOut();
       } else {
         asleep = thread;
-        if (waiting && !called) { // asked after it is known to sleep, so that no wake is missed
+        if (waiting && !called) { // checked after asleep is set, to miss no wake-up
           LockSupport.park(this);
         }
         asleep = null;
@@ -72,7 +70,7 @@ final class TurnWait {
     long until = MACHINE.micros() + LOOKS_OUT_MICROS;
     for (int looks = 1; waiting && MACHINE.micros() < until; looks++) {
       if (looks % LOOKS_BEFORE_YIELD == 0) {
-        Thread.yield(); // Android 28 has no gentler way, Thread.onSpinWait
+        Thread.yield(); // Android 28 lacks Thread.onSpinWait
       }
     }
   }

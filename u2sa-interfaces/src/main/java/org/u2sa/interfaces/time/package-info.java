@@ -1,4 +1,4 @@
 /**
- * The clock of a run: real or in lockstep. Nothing else in the house asks the system for the time.
+ * Clocks of a run: real time or lockstep. No other code reads the system time.
  */
 package org.u2sa.interfaces.time;

@@ -14,8 +14,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * Where the broker of a run listens for other MQTT clients. A run needs none of them, so a port
- * that another program has does not hinder it, unless it was asked for.
+ * The port on which a run's broker accepts other MQTT clients. Runs do not need such clients, so an occupied port is an error only if it was requested explicitly.
  */
 final class BrokerPort {
   private static final String MANAGER = "CommunicationManager";
@@ -24,7 +23,7 @@ final class BrokerPort {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 
-  private Integer asked; // null: not given
+  private Integer asked; // null if not given
 
   @Option(
       names = "--through-broker",
@@ -45,7 +44,7 @@ final class BrokerPort {
     asked = value;
   }
 
-  /** Sets the Communication Manager's port for a run, and says so where it is not as configured. */
+  /** Sets the Communication Manager's port for a run and reports it if it differs from the configured one. */
   public void configure(SystemFile system, LaunchOptions launch, Terminal terminal) {
     if (throughBroker) {
       launch.throughBroker();

@@ -11,17 +11,17 @@ import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.Surroundings;
 
-/** What one demo adds to what all demos do: its files, and what a run of it consists of. */
+/** The demo-specific parts of a demo: its files, and the components of a run. */
 public interface Demo {
   /**
-   * What never changes.
+   * Constant properties of a demo.
    *
-   * @param name in reports, and of its folders in {@code config} and {@code missions}
-   * @param directory where its runs go unless told otherwise: {@code out/<directory>-…}
-   * @param missionFile the mission unless another is asked for
-   * @param domain where it moves
-   * @param readyWithinS how long the vehicle may take to get ready [s]
-   * @param slowestMps mean speed along the mission's legs: slower vehicles never arrive [m/s]
+   * @param name name in reports and of its folders in {@code config} and {@code missions}
+   * @param directory default output directory of its runs: {@code out/<directory>-…}
+   * @param missionFile the default mission
+   * @param domain the vehicle's domain
+   * @param readyWithinS maximum time until the vehicle is ready [s]
+   * @param slowestMps minimum mean speed along the mission's legs, for the time limit [m/s]
    */
   record Profile(
       String name,
@@ -34,60 +34,59 @@ public interface Demo {
   /** Its name, files and limits. */
   Profile profile();
 
-  /** The services that run, in its folder of {@code config}. */
+  /** System file of the services, in its folder of {@code config}. */
   default String systemFile() {
     return "system.xml";
   }
 
   /**
-   * Where the vehicle stands at first: the mission's home.
+   * Initial position of the vehicle: the mission's home.
    *
-   * @throws org.u2sa.interfaces.BadInputException if it has none on the earth
+   * @throws org.u2sa.interfaces.BadInputException if the mission has no home in earth coordinates
    */
   default RunPlan.Start start(Mission mission) {
     return RunPlans.start(mission);
   }
 
   /**
-   * Within how many metres of a waypoint the rules count it as reached; empty: within the mission's
-   * threshold.
+   * Distance within which the rules count a waypoint as reached [m]; empty for the mission's threshold.
    */
   default OptionalDouble captureRadiusM() {
     return OptionalDouble.empty();
   }
 
-  /** What truly stands and moves around the vehicle: for the score and the picture. */
+  /** Ground truth of the objects around the vehicle, for the score and the picture. */
   default Surroundings surroundings() {
     return Surroundings.none();
   }
 
-  /** The file that says what stands and moves around the vehicle, if one was given. */
+  /** World file of the objects around the vehicle, if given. */
   default Optional<Path> world() {
     return Optional.empty();
   }
 
   /**
-   * Refuses options that do not fit, before anything is made.
+   * Validates the options before anything is created.
    *
    * @throws picocli.CommandLine.ParameterException naming the option
    */
   default void check(RunPlan plan) {}
 
   /**
-   * The world, vehicle and score of one run.
+   * Creates the world, vehicle and score of one run.
    *
-   * @param directory where the files of the run go
+   * @param directory output directory of the run
    */
   Trial trial(Mission mission, Path directory, long seed);
 
   /**
    * One run of a demo.
    *
-   * @param mission that the services pursue
-   * @param observer of the truth
-   * @param settings what is configured for this run only
-   * @param lockstep makes the simulation that runs as fast as the machine allows
-   * @param realTime makes the one that runs at the speed of the world
+   * @param mission the mission that the services execute
+   * @param observer records ground truth
+   * @param settings configuration overrides of this run
+   * @param lockstep creates the simulation for lockstep, as fast as the machine allows
+   * @param realTime creates the simulation for real time
    */
   record Trial(
       Mission mission,

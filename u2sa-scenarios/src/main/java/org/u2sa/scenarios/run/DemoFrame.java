@@ -20,7 +20,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 /**
- * Options and course of every demo: reads its files, checks them, and makes the runs. Used as
+ * Options and procedure common to all demos: reads and checks the files, and executes the runs. Used as
  * {@code @Mixin DemoFrame frame} in a command that is a {@link Demo}.
  */
 public final class DemoFrame {
@@ -32,7 +32,7 @@ public final class DemoFrame {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 
-  /** Where messages for people go. */
+  /** Stream for human-readable messages. */
   public Terminal terminal() {
     return options.terminal();
   }
@@ -42,12 +42,12 @@ public final class DemoFrame {
     return options.seed();
   }
 
-  /** Whether the mission is the demo's own one. */
+  /** Whether the mission is the demo's default. */
   public boolean isOwnMission() {
     return options.mission().isEmpty();
   }
 
-  /** Runs a demo, as often and as fast as was asked for, and returns the exit code. */
+  /** Runs a demo with the requested number of runs and time mode, and returns the exit code. */
   public Integer run(Demo demo) throws InterruptedException, IOException {
     return run(demo, options.realtime(), OptionalDouble.empty());
   }
@@ -55,7 +55,7 @@ public final class DemoFrame {
   /**
    * Runs a demo in real time.
    *
-   * @param patience how long the vehicle may be silent [s]; empty: the default
+   * @param patience timeout without readings of the vehicle [s]; empty for the default
    */
   public Integer runInRealTime(Demo demo, OptionalDouble patience)
       throws InterruptedException, IOException {
@@ -74,7 +74,7 @@ public final class DemoFrame {
     changes.applyTo(changed);
     Path own = root.resolve("missions").resolve(name).resolve(demo.profile().missionFile());
     Mission mission = VehicleMission.load(system, changed, options.mission().orElse(own));
-    demo.check(plan(demo, mission)); // what is wrong is said before anything is made
+    demo.check(plan(demo, mission)); // report errors before anything is created
     return new RunLoop(options, command.commandLine().getOut())
         .run(
             demo.profile().directory(),
@@ -99,7 +99,7 @@ public final class DemoFrame {
   }
 
   /**
-   * A new folder for what is changed while a demo runs: the files that it is made of are shared.
+   * Creates a folder for files that change during a demo, because the demo's own files are shared.
    */
   private static Path changesOf(Path run) {
     Path folder = run.resolve("changed-config");
@@ -137,7 +137,7 @@ public final class DemoFrame {
         : run.inLockstep(launch, seed, trial.lockstep().apply(launch));
   }
 
-  /** A mission of the demo as reports and screens see it. */
+  /** The plan of a mission, for reports and screens. */
   public RunPlan plan(Demo demo, Mission mission) {
     RunPlan plan =
         RunPlans.of(demo.profile().domain(), mission, Optional.of(demo.start(mission)))
@@ -151,16 +151,16 @@ public final class DemoFrame {
         new LaunchOptions()
             .console(line -> terminal().out().println(line))
             .override("MissionManager", "MISSION", absolute(trial.mission()));
-    if (!isOwnMission()) { // it may be elsewhere on the earth than what is configured
+    if (!isOwnMission()) { // it may be far from the configured place
       launch.override("MissionManager", "LAND MISSION", "").override("SafetyManager", "FENCE", "");
     }
     trial.settings().accept(launch);
     broker.configure(system, launch, terminal());
-    changes.applyTo(launch); // last: what a user says of a variable is checked and holds
+    changes.applyTo(launch); // last: the user's values take precedence
     return launch;
   }
 
-  /** The mission's file as it is found from any directory. */
+  /** Resolves the mission file independently of the current directory. */
   public static String absolute(Mission mission) {
     return Path.of(mission.origin()).toAbsolutePath().toString();
   }

@@ -17,7 +17,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The options that every demo takes; used as {@code @Mixin DemoOptions options}. */
+/** The options common to all demos; used as {@code @Mixin DemoOptions options}. */
 public final class DemoOptions {
 
   private static final long DEFAULT_SEED = 1;
@@ -93,34 +93,33 @@ public final class DemoOptions {
     return seed.orElse(DEFAULT_SEED);
   }
 
-  /** The mission asked for, a readable file; empty: the demo's own. */
+  /** The requested mission, a readable file; empty for the demo's default. */
   public Optional<Path> mission() {
     return Optional.ofNullable(mission);
   }
 
-  /** How many runs, 1 or more. */
+  /** Number of runs, at least 1. */
   public int runs() {
     return runs;
   }
 
-  /** Whether standard output is for {@code summary.json} alone. */
+  /** Whether standard output is reserved for {@code summary.json}. */
   public boolean json() {
     return json;
   }
 
-  /** Whether neither track nor pictures are wanted. */
+  /** Whether to omit track and pictures. */
   public boolean summaryOnly() {
     return summaryOnly;
   }
 
-  /** Whether simulated time shall pass like the world's. */
+  /** Whether to run in real time. */
   public boolean realtime() {
     return realtime;
   }
 
   /**
-   * Where messages for people go: standard output, or standard error when {@code --json} keeps that
-   * for programs.
+   * Stream for human-readable messages: standard output, or standard error with {@code --json}.
    */
   public Terminal terminal() {
     CommandLine line = command.commandLine();
@@ -128,7 +127,7 @@ public final class DemoOptions {
   }
 
   /**
-   * Where the files of this command go: {@code --out}, else {@code out/<demo>-seed<N>} if a seed
+   * Output directory of this command: {@code --out}, else {@code out/<demo>-seed<N>} if a seed
    * was given, else {@code out/<demo>-<yyyyMMdd-HHmmss>} by local time.
    *
    * @param demo name of the demo, e.g. {@code cessna}
@@ -148,7 +147,7 @@ public final class DemoOptions {
   }
 
   /**
-   * Where the files of run {@code k} (from 0) go: the directory itself for a single run, else
+   * Output directory of run {@code k} (from 0): the directory itself for a single run, else
    * {@code run-01}, … inside it.
    */
   public Path runDirectory(Path directory, int k) {

@@ -26,16 +26,16 @@ import org.u2sa.scenarios.terminal.LiveStatus;
 import org.u2sa.service.U2SAService;
 
 /**
- * One run of a mission by the services of a system file, from start-up to report.
+ * One run of a mission with the services of a system file, from start-up to report.
  *
  * @param demo its name in reports
- * @param system the services that run
- * @param plan what they are to do
- * @param limitS how long it may take [s]
- * @param maker of the observer of the truth
- * @param directory where logs and report go
+ * @param system the system file's services
+ * @param plan the planned route
+ * @param limitS time limit [s]
+ * @param maker creates the ground-truth observer
+ * @param directory output directory of logs and report
  * @param interruption ends the run early
- * @param swaps which services are swapped on the way
+ * @param swaps hot swaps of services during the run
  */
 record DemoRun(
     String demo,
@@ -50,7 +50,7 @@ record DemoRun(
   private static final long LOOK_EVERY_MICROS = 50_000;
   private static final Clock STOPWATCH = new SystemClock();
 
-  /** Runs as fast as the machine allows, repeatable from the seed. */
+  /** Runs in lockstep, as fast as the machine allows; reproducible from the seed. */
   public RunReport inLockstep(LaunchOptions options, long seed, Simulation simulation)
       throws InterruptedException {
     LockstepClock clock = new LockstepClock();
@@ -66,9 +66,9 @@ record DemoRun(
   /**
    * Runs in real time.
    *
-   * @param simulation started once the services listen, ended after them
-   * @param patience how long the vehicle may be silent [s]; empty: the default
-   * @throws RunFailedException if nothing was heard of the vehicle
+   * @param simulation started once the services have subscribed, stopped after them
+   * @param patience timeout without readings of the vehicle [s]; empty for the default
+   * @throws RunFailedException if no reading arrived from the vehicle
    */
   public RunReport inRealTime(
       LaunchOptions options, long seed, Simulation simulation, OptionalDouble patience)
@@ -110,7 +110,7 @@ record DemoRun(
     void until(RunObserver observer) throws InterruptedException;
   }
 
-  @SuppressWarnings("try") // resources that are there to be closed, not called
+  @SuppressWarnings("try") // resources used only for closing
   private RunReport run(
       LaunchOptions options, Clock clock, long seed, Simulation simulation, Wait wait)
       throws InterruptedException {
@@ -118,7 +118,7 @@ record DemoRun(
     SwapOperator.PlannedSwap.requireClasses(swaps, options);
     long began = STOPWATCH.micros();
     try (RunScreen screen = new RunScreen(plan, terminal, STOPWATCH);
-        Simulation simulated = simulation; // ended last, so that neutral commands still reach it
+        Simulation simulated = simulation; // closed last, so neutral commands still reach it
         RunningSystem running = RunningSystem.start(system, options);
         TroubleLines troubles = plannersTroubles(running);
         LocalSystems.Announcement announced = announced(running)) {
@@ -146,7 +146,7 @@ record DemoRun(
     }
   }
 
-  /** What the planner cannot do is said at once, such as to meet thresholds. */
+  /** Reports limitations of the planner immediately, such as unattainable thresholds. */
   private TroubleLines plannersTroubles(RunningSystem running) {
     return new TroubleLines(
         running.communicationManager().transport(),
@@ -205,7 +205,7 @@ record DemoRun(
   }
 
   /**
-   * Shows a run on the terminal while it goes on. Belongs to the thread that calls {@link #accept}.
+   * Shows the progress of a run on the terminal. Confined to the thread that calls {@link #accept}.
    */
   private static final class RunScreen implements Consumer<TrackSample>, AutoCloseable {
     private final RunPlan plan;
@@ -214,7 +214,7 @@ record DemoRun(
     private final long startMicros;
 
     /**
-     * @param stopwatch real time, also where the run is faster
+     * @param stopwatch real time, even in faster runs
      */
     RunScreen(RunPlan plan, Terminal terminal, Clock stopwatch) {
       this.plan = plan;

@@ -8,7 +8,7 @@ import org.u2sa.gcs.command.EscapedXml;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalResult;
 
-/** What a mission says of the order and the time of its goals, as its XML. */
+/** Writes the order and time limits of a mission's goals as XML. */
 final class GoalLinksXml {
   private static final Map<GoalResult, String> RESULTS = new LinkedHashMap<>();
 
@@ -20,7 +20,7 @@ final class GoalLinksXml {
 
   private GoalLinksXml() {}
 
-  /** Whether the goal says itself what follows it. */
+  /** Whether the goal names its successor explicitly. */
   static boolean hasLinks(GoalInformation goal) {
     return !goal.next().isEmpty()
         || goal.repeatFrom().isPresent()
@@ -38,7 +38,7 @@ final class GoalLinksXml {
     }
   }
 
-  /** Appends what follows a goal, and how long it may take. */
+  /** Appends the successors of a goal and its time limit. */
   static void links(StringBuilder text, GoalInformation goal) {
     if (!goal.next().isEmpty()) {
       element(text, "next", goal.next());

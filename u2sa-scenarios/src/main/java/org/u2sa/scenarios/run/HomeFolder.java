@@ -5,23 +5,23 @@ import java.nio.file.Path;
 import java.util.List;
 import org.u2sa.interfaces.BadInputException;
 
-/** Where U2SA's files lie. */
+/** Location of U2SA's files. */
 public final class HomeFolder {
   private static final String PROPERTY = "u2sa.home";
 
   private HomeFolder() {}
 
-  /** Options for another Java that shall find the same files. */
+  /** JVM options with which a child process finds the same files. */
   public static List<String> javaOptions() {
     String home = System.getProperty(PROPERTY);
     return home == null ? List.of() : List.of("-D" + PROPERTY + "=" + home);
   }
 
   /**
-   * The folder that holds {@code config} and {@code missions}: the launcher's, or the current one.
+   * The folder containing {@code config} and {@code missions}: the launcher's, or the current one.
    *
-   * @param folder that must be in it, e.g. {@code config/ugv}
-   * @throws BadInputException if it is not
+   * @param folder required subfolder, e.g. {@code config/ugv}
+   * @throws BadInputException if that is missing
    */
   public static Path holding(String folder) {
     Path home = Path.of(System.getProperty(PROPERTY, ""));

@@ -6,8 +6,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.u2sa.gcs.command.RunFailedException;
 
 /**
- * Ctrl-C or TERM during a run: the run ends in good order, actuators neutral, and its report is
- * written, before the virtual machine does. Its exit code is the system's, 130 or 143.
+ * Handles Ctrl-C or SIGTERM during a run: the run shuts down cleanly with neutral actuators and writes its report before the JVM exits. The exit code is the system's, 130 or 143.
  */
 public final class Interruption implements AutoCloseable {
   private static final long END_WITHIN_S = 15;
@@ -19,26 +18,26 @@ public final class Interruption implements AutoCloseable {
   private volatile boolean asked;
   private volatile boolean waitingForOthers;
 
-  /** Watches from now on. */
+  /** Starts watching for the signal. */
   public Interruption() {
     Runtime.getRuntime().addShutdownHook(hook);
   }
 
-  /** Whether the program was told to end. */
+  /** Whether termination was requested. */
   boolean isAsked() {
     return asked;
   }
 
-  /** Something that may take minutes and can be broken off only by interrupting its thread. */
+  /** A task that may take minutes and can only be cancelled by interrupting its thread. */
   @FunctionalInterface
   interface LongWait {
     void begin() throws InterruptedException;
   }
 
   /**
-   * Does it, on this thread, and breaks it off when the program is told to end.
+   * Runs the task on the calling thread, cancelling it when termination is requested.
    *
-   * @throws RunFailedException if it was broken off
+   * @throws RunFailedException if it was cancelled
    */
   void breakingOff(LongWait wait) throws InterruptedException {
     waitingForOthers = true;
@@ -56,7 +55,7 @@ public final class Interruption implements AutoCloseable {
     }
   }
 
-  /** Does this, on another thread, when the program is told to end. */
+  /** Registers an action to run on another thread when termination is requested. */
   public void onRequest(Runnable action) {
     onRequest.set(action);
     if (asked) {
@@ -73,18 +72,18 @@ public final class Interruption implements AutoCloseable {
     try {
       ended.await(END_WITHIN_S, TimeUnit.SECONDS);
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // the virtual machine ends at once
+      Thread.currentThread().interrupt(); // the JVM exits immediately
     }
   }
 
-  /** Ends the watch: all is in order, and the virtual machine may end. */
+  /** Stops watching: shutdown is complete, and the JVM may exit. */
   @Override
   public void close() {
     ended.countDown();
     try {
       Runtime.getRuntime().removeShutdownHook(hook);
     } catch (IllegalStateException e) {
-      // The virtual machine is ending, which is what the hook was for.
+      // The JVM is already exiting, so the hook has run.
       return;
     }
   }

@@ -15,20 +15,18 @@ import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * A mission that goes several times round another one's waypoints, in the order of its file: one
- * that ends, so that a run can be judged.
+ * Repeats the waypoints of a mission for several laps, in file order. The resulting mission terminates, so a run can be scored.
  */
 public final class Laps {
   private Laps() {}
 
   /**
-   * Writes it as a file.
+   * Writes the mission to a file.
    *
    * @param laps at least 1
-   * @param leastThresholdM less than which no waypoint's threshold is to be [m]
+   * @param leastThresholdM minimum threshold of the waypoints [m]
    * @return the mission in the file
-   * @throws BadInputException if a goal is no waypoint on the earth, or if there are several laps
-   *     of a mission that says itself what follows what
+   * @throws BadInputException if a goal is not a waypoint in earth coordinates, or if several laps are requested of a mission with explicit successors
    */
   public static Mission write(Mission mission, int laps, double leastThresholdM, Path file) {
     Home home = RunPlans.home(mission);

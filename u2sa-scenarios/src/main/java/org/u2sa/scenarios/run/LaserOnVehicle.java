@@ -9,11 +9,11 @@ import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
 
 /**
- * How far a level laser on a vehicle sees: it tilts with the vehicle.
+ * Ranges of a horizontally mounted lidar that tilts with the vehicle.
  *
- * @param forwardM place ahead of the vehicle's reference point [m]
+ * @param forwardM mounting position ahead of the vehicle's reference point [m]
  * @param upM height above it [m]
- * @param rangeM beyond which it sees nothing [m]
+ * @param rangeM maximum range [m]
  */
 public record LaserOnVehicle(
     World world, Supplier<VehicleTruth> truth, double forwardM, double upM, double rangeM)

@@ -6,8 +6,7 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Watches in real time whether the vehicle still sends readings: says when they stop and come back,
- * and when to give up. For one thread.
+ * Real-time watchdog of the vehicle's readings: reports when they stop and resume, and when to give up. Not thread-safe.
  */
 final class ReadingsWatch {
   private static final long SILENCE_MICROS = 2 * Clock.MICROS_PER_SECOND;
@@ -20,15 +19,14 @@ final class ReadingsWatch {
   private final double appearsWithinS;
   private final double returnsWithinS;
   private final long beganMicros;
-  private long seen; // readings
-  private long seenMicros; // when their number last grew
+  private long seen; // number of readings
+  private long seenMicros; // when the number last increased
   private boolean silent;
 
   /**
-   * @param vehicle what it is called in words, e.g. {@code aircraft}
-   * @param patience how long to wait, first and after a loss [s]; empty: 300 s for the first
-   *     reading, 60 s after a loss
-   * @param console is told what happens to the link
+   * @param vehicle its name in messages, e.g. {@code aircraft}
+   * @param patience timeout for the first reading and after a loss [s]; empty for 300 s and 60 s, respectively
+   * @param console receives messages about the link
    */
   ReadingsWatch(Clock clock, String vehicle, OptionalDouble patience, Consumer<String> console) {
     this.clock = clock;
@@ -41,7 +39,7 @@ final class ReadingsWatch {
   }
 
   /**
-   * Looks at the number of readings so far.
+   * Updates the watchdog with the number of readings so far.
    *
    * @return whether to give up
    */

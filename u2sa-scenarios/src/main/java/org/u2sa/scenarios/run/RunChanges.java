@@ -12,7 +12,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * Changes of one run: services to swap, variables to set; used as {@code @Mixin RunChanges
+ * Modifications of a run: services to swap and variables to set; used as {@code @Mixin RunChanges
  * changes}.
  */
 final class RunChanges {
@@ -40,15 +40,15 @@ final class RunChanges {
     settings = parsed("--set", () -> Setting.parseAll(texts));
   }
 
-  /** The swaps asked for. */
+  /** The requested swaps. */
   List<SwapOperator.PlannedSwap> swaps() {
     return swaps;
   }
 
   /**
-   * Refuses settings that would have no effect in that system.
+   * Rejects settings that have no effect in the system.
    *
-   * @throws ParameterException if one names a service that the system does not have
+   * @throws ParameterException if a setting names a service not in the system
    */
   void check(SystemFile system) {
     parsed(
@@ -59,13 +59,13 @@ final class RunChanges {
         });
   }
 
-  /** Has a run take the variables asked for. */
+  /** Applies the requested variables to a run. */
   void applyTo(LaunchOptions options) {
     settings.forEach(
         setting -> options.override(setting.service(), setting.variable(), setting.value()));
   }
 
-  /** Says in a recording what is set for the run. */
+  /** Stores the run's settings in a recording. */
   RunFacts addTo(RunFacts facts) {
     settings.forEach(
         setting -> facts.setting(setting.service(), setting.variable(), setting.value()));

@@ -12,12 +12,12 @@ import org.u2sa.scenarios.report.RunReport;
 import org.u2sa.scenarios.report.RunSeries;
 import org.u2sa.scenarios.terminal.WaypointTable;
 
-/** One run, or several with seeds counting up, and what is said and written of them. */
+/** Executes one run, or several with consecutive seeds, and writes their output. */
 final class RunLoop {
   /** One run. */
   @FunctionalInterface
   public interface Once {
-    /** Runs, with logs in the directory, until it is over or interrupted. */
+    /** Executes the run until it is over or interrupted; logs go to the directory. */
     RunReport run(Path directory, long seed, Interruption interruption) throws InterruptedException;
   }
 
@@ -26,7 +26,7 @@ final class RunLoop {
   private final Terminal terminal;
 
   /**
-   * @param out takes {@code --json}, and nothing else
+   * @param out receives only the output of {@code --json}
    */
   public RunLoop(DemoOptions options, PrintWriter out) {
     this.options = options;
@@ -35,9 +35,9 @@ final class RunLoop {
   }
 
   /**
-   * Runs as often as was asked for, and returns the exit code.
+   * Executes the requested number of runs and returns the exit code.
    *
-   * @param name of the demo, for the name of its directory
+   * @param name the demo's name, for the directory
    */
   public Integer run(String name, Once once) throws InterruptedException, IOException {
     try (Interruption interruption = new Interruption()) {
@@ -60,7 +60,7 @@ final class RunLoop {
       }
       WaypointTable.print(terminal, report.score());
       terminal.out().println("Files of the run: " + runDirectory);
-      reports.add(withoutTrack(report)); // tracks of many runs would fill the memory
+      reports.add(withoutTrack(report)); // the tracks of many runs would exhaust the memory
     }
     RunSeries series = new RunSeries(reports);
     if (reports.size() > 1) {

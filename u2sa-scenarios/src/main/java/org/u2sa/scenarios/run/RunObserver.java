@@ -7,28 +7,28 @@ import org.u2sa.scenarios.report.TrackSample;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
-/** What watches the truth of a run: a service beside those of the system. */
+/** Observes the ground truth of a run: an additional service. */
 public interface RunObserver {
-  /** Makes one. */
+  /** Creates an observer. */
   @FunctionalInterface
   interface Maker {
     /**
-     * Makes it, for {@link DemoRun} to start and end.
+     * Creates the observer; {@link DemoRun} starts and stops it.
      *
-     * @param screen is to be shown every sample, on the observer's thread
+     * @param screen receives every sample, on the observer's thread
      */
     RunObserver make(ServiceContext context, RunPlan plan, Consumer<TrackSample> screen);
   }
 
-  /** The service itself. */
+  /** The observer as a service. */
   U2SAService service();
 
-  /** What it has recorded. */
+  /** The recorded data. */
   RunRecord record();
 
-  /** Whether the run is over, as far as the vehicle is concerned. Safe from any thread. */
+  /** Whether the vehicle's run is over. Thread-safe. */
   boolean isOver();
 
-  /** How it ended; for when the service has ended. */
+  /** The outcome; call only after the service has stopped. */
   RunOutcome outcome();
 }

@@ -14,15 +14,15 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
 
-/** A mission as reports and screens see it. */
+/** Converts missions to plans for reports and screens. */
 public final class RunPlans {
   private RunPlans() {}
 
   /**
-   * The plan of a mission on the earth.
+   * The plan of a mission in earth coordinates.
    *
    * @param home where the vehicle starts
-   * @throws BadInputException if a waypoint is no place on the earth
+   * @throws BadInputException if a waypoint is not in earth coordinates
    */
   static RunPlan of(Domain domain, Mission mission, Optional<RunPlan.Start> home) {
     List<RunPlan.Waypoint> waypoints = new ArrayList<>();
@@ -44,9 +44,9 @@ public final class RunPlans {
   }
 
   /**
-   * Where the vehicle of a mission stands at first.
+   * Initial position of a mission's vehicle.
    *
-   * @throws BadInputException if the mission has no home on the earth
+   * @throws BadInputException if the mission has no home in earth coordinates
    */
   static Home home(Mission mission) {
     return mission

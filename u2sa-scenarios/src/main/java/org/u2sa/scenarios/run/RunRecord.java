@@ -12,8 +12,7 @@ import org.u2sa.scenarios.report.Track;
 import org.u2sa.scenarios.report.TrackSample;
 
 /**
- * The record of a run, for its score and its screen. Written by the observer's thread alone; what
- * says so may be asked by others meanwhile.
+ * The record of a run, for its score and its screen. Confined to the observer's thread, except methods documented as thread-safe.
  */
 public final class RunRecord {
   private static final long NOT_YET = -1;
@@ -23,14 +22,14 @@ public final class RunRecord {
   private final Track track = new Track();
   private final Consumer<TrackSample> screen;
   private int leg = -1;
-  private boolean seen = true; // whether a sample shows the present target
+  private boolean seen = true; // whether a sample has the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
   private volatile int completed;
-  private volatile long readings; // written by one thread only
+  private volatile long readings; // single writer
 
   /**
-   * @param screen is shown every sample, on the observer's thread
+   * @param screen receives every sample, on the observer's thread
    */
   public RunRecord(RunPlan plan, Consumer<TrackSample> screen) {
     this.screen = screen;
@@ -38,7 +37,7 @@ public final class RunRecord {
     this.plan = plan;
   }
 
-  /** Takes note of goals and reports of goals; false if the message is neither. */
+  /** Processes goals and goal reports; false for other messages. */
   public boolean received(U2SAData data) {
     if (data instanceof GoalList goals) {
       follow(goals);
@@ -61,15 +60,14 @@ public final class RunRecord {
   }
 
   /**
-   * Whether the target has had no {@link #moment} yet: before another takes its place it needs one,
-   * or the score would not know that it was the target.
+   * Whether the target has no {@link #moment} yet. It needs one before it is replaced, or the score would miss it.
    */
   boolean isTargetUnseen() {
     return !seen && leg >= 0 && leg < names.size();
   }
 
   /**
-   * Where and how the vehicle truly is at a time, later than the last one [µs].
+   * Records the vehicle's true state at a time [µs] after the previous one.
    *
    * @param altitudeM above mean sea level [m]
    * @param headingRad clockwise from true north [rad]
@@ -105,22 +103,22 @@ public final class RunRecord {
     screen.accept(sample);
   }
 
-  /** All samples; for when the observer has ended. */
+  /** All samples; call only after the observer has stopped. */
   Track track() {
     return track;
   }
 
-  /** Whether the Mission Manager has no goal left. Safe from any thread. */
+  /** Whether the Mission Manager has no goal left. Thread-safe. */
   public boolean isMissionOver() {
     return missionOver;
   }
 
-  /** Samples so far. Safe from any thread. */
+  /** Number of samples. Thread-safe. */
   long readings() {
     return readings;
   }
 
-  /** Goals that were reported completed. Safe from any thread. */
+  /** Number of goals reported completed. Thread-safe. */
   public int completed() {
     return completed;
   }

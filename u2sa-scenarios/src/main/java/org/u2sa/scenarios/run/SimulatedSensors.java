@@ -38,9 +38,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Gives a simulated device to every sensor that a demo's system file names: one line there adds an
- * IMU, a second receiver or a barometer. A service whose configuration names another device than
- * {@code SIMULATED} gets that one. Each service has random numbers of its own.
+ * Provides simulated devices for all sensors of a demo's system file, so one line there adds an IMU, a second receiver or a barometer. A service configured for a device other than {@code SIMULATED} gets that device. Each service has its own random stream.
  */
 public final class SimulatedSensors {
   private static final double ENCODER_HZ = 50.0;
@@ -55,10 +53,10 @@ public final class SimulatedSensors {
   private GpsParameters receiver = GpsParameters.survey();
 
   /**
-   * What the sensors are to measure.
+   * Creates sensors for a vehicle.
    *
-   * @param vehicle that carries them
-   * @param wind where the air around it goes to: east, north, up [m/s]
+   * @param vehicle the vehicle they are mounted on
+   * @param wind velocity of the surrounding air: east, north, up [m/s]
    */
   public record Moment(VehicleTruth vehicle, Point wind) {}
 
@@ -66,8 +64,8 @@ public final class SimulatedSensors {
       DoubleSupplier leftRad, DoubleSupplier rightRad, double radiusM, double trackM) {}
 
   /**
-   * @param plane on which the truth is
-   * @param now the truth, on the thread of whichever service reads
+   * @param plane plane of the true positions
+   * @param now the ground truth, called on the reading service's thread
    */
   public SimulatedSensors(long seed, LocalPlane plane, Supplier<Moment> now) {
     this.seed = seed;
@@ -75,17 +73,17 @@ public final class SimulatedSensors {
     this.now = now;
   }
 
-  /** Has receivers be of that grade instead of survey grade. */
+  /** Sets the grade of GNSS receivers instead of survey grade. */
   public SimulatedSensors receiver(GpsParameters grade) {
     receiver = grade;
     return this;
   }
 
   /**
-   * Adds wheels whose turns encoders may count.
+   * Adds wheels for encoders.
    *
-   * @param leftRad by which the left wheel has turned forward since the start, now [rad]
-   * @param rightRad by which the right wheel has turned forward since the start, now [rad]
+   * @param leftRad current forward rotation of the left wheel since the start [rad]
+   * @param rightRad current forward rotation of the right wheel since the start [rad]
    */
   public SimulatedSensors wheels(
       DoubleSupplier leftRad, DoubleSupplier rightRad, double radiusM, double trackM) {
@@ -93,13 +91,13 @@ public final class SimulatedSensors {
     return this;
   }
 
-  /** Adds others around, whose reports a traffic receiver may hear. */
+  /** Adds other traffic for traffic receivers. */
   public SimulatedSensors traffic(Supplier<List<SimulatedTraffic.Other>> around) {
     others = around;
     return this;
   }
 
-  /** Has the launcher make all sensors so. */
+  /** Registers the simulated sensors with the launcher. */
   public void attach(LaunchOptions launch) {
     make(launch, GpsSensor.class, "RECEIVER", GpsSensor::new, c -> new GpsSensor(c, gps(c)));
     make(
@@ -151,7 +149,7 @@ public final class SimulatedSensors {
                 : simulated.apply(context));
   }
 
-  /** What the service's file says of a variable; empty if nothing. */
+  /** Value of a variable in the service's file, or empty. */
   private static Optional<Object> stated(ServiceContext context, String variable) {
     return context.configuration().enumerateFields().stream()
         .filter(each -> each.getKey().equals(variable))
@@ -173,7 +171,7 @@ public final class SimulatedSensors {
     return plane.at(place.x(), place.y(), place.z()).altitudeM();
   }
 
-  /** With the receiver's latency as the service's DELAY, where its file says nothing else. */
+  /** Sets the service's DELAY to the receiver's latency unless its file sets it. */
   private SimulatedGps gps(ServiceContext context) {
     unlessStated(context, "DELAY", receiver.latencyS());
     NoiseStreams streams = streams(context, "GpsSensor");
@@ -229,7 +227,7 @@ public final class SimulatedSensors {
         others);
   }
 
-  /** With the wheels' measures as the service's variables, where its file says nothing else. */
+  /** Sets the service's variables to the wheels' dimensions unless its file sets them. */
   private SimulatedEncoder encoder(ServiceContext context, Wheels each) {
     unlessStated(context, "COUNTS PER TURN", COUNTS_PER_TURN);
     unlessStated(context, "WHEEL DIAMETER", 2.0 * each.radiusM());

@@ -1,14 +1,14 @@
 package org.u2sa.scenarios.run;
 
-/** What simulates the vehicle of a run. */
+/** Simulation of a run's vehicle. */
 public interface Simulation extends AutoCloseable {
-  /** Starts it, once the services listen. */
+  /** Starts the simulation; called once the services have subscribed. */
   default void start() throws InterruptedException {}
 
-  /** What it is called in reports. */
+  /** Name in reports. */
   String name();
 
-  /** What kind of vehicle it is, in a word, e.g. {@code aircraft}. */
+  /** Kind of vehicle in one word, e.g. {@code aircraft}. */
   default String vehicle() {
     return "vehicle";
   }
@@ -16,6 +16,6 @@ public interface Simulation extends AutoCloseable {
   @Override
   default void close() {}
 
-  /** A vehicle that a service of the system steps itself: nothing to start or end. */
+  /** A simulation stepped by a service of the system: nothing to start or stop. */
   record Within(String name, String vehicle) implements Simulation {}
 }

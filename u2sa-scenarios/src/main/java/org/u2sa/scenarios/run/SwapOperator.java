@@ -21,19 +21,19 @@ import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
-/** Orders the swaps that a user planned, each at its time. In and out: service-orders. */
+/** Orders the scheduled service swaps. In and out: service-orders. */
 public final class SwapOperator extends PeriodicService {
   private static final double LOOKS_PER_S = 10.0;
   private static final String NAME = "SwapOperator";
 
   private final Queue<PlannedSwap> due =
-      new ConcurrentLinkedQueue<>(); // read by others after the end
+      new ConcurrentLinkedQueue<>(); // read by other threads after the end
   private final Consumer<String> console;
   private final double beganS;
   private volatile Optional<String> refusal = Optional.empty();
 
   /**
-   * @param console is told what became of each, a line each
+   * @param console receives one line per swap with its result
    */
   public SwapOperator(ServiceContext context, List<PlannedSwap> swaps, Consumer<String> console) {
     super(context, ServiceRole.OBSERVER, NAME, LOOKS_PER_S);
@@ -76,7 +76,7 @@ public final class SwapOperator extends PeriodicService {
     }
   }
 
-  /** Says, after the run, which swaps did not happen as their time did not come. */
+  /** Reports, after the run, the swaps whose time was not reached. */
   void tellMissed() {
     double endedS = nowS() - beganS;
     for (PlannedSwap missed : due) {
@@ -89,17 +89,17 @@ public final class SwapOperator extends PeriodicService {
     }
   }
 
-  /** The last swap that was refused, and why. */
+  /** The last rejected swap and the reason. */
   public Optional<String> refusal() {
     return refusal;
   }
 
   /**
-   * A service that is to be swapped in a run.
+   * A scheduled swap of a service.
    *
    * @param atS time since the services were started [s]
-   * @param service its name
-   * @param className full name of the class that takes its place
+   * @param service name of the service
+   * @param className fully qualified name of the replacement class
    */
   public record PlannedSwap(double atS, String service, String className) {
     private static final Pattern FORM = Pattern.compile("([0-9]+(?:\\.[0-9]+)?):([^=]+)=(\\S+)");
@@ -122,7 +122,7 @@ public final class SwapOperator extends PeriodicService {
     }
 
     /**
-     * Refuses swaps for classes that are no services, before the run in which they are due.
+     * Rejects swaps to classes that are not services; called before the run.
      *
      * @throws BadInputException naming the class
      */
@@ -137,10 +137,10 @@ public final class SwapOperator extends PeriodicService {
     }
 
     /**
-     * Refuses swaps of services that do not run: nobody would obey the order.
+     * Rejects swaps of services that are not running, because the order would be ignored.
      *
-     * @param running names of the services
-     * @throws BadInputException naming the services there are, and the nearest
+     * @param running names of the running services
+     * @throws BadInputException listing the services and the closest match
      */
     static void requireServices(List<PlannedSwap> swaps, List<String> running) {
       for (PlannedSwap swap : swaps) {

@@ -23,16 +23,16 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Records where a simulated vehicle truly is, for score and screen. In: goals, goal-reports,
+ * Records the ground truth of a simulated vehicle for score and screen. In: goals, goal-reports,
  * arming-state. Out: nothing.
  */
 public final class TruthObserver extends PeriodicService implements RunObserver {
   private static final double LOOKS_PER_S = 20.0;
   private static final double SLOWEST_MPS = 0.02;
   private static final double SLOWEST_RADPS = 0.05;
-  private static final double STANDS_AFTER_S = 1.0; // without motion: not between two turns
-  private static final double STOOD_S = 2.0; // at the end of the mission
-  private static final double PARKED_WITHIN_S = 30.0; // after the last goal
+  private static final double STANDS_AFTER_S = 1.0; // standstill; longer than between two turns
+  private static final double STOOD_S = 2.0; // standstill at the end of the mission
+  private static final double PARKED_WITHIN_S = 30.0; // time limit after the last goal
 
   private final Supplier<VehicleTruth> vehicle;
   private final LocalPlane plane;
@@ -61,9 +61,9 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
   }
 
   /**
-   * Observes a vehicle.
+   * Creates an observer of a vehicle.
    *
-   * @param vehicle safe from any thread
+   * @param vehicle the vehicle's state; thread-safe
    * @param scorer a new one for each run
    */
   public static RunObserver.Maker of(
@@ -80,7 +80,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
   @Override
   public void callback(U2SAData data) {
     if (data instanceof GoalList && record.isTargetUnseen()) {
-      look(); // waypoints nearer to each other than two looks
+      look(); // for waypoints closer together than two samples
     }
     if (data instanceof ArmingState state) {
       scorer.armed(state, vehicle.get());
@@ -96,7 +96,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     }
   }
 
-  /** Records the truth; false if its time stands still, as until the vehicle is there. */
+  /** Records the ground truth; false if its time has not advanced, e.g. before the vehicle exists. */
   private boolean look() {
     VehicleTruth truth = vehicle.get();
     if (truth.timeS() <= lastS) {
@@ -139,7 +139,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     return record;
   }
 
-  /** {@inheritDoc} The mission is over, and the vehicle stands; or the scorer says so. */
+  /** {@inheritDoc} True if the mission is over and the vehicle has stopped, or if the scorer ends the run. */
   @Override
   public boolean isOver() {
     return over || scorer.isOver();
@@ -150,35 +150,35 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     return scorer.outcome();
   }
 
-  /** Judges a run by the truth, beside its waypoints. Belongs to the observer's thread. */
+  /** Scores a run by the ground truth, in addition to its waypoints. Confined to the observer's thread. */
   public interface Scorer {
-    /** Looks at a moment, later than the last one. */
+    /** Processes a sample later than the previous one. */
     default void see(VehicleTruth truth) {}
 
-    /** Takes note of an arming state, with the truth at that moment. */
+    /** Processes an arming state with the ground truth at that time. */
     default void armed(ArmingState state, VehicleTruth truth) {}
 
-    /** Channels that it wants to hear beside goals, goal reports and arming state. */
+    /** Additional channels besides goals, goal reports and arming state. */
     default List<Channel<?>> listensTo() {
       return List.of();
     }
 
-    /** Takes a message of those channels; false if it does not know it. */
+    /** Processes a message of those channels; false if the type is unknown. */
     default boolean heard(U2SAData data) {
       return false;
     }
 
-    /** Whether the rules end the run now. Safe from any thread. */
+    /** Whether the rules end the run now. Thread-safe. */
     default boolean isOver() {
       return false;
     }
 
-    /** What the vehicle does, in a word. */
+    /** The vehicle's activity in one word. */
     default String phase(boolean moves) {
       return moves ? "MOVES" : "STANDS";
     }
 
-    /** How the run ended, once it has. */
+    /** The outcome, once the run has ended. */
     default RunOutcome outcome() {
       return new RunOutcome(0, false, List.of());
     }

@@ -1,6 +1,4 @@
 /**
- * What every demo does: runs of a mission by the services of a system file, in lockstep or in real
- * time, watched, shown, scored, and repeated over seeds. Vehicles and their simulations belong to
- * the demos themselves.
+ * Common parts of all demos: run a mission with the services of a system file, in lockstep or real time, observe, display and score it, and repeat it over seeds. Vehicles and simulations belong to the individual demos.
  */
 package org.u2sa.scenarios.run;

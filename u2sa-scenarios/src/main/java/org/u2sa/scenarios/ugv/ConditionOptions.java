@@ -14,9 +14,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Options for other vehicles, loads and ground; a mixin. */
+/** Mixin with options for vehicle, load and ground. */
 final class ConditionOptions {
-  /** What the vehicle drives on. */
+  /** Type of ground. */
   enum GroundKind {
     /** Trodden earth and short grass. */
     LAWN(Surface.lawn()),
@@ -33,7 +33,7 @@ final class ConditionOptions {
   }
 
   private static final double FULL_PERCENT = 100.0;
-  private static final double HILL_OF_MISSION = 1.5; // its radius by that of the mission
+  private static final double HILL_OF_MISSION = 1.5; // hill radius / mission radius
   private static final double SMALLEST_HILL_M = 5.0;
 
   @Spec(Spec.Target.MIXEE)
@@ -71,10 +71,10 @@ final class ConditionOptions {
   private double hillDeg;
 
   /**
-   * Checks what was given.
+   * Validates the options.
    *
-   * @param plan where a hill is to be
-   * @throws ParameterException if it contradicts itself or is outside its range
+   * @param plan determines the position of the hill
+   * @throws ParameterException if options conflict or are out of range
    */
   DriveConditions conditions(VehicleKind vehicle, RunPlan plan) {
     require("--payload", payloadKg, 0.0, 500.0, "kg");

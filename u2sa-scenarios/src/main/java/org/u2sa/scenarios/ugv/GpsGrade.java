@@ -2,11 +2,11 @@ package org.u2sa.scenarios.ugv;
 
 import org.u2sa.sim.sensor.GpsParameters;
 
-/** Grade of the demo's GPS, in factory settings: the board's service configures it. */
+/** Grade of the demo's GPS receiver, in factory settings; the board's service configures it. */
 enum GpsGrade {
   /** Real-time kinematic: 2 cm. */
   SURVEY("survey-grade GPS", GpsParameters.survey(), 1.0, 0.0, 60.0),
-  /** A telephone's: errors of 3 m that drift, once a second, late. */
+  /** Phone: 3 m drifting error, 1 Hz, with latency. */
   PHONE("phone-grade GPS", GpsParameters.phone(), 2.5, 1.5, 120.0);
 
   private static final double FIRST_MESSAGE_S = 36.0 * 10.0 / 9600.0;
@@ -30,7 +30,7 @@ enum GpsGrade {
     this.correlationS = correlationS;
   }
 
-  /** What it is called in reports. */
+  /** Name in reports. */
   String words() {
     return words;
   }
@@ -40,29 +40,27 @@ enum GpsGrade {
   }
 
   /**
-   * The State Estimator's STALE AFTER, which must be longer than the time between two fixes [s].
+   * The State Estimator's STALE AFTER; must exceed the fix interval [s].
    */
   double fixTimeoutS() {
     return fixTimeoutS;
   }
 
   /**
-   * Least threshold of a waypoint at which the vehicle turns to the next one [m]: where positions
-   * leap by half a metre, nearer ones are missed.
+   * Minimum waypoint threshold [m]: with position jumps of half a metre, smaller ones are missed.
    */
   double leastThresholdM() {
     return leastThresholdM;
   }
 
   /**
-   * From the moment that a fix is of to the arrival of its first message at the board [s]:
-   * NAV-POSLLH has 36 bytes, at 9600 baud.
+   * Latency from the time of validity of a fix to the arrival of its first message at the board [s]: NAV-POSLLH has 36 bytes, at 9600 baud.
    */
   double delayS() {
     return parameters.latencyS() + FIRST_MESSAGE_S;
   }
 
-  /** The State Estimator's POSITION CORRELATION: for how long its errors persist [s]. */
+  /** The State Estimator's POSITION CORRELATION: correlation time of the errors [s]. */
   double correlationS() {
     return correlationS;
   }

@@ -3,7 +3,7 @@ package org.u2sa.scenarios.ugv;
 import java.util.List;
 import org.u2sa.gcs.command.CommandProvider;
 
-/** Adds the ground vehicle's demo to the command line. */
+/** Registers the ground vehicle demo with the command line. */
 public final class UgvCommands implements CommandProvider {
   @Override
   public List<Contribution> commands() {

@@ -29,7 +29,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa demo ugv}: laps of a loop of waypoints by the ground vehicle, through its board. */
+/** {@code u2sa demo ugv}: the ground vehicle drives laps of a waypoint loop, through its board. */
 @Command(
     name = "ugv",
     description = {
@@ -42,29 +42,29 @@ import picocli.CommandLine.Spec;
       "  mosquitto_sub -t 'u2sa/ugv/#' -F '%%t %%l bytes'"
     })
 final class UgvDemo implements Callable<Integer>, Demo {
-  /** Which control drives. */
+  /** Controller. */
   enum ControlKind {
     /** Regulated pure pursuit. */
     PURSUIT,
-    /** The thesis's proportional controller for each wheel; of differential vehicles only. */
+    /** The thesis's proportional controller per wheel; differential drive only. */
     PROPORTIONAL
   }
 
-  /** Which State Estimator says where the vehicle is. */
+  /** State Estimator. */
   enum EstimatorKind {
-    /** An error-state Kalman filter of all sensors. */
+    /** Error-state Kalman filter using all sensors. */
     FUSING,
-    /** What GPS and compass measured. */
+    /** Raw GPS and compass measurements. */
     PASS_THROUGH
   }
 
-  /** What measures where the vehicle is. */
+  /** Sensor set. */
   enum SensorSet {
-    /** GPS and compass at the board, an IMU, and encoders at two driven wheels. */
+    /** GPS and compass on the board, an IMU, and encoders on two driven wheels. */
     ALL("system.xml"),
     /** GPS and compass at the board. */
     BOARD("system-board.xml"),
-    /** GPS, compass, IMU and encoders as services of their own. */
+    /** GPS, compass, IMU and encoders as separate services. */
     FOUR_SERVICES("system-four-sensors.xml");
 
     private final String file;
@@ -116,7 +116,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
         "World XML file with what stands around, such as missions/ugv/yard.xml. Adds a laser that sees it, and a World Modeler "
             + "(config/ugv/system-world.xml)."
       })
-  private Path worldFile; // null: an empty lawn
+  private Path worldFile; // null for an empty lawn
 
   @Option(
       names = "--known-start",
@@ -125,7 +125,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
       })
   private boolean isStartKnown;
 
-  private Integer laps; // null: not given
+  private Integer laps; // null if not given
 
   @Option(
       names = "--loops",
@@ -229,13 +229,13 @@ final class UgvDemo implements Callable<Integer>, Demo {
     }
   }
 
-  /** {@inheritDoc} Contacts are the simulation's to count: its vehicle has corners. */
+  /** {@inheritDoc} Contacts are counted by the simulation, which knows the vehicle's outline. */
   @Override
   public Surroundings surroundings() {
     return new Surroundings(obstacles(), 0.0);
   }
 
-  /** The filter's positions do not leap, whatever the receiver's do. */
+  /** The filter's positions are smooth even if the receiver's jump. */
   private double leastThresholdM() {
     boolean leaps = estimator == EstimatorKind.PASS_THROUGH || control == ControlKind.PROPORTIONAL;
     return leaps ? receiver.leastThresholdM() : 0.0;

@@ -29,15 +29,14 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
 /**
- * The simulated world of one run: a vehicle with its sensors, and the IOIO board to which it is
- * wired.
+ * The simulated world of one run: a vehicle with its sensors, wired to an IOIO board.
  */
 final class UgvWorld {
   private static final int COMPASS_BAUD = 9600;
   private static final double YEAR = 2026.4;
   private static final double MOST_MISMATCH = 0.05;
 
-  private static final double LASER_FORWARD_M = 0.2; // as LidarSensor.xml says
+  private static final double LASER_FORWARD_M = 0.2; // as in LidarSensor.xml
   private static final double LASER_UP_M = 0.4;
   private static final SimulatedLaser.Optics LASER =
       new SimulatedLaser.Optics(
@@ -50,8 +49,8 @@ final class UgvWorld {
   private final IoioInProcess cable;
 
   /**
-   * @param start where the vehicle stands at first
-   * @param hazards what goes wrong
+   * @param start initial position of the vehicle
+   * @param hazards faults to inject
    */
   UgvWorld(
       RunPlan.Start start,
@@ -64,7 +63,7 @@ final class UgvWorld {
   }
 
   /**
-   * @param obstacles that stand around
+   * @param obstacles static obstacles
    */
   UgvWorld(
       RunPlan.Start start,
@@ -95,33 +94,33 @@ final class UgvWorld {
     cable = new IoioInProcess(board);
   }
 
-  /** The board on a cable within this process, in lockstep. */
+  /** Connects the board in-process, in lockstep. */
   BoardConnection connection() {
     return new LockstepConnection(
         cable::connect, cable::disconnect, cable::input, cable::output, cable::exchange);
   }
 
-  /** The board, for whoever serves it otherwise. */
+  /** The board, for other ways of serving it. */
   IoioFirmware board() {
     return board;
   }
 
-  /** The cable, for pulling it. */
+  /** The cable, to simulate a disconnection. */
   IoioInProcess cable() {
     return cable;
   }
 
-  /** The truth of the last moment. Safe from any thread. */
+  /** Latest ground truth. Thread-safe. */
   VehicleTruth truth() {
     return vehicle.truth();
   }
 
-  /** The same with all that turns in the vehicle. */
+  /** Latest ground truth, including the rotating parts. */
   GroundState state() {
     return vehicle.state();
   }
 
-  /** Devices for the sensors that a system file adds to those at the board. */
+  /** Devices for sensors that a system file adds to those on the board. */
   SimulatedSensors sensors(long seed) {
     SimulatedSensors sensors =
         new SimulatedSensors(
@@ -137,7 +136,7 @@ final class UgvWorld {
     return sensors;
   }
 
-  /** A laser on the vehicle that sees the world's obstacles, with noise of its own. */
+  /** A lidar on the vehicle that sees the world's obstacles, with its own noise stream. */
   LaserScanner laser(long seed) {
     return new SimulatedLaser(
         LASER,
@@ -145,17 +144,17 @@ final class UgvWorld {
         new LaserOnVehicle(world, this::truth, LASER_FORWARD_M, LASER_UP_M, LASER.farthestM()));
   }
 
-  /** What reaches the motors, from whoever drives. Safe from any thread. */
+  /** Command at the motors, whatever its source. Thread-safe. */
   DriveCommand motors() {
     return vehicle.command();
   }
 
-  /** How often it ran into something. Safe from any thread. */
+  /** Number of collisions. Thread-safe. */
   int contacts() {
     return vehicle.contacts().size();
   }
 
-  /** What it stands in. */
+  /** The world around the vehicle. */
   World world() {
     return world;
   }

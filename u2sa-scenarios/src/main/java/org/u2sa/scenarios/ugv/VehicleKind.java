@@ -8,7 +8,7 @@ import org.u2sa.sim.ground.GroundStart;
 import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.ground.Payload;
 
-/** What drives in the demo. */
+/** Vehicle of the demo. */
 enum VehicleKind {
   /** The thesis's Mini-Molle: two driven wheels and a castor. */
   DIFFERENTIAL("Mini-Molle") {
@@ -35,16 +35,16 @@ enum VehicleKind {
     this.words = words;
   }
 
-  /** What it is called in reports. */
+  /** Name in reports. */
   String words() {
     return words;
   }
 
   /**
-   * Makes one.
+   * Creates a vehicle.
    *
-   * @param mismatch by which the right one of two motors is stronger, as no two are alike
-   * @param payloadKg where the vehicle's own weight is [kg]
+   * @param mismatch fraction by which the right motor is stronger, because no two motors are identical
+   * @param payloadKg payload at the vehicle's centre of gravity [kg]
    */
   abstract GroundVehicle make(GroundStart start, double mismatch, double payloadKg);
 }
