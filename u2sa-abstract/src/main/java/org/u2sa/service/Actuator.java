@@ -10,12 +10,9 @@ import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
- * A service that moves something (thesis 3.2.2.5). In: actuation, of which it obeys what is
- * addressed to its name; emergency-stop; arming-state. Out: actuators, its announcement (thesis
- * 5.1), now and then.
+ * An actuator service (thesis 3.2.2.5). In: actuation, of which it obeys commands addressed to its name; emergency-stop; arming-state. Out: actuators, its periodic announcement (thesis 5.1).
  *
- * <p>When no command has come for the expiry time, at an emergency stop, and when the service ends,
- * it goes neutral by itself. Whoever takes its place while it runs goes on with its command.
+ * <p>It goes neutral when commands expire, at an emergency stop, and when the service ends. A successor that replaces it at run time continues its command.
  */
 public abstract class Actuator extends PeriodicService implements ActuatorOwner {
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
@@ -41,21 +38,20 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
     commands = new CommandedActuators(this, Set.of(actuatorName), this::obey, this::goNeutral);
   }
 
-  /** Moves to the percentage, −100…100. Called on the service's thread for each command. */
+  /** Applies a command [%], −100…100. Called on the service's thread for each command. */
   protected abstract void actuate(double percentage);
 
   /**
-   * Goes where nothing moves and nothing is harmed. Called when commands expire and when the
+   * Moves to the safe neutral position, where nothing moves. Called when commands expire and when the
    * service ends.
    */
   protected abstract void neutral();
 
-  /** Closes the device, after it was left {@link #neutral}. */
+  /** Closes the device, after {@link #neutral}. */
   protected void close() {}
 
   /**
-   * The announcement to control systems, with what the configuration describes; subclasses add what
-   * they know better.
+   * The announcement to control systems, from the configuration; subclasses add what they know better.
    */
   protected ActuatorAnnouncement announcement() {
     return description.addTo(
@@ -68,21 +64,20 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   }
 
   /**
-   * Tells control systems which share of its effect the actuator has left, 0 if its device is lost
-   * [%, 0…100]; not before the service runs.
+   * Announces the remaining effectiveness of the actuator [%, 0…100], 0 if its device is lost; only after the service was started.
    */
   protected final void available(double percent) {
     commands.available(actuatorName, percent);
   }
 
-  /** The command that holds, as it was sent: an angle, speed or force where one was. */
+  /** The command in effect, as sent: possibly an angle, speed or force. */
   protected final Optional<ActuatorCommand> command() {
     return commands.command(actuatorName);
   }
 
   @Override
   protected final void begin() {
-    // first: the extents of this class are not those of the one before
+    // first: this class's limits differ from the predecessor's
     commands.announce(actuators());
     neutral = !commands.isCommanded();
     if (neutral) {
@@ -105,7 +100,7 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
     commands.step(nowS);
   }
 
-  /** Moves to where the command says, or to neutral if it has expired since it was taken. */
+  /** Applies the command, or goes neutral if it has expired since it was accepted. */
   private void carryOut() {
     OptionalDouble percentage = commands.percentage(actuatorName);
     if (percentage.isPresent()) {
@@ -154,7 +149,7 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
     close();
   }
 
-  /** The name to which commands are addressed. */
+  /** Name to which commands are addressed. */
   public final String actuatorName() {
     return actuatorName;
   }

@@ -7,9 +7,7 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 
 /**
- * What a configuration says of one actuator, for its announcement: any actuator service gets it by
- * {@code settings(ActuatorDescription.class)}, or with the actuator's name as prefix where it has
- * several.
+ * Configured description of an actuator, for its announcement: any actuator service gets it by {@code settings(ActuatorDescription.class)}, with the actuator's name as prefix if it has several.
  */
 public record ActuatorDescription(
     @Variable(
@@ -76,10 +74,10 @@ public record ActuatorDescription(
             text =
                 "Time between announcements: control drops an actuator that misses three; 0: 0.25 s with EFFECT, otherwise 5 s.")
         double renewal) {
-  /** Renewal of an actuator that control allocates to [s]: dropped within a second. */
+  /** Announcement period of an allocated actuator [s]; control drops it within a second. */
   private static final double ALLOCATED_RENEWAL_S = 0.25;
 
-  /** Checks that the effect can be read. */
+  /** Validates the effect syntax. */
   public ActuatorDescription {
     if (!effect.trim().isEmpty()) {
       EffectText.parse(effect);
@@ -87,10 +85,9 @@ public record ActuatorDescription(
   }
 
   /**
-   * Writes the effect of a thruster into an announcement, for services that know it from variables
-   * of their own, and returns it.
+   * Writes the effect of a thruster into an announcement, for services with their own variables for it, and returns the announcement.
    *
-   * @param place from the vehicle's reference point: forward, right, down [m]
+   * @param place position relative to the vehicle's reference point: forward, right, down [m]
    * @param direction in which it pushes the vehicle at +100 %, in the same axes, of any length
    * @param forwardN thrust at +100 % [N]
    * @param reverseN thrust at −100 % [N]
@@ -106,7 +103,7 @@ public record ActuatorDescription(
         .renewal(ALLOCATED_RENEWAL_S);
   }
 
-  /** Writes into an announcement what is described here, and returns it. */
+  /** Writes this description into an announcement and returns the announcement. */
   public ActuatorAnnouncement addTo(ActuatorAnnouncement announcement) {
     List<String> types = new ArrayList<>(announcement.commandTypes());
     if (!effect.trim().isEmpty()) {

@@ -9,12 +9,12 @@ import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.SpeedCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
-/** Which commands an actuator takes, as it announced, and what they are in percent. */
+/** Command types and ranges an actuator announced, and their conversion to percent. */
 final class ActuatorExtents {
   private static final double FULL_PERCENT = 100.0;
 
   private final Range range; // [%]
-  private final List<String> types; // beside percentages
+  private final List<String> types; // other than percentages
   private final double fullAngle; // [rad]; NaN: none
   private final double fullSpeed; // [rad/s]; NaN: none
   private final EffectCurve curve;
@@ -56,7 +56,7 @@ final class ActuatorExtents {
         || command instanceof ForceCommand);
   }
 
-  /** What a command that it takes is in percent; NaN if it is no number or there is no scale. */
+  /** Converts an accepted command to percent; NaN if it is not a number or has no scale. */
   double percentage(ActuatorCommand command) {
     if (command instanceof PercentageCommand percentage) {
       return percentage.percentage();

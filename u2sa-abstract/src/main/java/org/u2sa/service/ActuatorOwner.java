@@ -3,8 +3,8 @@ package org.u2sa.service;
 import java.util.List;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
-/** A service with actuators, which knows before it runs what control systems will be told. */
+/** A service with actuators that can provide its announcements before it runs. */
 public interface ActuatorOwner {
-  /** What it announces of each actuator when it begins, as its configuration is now. */
+  /** Initial announcement of each actuator, from the current configuration. */
   List<ActuatorAnnouncement> actuators();
 }

@@ -5,14 +5,12 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * The loop that a service's author wrote as {@link U2SAService#run}, and the thread that handles
- * the service's messages beside it: the loop need not know of messages (thesis 8.2.4).
+ * Runs an author's {@link U2SAService#run} loop and a separate thread that handles the service's messages, so that the loop need not deal with messages (thesis 8.2.4).
  *
- * <p>{@link U2SAService#sleep} waits on the run's clock, so a simulation waits for each pass of the
- * loop. It does not wait for a loop that waits elsewhere, such as in {@link Thread#sleep}.
+ * <p>{@link U2SAService#sleep} waits on the run's clock, so a simulation waits for each iteration. It does not wait for a loop that blocks elsewhere, such as in {@link Thread#sleep}.
  */
 final class AuthoredLoop {
-  /** An author's kill clears a field that cannot be watched, so it is polled this often. */
+  /** Polling period of the field that an author's kill clears, because a field cannot be watched. */
   private static final long POLLS_EVERY_MICROS = 250_000;
 
   private static final long ENDS_WITHIN_MS = 1_000;
@@ -38,7 +36,7 @@ final class AuthoredLoop {
     messages.setDaemon(true);
   }
 
-  /** Begins to handle messages; the loop's thread is started after this. */
+  /** Starts handling messages; the loop's thread is started afterwards. */
   void begin() {
     waiter = clock.newWaiter(service, this::outOfStep);
     messages.start();
@@ -68,8 +66,7 @@ final class AuthoredLoop {
   }
 
   /**
-   * A loop that returns although the service is to go on has failed. A run() that returns at once
-   * is no loop: the service only handles messages.
+   * A loop that returns while the service should continue has failed. A run() that returns immediately is not a loop: the service only handles messages.
    */
   private void checkLoop() {
     if (hasReturned || !service.running) {
@@ -85,7 +82,7 @@ final class AuthoredLoop {
     }
   }
 
-  /** On the loop's thread, waits for its first turn: services act in the order of their start. */
+  /** Waits for the loop thread's first turn, so that services run in start order. */
   void awaitTurn() {
     if (Thread.currentThread() != service || hasTurn) {
       return;
@@ -101,7 +98,7 @@ final class AuthoredLoop {
   /** {@link U2SAService#sleep}, on the loop's thread. */
   void sleep(long millis) throws InterruptedException {
     if (!service.running) {
-      Thread.sleep(millis); // it is ending, and no longer waits on the run's clock
+      Thread.sleep(millis); // ending: no longer waits on the run's clock
       return;
     }
     hasTurn = true;
@@ -112,7 +109,7 @@ final class AuthoredLoop {
     } while (service.running && clock.micros() < untilMicros);
   }
 
-  /** Ends a {@link #sleep} of the loop for good. */
+  /** Permanently ends {@link #sleep} in the loop. */
   void stopSleeping() {
     Clock.Waiter sleeping = waiter;
     if (sleeping != null) {
@@ -120,7 +117,7 @@ final class AuthoredLoop {
     }
   }
 
-  /** Has the author close what the service opened, and waits for the loop to end; once. */
+  /** Calls the author's cleanup and waits for the loop to end; once. */
   void close() {
     if (!closed.compareAndSet(false, true)) {
       return;

@@ -4,24 +4,21 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * Tells a service's thread the time between its author's callbacks, and how long each takes, with
- * as few looks at the machine's clock as that needs: a look takes longer than to hand a message on.
+ * Provides the time between an author's callbacks and their durations with a minimum of system-clock reads, because one read costs more than delivering a message.
  *
- * <p>What ends one callback begins the next one, if nothing but the way to it is between them. In
- * real time it is the time of the run as well. In a simulation the two have nothing to do with each
- * other: how long code takes is real time there too.
+ * <p>The end time of one callback is reused as the start of the next if nothing happens in between, and, in real time, as the time of the run. In a simulation the two clocks are unrelated, because durations are still measured in real time.
  */
 final class CallbackStopwatch {
   private final Clock run;
   private final Clock real; // the same in real time
   private long lastMicros; // of real; touched by the service's thread only
-  private boolean isFresh; // likewise: lastMicros is as good as now
+  private boolean isFresh; // likewise: lastMicros is still current
 
   CallbackStopwatch(Clock run) {
     this(run, run instanceof SystemClock ? run : new SystemClock());
   }
 
-  /** With the real time of a clock that a test has. */
+  /** Uses a test's clock as real time. */
   CallbackStopwatch(Clock run, Clock real) {
     this.run = run;
     this.real = real;
@@ -40,7 +37,7 @@ final class CallbackStopwatch {
   /** The real time at which a callback begins [µs]. */
   long begin() {
     long now = realMicros();
-    isFresh = false; // it may take long
+    isFresh = false; // a callback may be slow
     return now;
   }
 
@@ -55,12 +52,12 @@ final class CallbackStopwatch {
     return lastMicros;
   }
 
-  /** Takes note that something else takes time before the next callback. */
+  /** Invalidates the cached time before other slow work. */
   void pause() {
     isFresh = false;
   }
 
-  /** The real time [µs], for other threads than the service's. */
+  /** The real time [µs], for threads other than the service's. */
   long realMicrosElsewhere() {
     return real.micros();
   }

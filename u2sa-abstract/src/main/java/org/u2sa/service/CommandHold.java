@@ -12,12 +12,9 @@ import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
- * The newest command of each of some actuators, for as long as it holds: a command that nobody
- * renews expires, so that an actuator falls back to neutral when control is gone (PX4 and ArduPilot
- * do the same at their outputs). Angles, speeds and forces, where an actuator takes them, are held
- * as percentages too.
+ * Holds the latest command per actuator until it expires, so that an actuator goes neutral when control is lost (as PX4 and ArduPilot do at their outputs). Angles, speeds and forces, if accepted by an actuator, are also held as percentages.
  *
- * <p>Not safe for several threads: it belongs to the service that owns the actuators.
+ * <p>Not thread-safe: belongs to the service that owns the actuators.
  */
 public final class CommandHold {
   private record Held(ActuatorCommand command, double percentage, long untilMicros) {}
@@ -30,12 +27,11 @@ public final class CommandHold {
   private final Map<String, Held> newest = new LinkedHashMap<>();
 
   /**
-   * @param clock what commands are timed with
-   * @param systemId whose commands are obeyed
-   * @param defaultExpiryS how long a command holds that does not say so itself [s], positive
-   * @param toleranceS how far a command's clock may be ahead of this one [s]
-   * @param actuators the names to which commands are addressed, with the percentages that each
-   *     takes
+   * @param clock clock for command expiry
+   * @param systemId system whose commands are obeyed
+   * @param defaultExpiryS lifetime of a command without its own expiry [s], positive
+   * @param toleranceS maximum lead of a command's timestamp over this clock [s]
+   * @param actuators names to which commands are addressed, with the accepted percentages
    */
   public CommandHold(
       Clock clock,
@@ -55,9 +51,9 @@ public final class CommandHold {
   }
 
   /**
-   * Takes a command, or says why not.
+   * Accepts a command, or returns the reason for refusal.
    *
-   * @return empty if it was taken
+   * @return empty if it was accepted
    */
   public Optional<CommandRefusal> accept(ActuatorCommand command) {
     ActuatorExtents extents = actuators.get(command.actuatorName());
@@ -74,7 +70,7 @@ public final class CommandHold {
               : CommandRefusal.NOT_TAKEN);
     }
     double percentage = extents.percentage(command);
-    if (!extents.contains(percentage)) { // a subclass may say NaN, which no field holds
+    if (!extents.contains(percentage)) { // a subclass may return NaN, which no field stores
       return Optional.of(CommandRefusal.OUT_OF_RANGE);
     }
     long now = clock.micros();
@@ -96,7 +92,7 @@ public final class CommandHold {
     return Optional.empty();
   }
 
-  /** Narrows the commands that an actuator takes to what it announced. */
+  /** Restricts the accepted commands of an actuator to its announcement. */
   void limit(ActuatorAnnouncement announced) {
     ActuatorExtents extents = ActuatorExtents.of(announced);
     actuators.computeIfPresent(announced.actuatorName(), (name, before) -> extents);
@@ -105,8 +101,7 @@ public final class CommandHold {
   }
 
   /**
-   * The commands that hold now, each with the time that is left of it: {@link #accept}ed by another
-   * hold at once, they hold exactly as long as they would have here.
+   * The active commands, each with its remaining lifetime: if {@link #accept}ed immediately by another hold, they expire exactly when they would have here.
    */
   List<ActuatorCommand> standing() {
     long now = clock.micros();
@@ -124,8 +119,7 @@ public final class CommandHold {
   }
 
   /**
-   * The percentage that the actuator should hold now, −100…100; empty if it was never commanded or
-   * the command expired.
+   * Current command of the actuator [%], −100…100; empty if never commanded or expired.
    */
   public OptionalDouble percentage(String actuator) {
     Held held = newest.get(actuator);
@@ -135,8 +129,7 @@ public final class CommandHold {
   }
 
   /**
-   * The command that the actuator should carry out now, as it was sent; empty if {@link
-   * #percentage} is.
+   * Current command of the actuator as sent; empty if {@link #percentage} is.
    */
   public Optional<ActuatorCommand> command(String actuator) {
     Held held = newest.get(actuator);
@@ -145,7 +138,7 @@ public final class CommandHold {
         : Optional.of(held.command);
   }
 
-  /** Forgets all commands: every actuator falls back to neutral. */
+  /** Discards all commands, so that every actuator goes neutral. */
   public void forget() {
     newest.clear();
   }

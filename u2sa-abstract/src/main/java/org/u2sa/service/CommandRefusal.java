@@ -1,26 +1,26 @@
 package org.u2sa.service;
 
-/** Why an actuator does not obey a command. */
+/** Reasons to refuse a command. */
 public enum CommandRefusal {
   /**
-   * It is for an actuator that is not here: no fault of the command, so neither said nor summed.
+   * Addressed to another actuator: not an error, so neither logged nor counted.
    */
   NOT_ADDRESSED("for another actuator"),
-  /** An emergency stop holds. */
+  /** An emergency stop is active. */
   EMERGENCY_STOPPED("emergency stop"),
   /** The actuator requires arming, and the vehicle is not armed. */
   NOT_ARMED("not armed"),
-  /** It is of another system. */
+  /** Sent by another system. */
   WRONG_SYSTEM("from another system"),
-  /** It says something else than a percentage. */
+  /** Not a percentage. */
   NOT_A_PERCENTAGE("not a percentage"),
-  /** It says something that the actuator did not announce to take. */
+  /** Of a type the actuator did not announce. */
   NOT_TAKEN("of a kind that the actuator does not take"),
-  /** It is no number, or outside what the actuator announced. */
+  /** Not a number, or outside the announced range. */
   OUT_OF_RANGE("out of range"),
-  /** It expired on its way. */
+  /** Expired in transit. */
   TOO_OLD("too old"),
-  /** Its timestamp is farther ahead of this clock than clocks differ. */
+  /** Timestamp ahead of this clock by more than the tolerance. */
   FROM_THE_FUTURE("from the future");
 
   private final String words;
@@ -29,7 +29,7 @@ public enum CommandRefusal {
     this.words = words;
   }
 
-  /** The reason in words, as logs have it. */
+  /** Reason as logged. */
   @Override
   public String toString() {
     return words;

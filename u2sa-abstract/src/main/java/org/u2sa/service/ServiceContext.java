@@ -14,8 +14,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * All that a service is given at its construction: whose it is, its configuration, its clock and
- * its way to talk.
+ * Everything a service gets at construction: its system, configuration, clock and communication.
  */
 public final class ServiceContext {
   private final String systemId;
@@ -26,9 +25,9 @@ public final class ServiceContext {
   private final MessageTypes messageTypes;
   private final long seed;
   private final boolean restart;
-  private final Execution execution; // null if nobody keeps it
+  private final Execution execution; // null if not recorded
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
-  private volatile U2SAService predecessor; // null if there is none, or none any more
+  private volatile U2SAService predecessor; // null if none, or already released
 
   private ServiceContext(Builder builder) {
     systemId = Topic.checkSystemId(builder.systemId);
@@ -43,7 +42,7 @@ public final class ServiceContext {
     predecessor = builder.predecessor;
   }
 
-  /** Begins a context for a service of the given system with the given configuration. */
+  /** Builds a context for a service of the given system and configuration. */
   public static Builder of(String systemId, XmlConfiguration configuration) {
     return new Builder(systemId, configuration);
   }
@@ -58,32 +57,32 @@ public final class ServiceContext {
     return configuration;
   }
 
-  /** The time of the run. */
+  /** Clock of the run. */
   public Clock clock() {
     return clock;
   }
 
-  /** The way to the Communication Manager; if absent, the configuration's address is used. */
+  /** Connection to the Communication Manager; if absent, the configured address is used. */
   public Optional<Transport> transport() {
     return Optional.ofNullable(transport);
   }
 
-  /** Where the log file is written. */
+  /** Directory of the log file. */
   public Path logDirectory() {
     return logDirectory;
   }
 
-  /** The message types that can be read. */
+  /** Message types that can be decoded. */
   public MessageTypes messageTypes() {
     return messageTypes;
   }
 
-  /** The run's seed: whatever is random in a service derives from it. */
+  /** Seed of the run, from which all randomness in a service derives. */
   public long seed() {
     return seed;
   }
 
-  /** This context for a service whose execution is kept, or repeated. */
+  /** Copy for a service whose execution is recorded or replayed. */
   public ServiceContext with(Execution kept) {
     Builder builder =
         of(systemId, configuration)
@@ -98,48 +97,45 @@ public final class ServiceContext {
     return builder.build();
   }
 
-  /** What passes between the service and the world, if that is kept or repeated. */
+  /** The recorded or replayed execution, or empty. */
   public Optional<Execution> execution() {
     return Optional.ofNullable(execution);
   }
 
-  /** Whose place the service is to take, until it has. */
+  /** The service to replace, until the swap is done. */
   Optional<U2SAService> predecessor() {
     return Optional.ofNullable(predecessor);
   }
 
-  /** Whether the service is made to take the place of one that runs ({@link ServiceSwap}). */
+  /** Whether the service replaces a running one ({@link ServiceSwap}). */
   public boolean isSwap() {
     return predecessor != null || inheritance().isPresent();
   }
 
-  /** The place that the service is to take in a repeated execution. */
+  /** The takeover to perform in a replayed execution. */
   Optional<Execution.Inheritance> inheritance() {
     return execution().flatMap(Execution::inheritance);
   }
 
-  /** Lets go of the predecessor. */
+  /** Releases the predecessor. */
   void forgetPredecessor() {
     predecessor = null;
   }
 
   /**
-   * Whether the service ran before in this run and is started anew, in the same process or another:
-   * then it takes its work up where it was left.
+   * Whether the service is restarted in this run, in the same process or another, and must resume its saved state.
    */
   public boolean isRestart() {
     return restart;
   }
 
-  /** Takes note of how to close what the service opened while it was being constructed. */
+  /** Sets how to close the resources opened during construction. */
   void onAbandon(Runnable closing) {
     closings.push(closing);
   }
 
   /**
-   * Closes the log file and the connection of a service whose constructor failed, so that nobody
-   * has the service to {@link U2SAService#kill}. For those who construct services. Safe to call
-   * twice.
+   * Closes the log file and the connection of a service whose constructor failed, so that there is no instance to {@link U2SAService#kill}. For code that constructs services. Idempotent.
    */
   public void abandon() {
     for (Runnable closing = closings.poll(); closing != null; closing = closings.poll()) {
@@ -148,8 +144,7 @@ public final class ServiceContext {
   }
 
   /**
-   * Collects what a context holds. Without further calls: real time, logs in {@code out/logs}, seed
-   * 1.
+   * Builder. Defaults: real time, logs in {@code out/logs}, seed 1.
    */
   public static final class Builder {
     private final String systemId;
@@ -168,25 +163,25 @@ public final class ServiceContext {
       this.configuration = Objects.requireNonNull(configuration, "configuration");
     }
 
-    /** Sets the time of the run, which all services of a system share. */
+    /** Sets the clock of the run, shared by all services of a system. */
     public Builder clock(Clock value) {
       clock = Objects.requireNonNull(value, "clock");
       return this;
     }
 
-    /** Sets the way to the Communication Manager. */
+    /** Sets the connection to the Communication Manager. */
     public Builder transport(Transport value) {
       transport = Objects.requireNonNull(value, "transport");
       return this;
     }
 
-    /** Sets where the log file is written. */
+    /** Sets the directory of the log file. */
     public Builder logDirectory(Path value) {
       logDirectory = Objects.requireNonNull(value, "logDirectory");
       return this;
     }
 
-    /** Sets the message types that can be read; without it, those found on the class path. */
+    /** Sets the message types that can be decoded; default: those on the class path. */
     public Builder messageTypes(MessageTypes value) {
       messageTypes = Objects.requireNonNull(value, "messageTypes");
       return this;
@@ -199,21 +194,20 @@ public final class ServiceContext {
     }
 
     /**
-     * Says that the service is to take the place of one that runs, by a {@link ServiceSwap}: it
-     * gets that one's name, log and connection, and does not connect before.
+     * Makes the service replace a running one by a {@link ServiceSwap}: it gets that service's name, log and connection, and does not connect on its own.
      */
     public Builder inPlaceOf(U2SAService running) {
       predecessor = Objects.requireNonNull(running, "running");
       return this;
     }
 
-    /** Says whether the service ran before in this run. */
+    /** Sets whether the service is restarted in this run. */
     public Builder restart(boolean value) {
       restart = value;
       return this;
     }
 
-    /** The finished context. */
+    /** Builds the context. */
     public ServiceContext build() {
       return new ServiceContext(this);
     }

@@ -23,13 +23,12 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A service: one thread that knows no other service and talks in messages (thesis 3.2.2.1, 4.6.1,
+ * A service: one thread that knows no other service and communicates by messages only (thesis 3.2.2.1, 4.6.1,
  * 8.2.3.1).
  *
- * <p>A direct subclass is written as thesis 8.2.4 says: {@link #run} loops while {@link #running}
+ * <p>A direct subclass follows thesis 8.2.4: {@link #run} loops while {@link #running}
  * is true and waits by {@link #sleep}, {@link #callback} handles messages, and {@link #kill} closes
- * what the service opened and clears {@link #running}. Messages are handled on a thread of their
- * own beside the loop. Most authors extend {@link EventDrivenService} or {@link PeriodicService}
+ * what the service opened and clears {@link #running}. Messages are handled on a separate thread. Most authors extend {@link EventDrivenService} or {@link PeriodicService}
  * instead, which have one thread and no loop to write.
  *
  * <pre>
@@ -37,8 +36,7 @@ import org.u2sa.messages.schema.U2SAData;
  *                           └──── too many errors in a row ───────────▶ FAILED
  * </pre>
  *
- * <p>Registering, reading variables and logging work from the constructor on. Discovery, stop,
- * configuration and health are answered for every service here.
+ * <p>Registering, reading variables and logging are available in the constructor. This class handles discovery, stop, configuration and health for every service.
  */
 public abstract class U2SAService extends Thread
     implements Communicator, Publisher, Subscriber, Logger {
@@ -46,7 +44,7 @@ public abstract class U2SAService extends Thread
   protected final int threadID;
 
   /**
-   * Whether the service's loop should go on (thesis 8.2.3.1). Cleared by {@link #kill} and the stop
+   * Whether the service's loop should continue (thesis 8.2.3.1). Cleared by {@link #kill} and the stop
    * command.
    */
   protected volatile boolean running;
@@ -66,8 +64,8 @@ public abstract class U2SAService extends Thread
   /**
    * Reads the common variables, opens the log file and connects to the Communication Manager.
    *
-   * @param serviceName the name, unless the variable SERVICE NAME says another
-   * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is wrong
+   * @param serviceName default name, overridden by the variable SERVICE NAME
+   * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is invalid
    * @throws CommunicationException if the Communication Manager cannot be reached
    */
   protected U2SAService(ServiceContext context, ServiceRole role, String serviceName) {
@@ -96,9 +94,7 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * What the service does continuously, on its own thread: a loop while {@link #running}. A loop
-   * that returns earlier has failed. If there is nothing to do continuously, it returns at once,
-   * and the service handles messages.
+   * The service's main loop, on its own thread: loops while {@link #running}. A loop that returns earlier has failed. Without continuous work it returns immediately, and the service only handles messages.
    */
   @Override
   public abstract void run();
@@ -106,12 +102,11 @@ public abstract class U2SAService extends Thread
   /**
    * Ends the service: closes what it opened and clears {@link #running}. Also called by the service
    * itself when it ends for another reason, such as a stop command. Safe to call twice and from any
-   * thread. That of {@link EventDrivenService} and {@link PeriodicService} returns when the service
-   * has ended; a direct subclass ends within 0.25 s, or in {@link #shutDown}.
+   * thread. In {@link EventDrivenService} and {@link PeriodicService} it returns when the service has ended; a direct subclass ends within 0.25 s, or in {@link #shutDown}.
    */
   public abstract void kill();
 
-  /** {@linkplain #kill Kills} the service and returns when it has ended, or hangs for seconds. */
+  /** {@linkplain #kill Kills} the service and waits until it has ended; gives up after a few seconds if it hangs. */
   public final void shutDown() {
     kill();
     if (loop != null) {
@@ -128,11 +123,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Waits on the run's clock, in a loop that a direct subclass wrote as {@link #run}: in simulated
-   * time if the run is simulated, which {@link Thread#sleep} does not. Returns early when the
-   * service is to end. On any other thread it is {@link Thread#sleep}.
+   * Sleeps on the run's clock in a direct subclass's {@link #run} loop: unlike {@link Thread#sleep}, in simulated time if the run is simulated. Returns early when the service is told to end. On any other thread it is {@link Thread#sleep}.
    *
-   * @param millis how long [ms], not negative
+   * @param millis duration [ms], not negative
    * @throws InterruptedException if the thread was interrupted
    */
   public static void sleep(long millis) throws InterruptedException {
@@ -144,15 +137,13 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Handles one message that no {@linkplain #subscribe handler} takes, one at a time. What is not
-   * expected goes to {@link #unexpected}. Called on the service's thread; in a direct subclass on
-   * another one beside {@link #run}, so fields that both touch are volatile.
+   * Handles one message without a {@linkplain #subscribe handler}. Pass unexpected messages to {@link #unexpected}. Called on the service's thread; in a direct subclass on a separate thread, so fields shared with {@link #run} must be volatile.
    */
   public void callback(U2SAData data) {
     unexpected(data);
   }
 
-  /** Logs a message that the service has no use for (thesis 8.2.4). */
+  /** Logs a message that the service does not use (thesis 8.2.4). */
   protected final void unexpected(U2SAData data) {
     log(LogLevelEnum.DEBUG, "unexpected message: " + data);
   }
@@ -185,21 +176,18 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Why these values would not do together, though each is allowed; empty if they would. Asked
-   * before a change or an undo is written, which is refused with this reason. May be asked from any
-   * thread that calls {@link #setVariable}: judges its argument alone.
+   * Cross-checks individually valid values: the reason to reject them, or empty. Called before a change or an undo is written, which is refused with this reason. Called on any thread that calls {@link #setVariable}, so it must depend on its argument only.
    *
-   * @param values every variable of this service as it would be, in the declared units
+   * @param values proposed values of all variables of this service, in the declared units
    */
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
     return Optional.empty();
   }
 
   /**
-   * Takes note that variables were changed from outside, by {@link #setVariable}'s rules: once for
-   * all that were changed together. Called on the service's thread.
+   * Called after variables were changed from outside, by {@link #setVariable}'s rules: once per set of variables changed together. Called on the service's thread.
    *
-   * @param variableNames those that have another value than before; at least one
+   * @param variableNames variables whose values changed; at least one
    */
   protected void configurationChanged(Set<String> variableNames) {}
 
@@ -214,8 +202,7 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Logs a problem that the service survives, such as a lost device, and reports it as the last
-   * error in the health report. From any thread.
+   * Logs a problem that the service survives, such as a lost device, and reports it as the last error in the health report. Thread-safe.
    */
   public final void trouble(String what) {
     health.error(what);
@@ -223,11 +210,10 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Says in every health report from now on how a part of the service is, such as one of its
-   * sources or algorithms: counters, or what is wrong. From any thread.
+   * Sets a remark on a part of the service, such as a source or an algorithm, for all further health reports: counters, or a fault. Thread-safe.
    *
-   * @param part its name; a later remark on the same part replaces this one
-   * @param what in words and numbers; empty: no more remark
+   * @param part name of the part; a later remark on the same part replaces this one
+   * @param what the remark; empty to remove it
    */
   public final void remark(String part, String what) {
     health.remark(part, what);
@@ -276,9 +262,7 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * {@link #registerSubscriber(Channel)} with a deadline: a message that is older when its turn
-   * comes, or that does not say its time, counts as absent. It is not handed over, but counted as
-   * expired in health. A further call sets another deadline.
+   * {@link #registerSubscriber(Channel)} with a deadline: a message that is older when it would be handled, or that has no timestamp, is dropped and counted as expired in the health report. Another call replaces the deadline.
    *
    * @param deadlineS age at which a message counts as absent [s], positive
    */
@@ -288,8 +272,7 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * {@link #registerSubscriber(Channel)} with a handler: the channel's messages go to it instead of
-   * {@link #callback}, on the service's thread. A further call sets another handler.
+   * {@link #registerSubscriber(Channel)} with a handler: the channel's messages go to it instead of {@link #callback}, on the service's thread. Another call replaces the handler.
    */
   public final <T extends U2SAData> boolean subscribe(
       Channel<T> channel, Consumer<? super T> handler) {
@@ -330,11 +313,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Says in health reports from now on, the next of them at once, which emergency stops hold here:
-   * an operator's stop counts when all that heed stops have said that it holds. Called on the
-   * service's thread, and in its constructor with an empty list to say that it heeds stops.
+   * Reports the emergency stops active here, immediately and in all further health reports: an operator's stop is confirmed when all services that obey stops have reported it. Called on the service's thread, and in its constructor with an empty list to declare that the service obeys stops.
    *
-   * @param identities as {@link EmergencyLatch#identities} says
+   * @param identities from {@link EmergencyLatch#identities}
    */
   public final void heedsEmergencyStops(List<String> identities) {
     if (health.emergencyStops(identities)) {
@@ -342,14 +323,12 @@ public abstract class U2SAService extends Thread
     }
   }
 
-  // Life (thesis 8.2.3.1)
+  // Life cycle (thesis 8.2.3.1)
 
   /**
-   * Starts the thread. A service that was told to stop before ends without having run. One that was
-   * started anew goes on where it was.
+   * Starts the thread. A service already told to stop ends without running. A restarted service resumes its saved state.
    *
-   * @throws org.u2sa.interfaces.configuration.ConfigurationException if the configuration holds a
-   *     variable that the service does not know
+   * @throws org.u2sa.interfaces.configuration.ConfigurationException if the configuration contains an unknown variable
    * @throws IllegalThreadStateException if it was started or killed before
    */
   @Override
@@ -359,9 +338,7 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Has handlers and steps called on this service's own thread and no other, also in a simulation,
-   * where a thread of the run's clock calls them as a rule: for libraries that know the thread that
-   * calls them. That costs the simulation time. Called in the constructor.
+   * Calls handlers and steps on this service's own thread only, even in a simulation, where by default a thread of the run's clock calls them: for libraries with thread affinity. Slows the simulation down. Called in the constructor.
    */
   protected final void keepToOwnThread() {
     life.keepToOwnThread();
@@ -377,49 +354,41 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Closes what the subclass opened and leaves its actuators neutral. Called once when the service
-   * ends.
+   * Closes the subclass's resources and sets its actuators to neutral. Called once when the service ends.
    */
   protected void release() {}
 
   /**
-   * Closes what the subclass opened in a service whose place another one takes: in place of {@link
-   * #release}, where nothing can be published. What moves is to be left as it is, because the
-   * successor moves it on.
+   * Closes the subclass's resources when a successor takes over; called instead of {@link #release}. Nothing can be published. Leave actuators as they are, because the successor continues to command them.
    */
   protected void releaseToSuccessor() {
     release();
   }
 
   /**
-   * Abandons a service whose code does not return: Java cannot end its thread. It is interrupted;
-   * if that does not help, its actuators are left neutral from another thread and it is cut off:
-   * what it still publishes is refused, nothing reaches it any more, and its name is free. Returns
-   * within a few seconds in any case.
+   * Abandons a hung service, because Java cannot kill its thread. The thread is interrupted; if that does not help, the actuators are set to neutral from another thread and the service is disconnected: it can no longer publish or receive, and its name is released. Always returns within a few seconds.
    */
   public final void abandon() {
     life.abandon();
   }
 
-  /** Whether the service's loop goes on. */
+  /** Whether the service's loop is running. */
   public final boolean isRunning() {
     return running;
   }
 
-  /** Where the service is in its life. */
+  /** Life-cycle state. */
   public final ServiceStatus status() {
     return life.status();
   }
 
-  /** Why the service ends or has ended, if a message made it end; otherwise empty. */
+  /** Why a message ended the service; empty if none did. */
   public final Optional<String> endReason() {
     return life.endReason();
   }
 
   /**
-   * What is to be said on behalf of the service because its own health report is overdue, on {@link
-   * org.u2sa.interfaces.communication.Channels#HEALTH}; empty if it speaks for itself or has ended.
-   * For whoever hosts the service; from any thread.
+   * Substitute health report to publish on {@link org.u2sa.interfaces.communication.Channels#HEALTH} because the service's own is overdue; empty if it is not, or the service has ended. For the host of the service. Thread-safe.
    */
   public final Optional<HealthReport> overdueHealth() {
     return handling.reporter().onBehalf(clock().micros());
@@ -428,48 +397,40 @@ public abstract class U2SAService extends Thread
   // Succession (thesis 5.1, user story 8)
 
   /**
-   * Writes down what a service of another class needs to know to take this one's place without a
-   * bump: what was learnt since the start, such as the goal pursued or an integrator. Called on the
-   * service's thread between two messages; this service goes on if the other one refuses.
+   * Saves the state that a service of another class needs for a bumpless takeover: anything learnt since the start, such as the current goal or an integrator. Called on the service's thread between two messages; this service continues if the successor refuses.
    */
   protected void handOver(HandOver state) {}
 
   /**
-   * Takes over what the service before it wrote down, which may be of any class of the same role.
-   * Or what this service {@linkplain #remember remembered} before it was started anew. Called once,
-   * before its thread runs, and not at a first start. Nothing can be published yet.
+   * Restores the state saved by the predecessor, which may be of any class of the same role, or {@linkplain #remember remembered} by this service before a restart. Called once, before the thread runs, and not at a first start. Nothing can be published yet.
    *
-   * @throws RuntimeException if the service cannot resume from there: in a {@link ServiceSwap} the
-   *     one before stays; a restart fails, and the next one starts without saved state
+   * @throws RuntimeException if the service cannot resume from there: in a {@link ServiceSwap} the predecessor stays; a restart fails, and the next one starts without saved state
    */
   protected void takeOver(HandOver state) {}
 
   /**
-   * Keeps what {@link #handOver} writes at this moment, in a file beside the log. Should the
-   * service be started anew in this run, in the same process or after its process was killed,
-   * {@link #takeOver} gets it. Called on the service's thread at each change of what must not be
-   * lost.
+   * Saves the current {@link #handOver} state in a file beside the log. If the service is restarted in this run, in the same process or after its process was killed, {@link #takeOver} gets it. Called on the service's thread whenever state that must not be lost changes.
    */
   protected final void remember() {
     succession.remember();
   }
 
-  /** Takes note of whose place it takes, before it starts. */
+  /** Called before the start with the predecessor. */
   void succeeds(U2SAService predecessor) {
     succession.succeeds();
   }
 
-  /** Sets when the first step is due [µs of the run's clock], of a service that steps. */
+  /** Sets when a periodic service's first step is due [µs of the run's clock]. */
   void firstStepAt(long micros) {}
 
-  /** When the first step is due [µs of the run's clock]; empty if at once, or without steps. */
+  /** When the first step is due [µs of the run's clock]; empty if immediately, or if the service has no steps. */
   OptionalLong firstStepMicros() {
     return OptionalLong.empty();
   }
 
-  // What it is
+  // Properties
 
-  /** The name under which others find this service. */
+  /** Service name, as seen by discovery. */
   public final String getServiceName() {
     return getName();
   }
@@ -479,7 +440,7 @@ public abstract class U2SAService extends Thread
     return threadID;
   }
 
-  /** What the service is for. */
+  /** Role of the service. */
   public final ServiceRole role() {
     return role;
   }
@@ -489,22 +450,22 @@ public abstract class U2SAService extends Thread
     return List.copyOf(wiring.registrations().published());
   }
 
-  /** The channels that the service hears, those of the service contract left out. */
+  /** Subscribed channels, except those of the service contract. */
   public final List<Channel<?>> subscribedChannels() {
     return List.copyOf(wiring.registrations().subscribed());
   }
 
-  /** What the service was given at its construction. */
+  /** The context passed to the constructor. */
   protected final ServiceContext context() {
     return context;
   }
 
-  /** The time of the run. */
+  /** Clock of the run. */
   protected final Clock clock() {
     return context.clock();
   }
 
-  /** The time now [s] of the run's clock. */
+  /** Current time of the run's clock [s]. */
   protected final double nowS() {
     return Clock.seconds(context.clock().micros());
   }
