@@ -10,9 +10,11 @@ import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
- * An actuator service (thesis 3.2.2.5). In: actuation, of which it obeys commands addressed to its name; emergency-stop; arming-state. Out: actuators, its periodic announcement (thesis 5.1).
+ * An actuator service (thesis 3.2.2.5). In: actuation, of which it obeys commands addressed to its
+ * name; emergency-stop; arming-state. Out: actuators, its periodic announcement (thesis 5.1).
  *
- * <p>It goes neutral when commands expire, at an emergency stop, and when the service ends. A successor that replaces it at run time continues its command.
+ * <p>It goes neutral when commands expire, at an emergency stop, and when the service ends. A
+ * successor that replaces it at run time continues its command.
  */
 public abstract class Actuator extends PeriodicService implements ActuatorOwner {
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
@@ -42,8 +44,8 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   protected abstract void actuate(double percentage);
 
   /**
-   * Moves to the safe neutral position, where nothing moves. Called when commands expire and when the
-   * service ends.
+   * Moves to the safe neutral position, where nothing moves. Called when commands expire and when
+   * the service ends.
    */
   protected abstract void neutral();
 
@@ -51,7 +53,8 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   protected void close() {}
 
   /**
-   * The announcement to control systems, from the configuration; subclasses add what they know better.
+   * The announcement to control systems, from the configuration; subclasses add what they know
+   * better.
    */
   protected ActuatorAnnouncement announcement() {
     return description.addTo(
@@ -64,7 +67,8 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   }
 
   /**
-   * Announces the remaining effectiveness of the actuator [%, 0…100], 0 if its device is lost; only after the service was started.
+   * Announces the remaining effectiveness of the actuator [%, 0…100], 0 if its device is lost; only
+   * after the service was started.
    */
   protected final void available(double percent) {
     commands.available(actuatorName, percent);

@@ -7,7 +7,9 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Configured description of an actuator, for its announcement: any actuator service gets it by {@code settings(ActuatorDescription.class)}, with the actuator's name as prefix if it has several.
+ * Configured description of an actuator, for its announcement: any actuator service gets it by
+ * {@code settings(ActuatorDescription.class)}, with the actuator's name as prefix if it has
+ * several.
  */
 public record ActuatorDescription(
     @Variable(
@@ -85,7 +87,8 @@ public record ActuatorDescription(
   }
 
   /**
-   * Writes the effect of a thruster into an announcement, for services with their own variables for it, and returns the announcement.
+   * Writes the effect of a thruster into an announcement, for services with their own variables for
+   * it, and returns the announcement.
    *
    * @param place position relative to the vehicle's reference point: forward, right, down [m]
    * @param direction in which it pushes the vehicle at +100 %, in the same axes, of any length

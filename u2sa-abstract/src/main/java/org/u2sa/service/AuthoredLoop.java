@@ -5,12 +5,16 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Runs an author's {@link U2SAService#run} loop and a separate thread that handles the service's messages, so that the loop need not deal with messages (thesis 8.2.4).
+ * Runs an author's {@link U2SAService#run} loop and a separate thread that handles the service's
+ * messages, so that the loop need not deal with messages (thesis 8.2.4).
  *
- * <p>{@link U2SAService#sleep} waits on the run's clock, so a simulation waits for each iteration. It does not wait for a loop that blocks elsewhere, such as in {@link Thread#sleep}.
+ * <p>{@link U2SAService#sleep} waits on the run's clock, so a simulation waits for each iteration.
+ * It does not wait for a loop that blocks elsewhere, such as in {@link Thread#sleep}.
  */
 final class AuthoredLoop {
-  /** Polling period of the field that an author's kill clears, because a field cannot be watched. */
+  /**
+   * Polling period of the field that an author's kill clears, because a field cannot be watched.
+   */
   private static final long POLLS_EVERY_MICROS = 250_000;
 
   private static final long ENDS_WITHIN_MS = 1_000;
@@ -66,7 +70,8 @@ final class AuthoredLoop {
   }
 
   /**
-   * A loop that returns while the service should continue has failed. A run() that returns immediately is not a loop: the service only handles messages.
+   * A loop that returns while the service should continue has failed. A run() that returns
+   * immediately is not a loop: the service only handles messages.
    */
   private void checkLoop() {
     if (hasReturned || !service.running) {

@@ -4,9 +4,12 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * Provides the time between an author's callbacks and their durations with a minimum of system-clock reads, because one read costs more than delivering a message.
+ * Provides the time between an author's callbacks and their durations with a minimum of
+ * system-clock reads, because one read costs more than delivering a message.
  *
- * <p>The end time of one callback is reused as the start of the next if nothing happens in between, and, in real time, as the time of the run. In a simulation the two clocks are unrelated, because durations are still measured in real time.
+ * <p>The end time of one callback is reused as the start of the next if nothing happens in between,
+ * and, in real time, as the time of the run. In a simulation the two clocks are unrelated, because
+ * durations are still measured in real time.
  */
 final class CallbackStopwatch {
   private final Clock run;

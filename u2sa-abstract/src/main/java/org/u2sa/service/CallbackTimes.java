@@ -5,7 +5,8 @@ import java.util.concurrent.atomic.AtomicLongArray;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Durations of a service's most recent callbacks and steps. Written lock-free by the service's thread, because every message is measured; readable from any thread.
+ * Durations of a service's most recent callbacks and steps. Written lock-free by the service's
+ * thread, because every message is measured; readable from any thread.
  */
 final class CallbackTimes {
   /** Number of durations kept. */

@@ -12,7 +12,9 @@ import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
- * Holds the latest command per actuator until it expires, so that an actuator goes neutral when control is lost (as PX4 and ArduPilot do at their outputs). Angles, speeds and forces, if accepted by an actuator, are also held as percentages.
+ * Holds the latest command per actuator until it expires, so that an actuator goes neutral when
+ * control is lost (as PX4 and ArduPilot do at their outputs). Angles, speeds and forces, if
+ * accepted by an actuator, are also held as percentages.
  *
  * <p>Not thread-safe: belongs to the service that owns the actuators.
  */
@@ -101,7 +103,8 @@ public final class CommandHold {
   }
 
   /**
-   * The active commands, each with its remaining lifetime: if {@link #accept}ed immediately by another hold, they expire exactly when they would have here.
+   * The active commands, each with its remaining lifetime: if {@link #accept}ed immediately by
+   * another hold, they expire exactly when they would have here.
    */
   List<ActuatorCommand> standing() {
     long now = clock.micros();
@@ -118,9 +121,7 @@ public final class CommandHold {
     return standing;
   }
 
-  /**
-   * Current command of the actuator [%], −100…100; empty if never commanded or expired.
-   */
+  /** Current command of the actuator [%], −100…100; empty if never commanded or expired. */
   public OptionalDouble percentage(String actuator) {
     Held held = newest.get(actuator);
     return held == null || held.untilMicros <= clock.micros()
@@ -128,9 +129,7 @@ public final class CommandHold {
         : OptionalDouble.of(held.percentage);
   }
 
-  /**
-   * Current command of the actuator as sent; empty if {@link #percentage} is.
-   */
+  /** Current command of the actuator as sent; empty if {@link #percentage} is. */
   public Optional<ActuatorCommand> command(String actuator) {
     Held held = newest.get(actuator);
     return held == null || held.untilMicros <= clock.micros()

@@ -2,9 +2,7 @@ package org.u2sa.service;
 
 /** Reasons to refuse a command. */
 public enum CommandRefusal {
-  /**
-   * Addressed to another actuator: not an error, so neither logged nor counted.
-   */
+  /** Addressed to another actuator: not an error, so neither logged nor counted. */
   NOT_ADDRESSED("for another actuator"),
   /** An emergency stop is active. */
   EMERGENCY_STOPPED("emergency stop"),

@@ -123,7 +123,8 @@ public final class ServiceContext {
   }
 
   /**
-   * Whether the service is restarted in this run, in the same process or another, and must resume its saved state.
+   * Whether the service is restarted in this run, in the same process or another, and must resume
+   * its saved state.
    */
   public boolean isRestart() {
     return restart;
@@ -135,7 +136,8 @@ public final class ServiceContext {
   }
 
   /**
-   * Closes the log file and the connection of a service whose constructor failed, so that there is no instance to {@link U2SAService#kill}. For code that constructs services. Idempotent.
+   * Closes the log file and the connection of a service whose constructor failed, so that there is
+   * no instance to {@link U2SAService#kill}. For code that constructs services. Idempotent.
    */
   public void abandon() {
     for (Runnable closing = closings.poll(); closing != null; closing = closings.poll()) {
@@ -143,9 +145,7 @@ public final class ServiceContext {
     }
   }
 
-  /**
-   * Builder. Defaults: real time, logs in {@code out/logs}, seed 1.
-   */
+  /** Builder. Defaults: real time, logs in {@code out/logs}, seed 1. */
   public static final class Builder {
     private final String systemId;
     private final XmlConfiguration configuration;
@@ -194,7 +194,8 @@ public final class ServiceContext {
     }
 
     /**
-     * Makes the service replace a running one by a {@link ServiceSwap}: it gets that service's name, log and connection, and does not connect on its own.
+     * Makes the service replace a running one by a {@link ServiceSwap}: it gets that service's
+     * name, log and connection, and does not connect on its own.
      */
     public Builder inPlaceOf(U2SAService running) {
       predecessor = Objects.requireNonNull(running, "running");

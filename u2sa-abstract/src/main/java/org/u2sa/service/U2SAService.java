@@ -23,20 +23,22 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A service: one thread that knows no other service and communicates by messages only (thesis 3.2.2.1, 4.6.1,
- * 8.2.3.1).
+ * A service: one thread that knows no other service and communicates by messages only (thesis
+ * 3.2.2.1, 4.6.1, 8.2.3.1).
  *
- * <p>A direct subclass follows thesis 8.2.4: {@link #run} loops while {@link #running}
- * is true and waits by {@link #sleep}, {@link #callback} handles messages, and {@link #kill} closes
- * what the service opened and clears {@link #running}. Messages are handled on a separate thread. Most authors extend {@link EventDrivenService} or {@link PeriodicService}
- * instead, which have one thread and no loop to write.
+ * <p>A direct subclass follows thesis 8.2.4: {@link #run} loops while {@link #running} is true and
+ * waits by {@link #sleep}, {@link #callback} handles messages, and {@link #kill} closes what the
+ * service opened and clears {@link #running}. Messages are handled on a separate thread. Most
+ * authors extend {@link EventDrivenService} or {@link PeriodicService} instead, which have one
+ * thread and no loop to write.
  *
  * <pre>
  *   CREATED ──start()──▶ RUNNING ──kill(), stop command──▶ STOPPING ──▶ STOPPED
  *                           └──── too many errors in a row ───────────▶ FAILED
  * </pre>
  *
- * <p>Registering, reading variables and logging are available in the constructor. This class handles discovery, stop, configuration and health for every service.
+ * <p>Registering, reading variables and logging are available in the constructor. This class
+ * handles discovery, stop, configuration and health for every service.
  */
 public abstract class U2SAService extends Thread
     implements Communicator, Publisher, Subscriber, Logger {
@@ -44,8 +46,8 @@ public abstract class U2SAService extends Thread
   protected final int threadID;
 
   /**
-   * Whether the service's loop should continue (thesis 8.2.3.1). Cleared by {@link #kill} and the stop
-   * command.
+   * Whether the service's loop should continue (thesis 8.2.3.1). Cleared by {@link #kill} and the
+   * stop command.
    */
   protected volatile boolean running;
 
@@ -94,7 +96,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * The service's main loop, on its own thread: loops while {@link #running}. A loop that returns earlier has failed. Without continuous work it returns immediately, and the service only handles messages.
+   * The service's main loop, on its own thread: loops while {@link #running}. A loop that returns
+   * earlier has failed. Without continuous work it returns immediately, and the service only
+   * handles messages.
    */
   @Override
   public abstract void run();
@@ -102,11 +106,15 @@ public abstract class U2SAService extends Thread
   /**
    * Ends the service: closes what it opened and clears {@link #running}. Also called by the service
    * itself when it ends for another reason, such as a stop command. Safe to call twice and from any
-   * thread. In {@link EventDrivenService} and {@link PeriodicService} it returns when the service has ended; a direct subclass ends within 0.25 s, or in {@link #shutDown}.
+   * thread. In {@link EventDrivenService} and {@link PeriodicService} it returns when the service
+   * has ended; a direct subclass ends within 0.25 s, or in {@link #shutDown}.
    */
   public abstract void kill();
 
-  /** {@linkplain #kill Kills} the service and waits until it has ended; gives up after a few seconds if it hangs. */
+  /**
+   * {@linkplain #kill Kills} the service and waits until it has ended; gives up after a few seconds
+   * if it hangs.
+   */
   public final void shutDown() {
     kill();
     if (loop != null) {
@@ -123,7 +131,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Sleeps on the run's clock in a direct subclass's {@link #run} loop: unlike {@link Thread#sleep}, in simulated time if the run is simulated. Returns early when the service is told to end. On any other thread it is {@link Thread#sleep}.
+   * Sleeps on the run's clock in a direct subclass's {@link #run} loop: unlike {@link
+   * Thread#sleep}, in simulated time if the run is simulated. Returns early when the service is
+   * told to end. On any other thread it is {@link Thread#sleep}.
    *
    * @param millis duration [ms], not negative
    * @throws InterruptedException if the thread was interrupted
@@ -137,7 +147,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Handles one message without a {@linkplain #subscribe handler}. Pass unexpected messages to {@link #unexpected}. Called on the service's thread; in a direct subclass on a separate thread, so fields shared with {@link #run} must be volatile.
+   * Handles one message without a {@linkplain #subscribe handler}. Pass unexpected messages to
+   * {@link #unexpected}. Called on the service's thread; in a direct subclass on a separate thread,
+   * so fields shared with {@link #run} must be volatile.
    */
   public void callback(U2SAData data) {
     unexpected(data);
@@ -176,7 +188,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Cross-checks individually valid values: the reason to reject them, or empty. Called before a change or an undo is written, which is refused with this reason. Called on any thread that calls {@link #setVariable}, so it must depend on its argument only.
+   * Cross-checks individually valid values: the reason to reject them, or empty. Called before a
+   * change or an undo is written, which is refused with this reason. Called on any thread that
+   * calls {@link #setVariable}, so it must depend on its argument only.
    *
    * @param values proposed values of all variables of this service, in the declared units
    */
@@ -185,7 +199,8 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Called after variables were changed from outside, by {@link #setVariable}'s rules: once per set of variables changed together. Called on the service's thread.
+   * Called after variables were changed from outside, by {@link #setVariable}'s rules: once per set
+   * of variables changed together. Called on the service's thread.
    *
    * @param variableNames variables whose values changed; at least one
    */
@@ -202,7 +217,8 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Logs a problem that the service survives, such as a lost device, and reports it as the last error in the health report. Thread-safe.
+   * Logs a problem that the service survives, such as a lost device, and reports it as the last
+   * error in the health report. Thread-safe.
    */
   public final void trouble(String what) {
     health.error(what);
@@ -210,7 +226,8 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Sets a remark on a part of the service, such as a source or an algorithm, for all further health reports: counters, or a fault. Thread-safe.
+   * Sets a remark on a part of the service, such as a source or an algorithm, for all further
+   * health reports: counters, or a fault. Thread-safe.
    *
    * @param part name of the part; a later remark on the same part replaces this one
    * @param what the remark; empty to remove it
@@ -262,7 +279,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * {@link #registerSubscriber(Channel)} with a deadline: a message that is older when it would be handled, or that has no timestamp, is dropped and counted as expired in the health report. Another call replaces the deadline.
+   * {@link #registerSubscriber(Channel)} with a deadline: a message that is older when it would be
+   * handled, or that has no timestamp, is dropped and counted as expired in the health report.
+   * Another call replaces the deadline.
    *
    * @param deadlineS age at which a message counts as absent [s], positive
    */
@@ -272,7 +291,8 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * {@link #registerSubscriber(Channel)} with a handler: the channel's messages go to it instead of {@link #callback}, on the service's thread. Another call replaces the handler.
+   * {@link #registerSubscriber(Channel)} with a handler: the channel's messages go to it instead of
+   * {@link #callback}, on the service's thread. Another call replaces the handler.
    */
   public final <T extends U2SAData> boolean subscribe(
       Channel<T> channel, Consumer<? super T> handler) {
@@ -313,7 +333,10 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Reports the emergency stops active here, immediately and in all further health reports: an operator's stop is confirmed when all services that obey stops have reported it. Called on the service's thread, and in its constructor with an empty list to declare that the service obeys stops.
+   * Reports the emergency stops active here, immediately and in all further health reports: an
+   * operator's stop is confirmed when all services that obey stops have reported it. Called on the
+   * service's thread, and in its constructor with an empty list to declare that the service obeys
+   * stops.
    *
    * @param identities from {@link EmergencyLatch#identities}
    */
@@ -326,9 +349,11 @@ public abstract class U2SAService extends Thread
   // Life cycle (thesis 8.2.3.1)
 
   /**
-   * Starts the thread. A service already told to stop ends without running. A restarted service resumes its saved state.
+   * Starts the thread. A service already told to stop ends without running. A restarted service
+   * resumes its saved state.
    *
-   * @throws org.u2sa.interfaces.configuration.ConfigurationException if the configuration contains an unknown variable
+   * @throws org.u2sa.interfaces.configuration.ConfigurationException if the configuration contains
+   *     an unknown variable
    * @throws IllegalThreadStateException if it was started or killed before
    */
   @Override
@@ -338,7 +363,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Calls handlers and steps on this service's own thread only, even in a simulation, where by default a thread of the run's clock calls them: for libraries with thread affinity. Slows the simulation down. Called in the constructor.
+   * Calls handlers and steps on this service's own thread only, even in a simulation, where by
+   * default a thread of the run's clock calls them: for libraries with thread affinity. Slows the
+   * simulation down. Called in the constructor.
    */
   protected final void keepToOwnThread() {
     life.keepToOwnThread();
@@ -354,19 +381,25 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Closes the subclass's resources and sets its actuators to neutral. Called once when the service ends.
+   * Closes the subclass's resources and sets its actuators to neutral. Called once when the service
+   * ends.
    */
   protected void release() {}
 
   /**
-   * Closes the subclass's resources when a successor takes over; called instead of {@link #release}. Nothing can be published. Leave actuators as they are, because the successor continues to command them.
+   * Closes the subclass's resources when a successor takes over; called instead of {@link
+   * #release}. Nothing can be published. Leave actuators as they are, because the successor
+   * continues to command them.
    */
   protected void releaseToSuccessor() {
     release();
   }
 
   /**
-   * Abandons a hung service, because Java cannot kill its thread. The thread is interrupted; if that does not help, the actuators are set to neutral from another thread and the service is disconnected: it can no longer publish or receive, and its name is released. Always returns within a few seconds.
+   * Abandons a hung service, because Java cannot kill its thread. The thread is interrupted; if
+   * that does not help, the actuators are set to neutral from another thread and the service is
+   * disconnected: it can no longer publish or receive, and its name is released. Always returns
+   * within a few seconds.
    */
   public final void abandon() {
     life.abandon();
@@ -388,7 +421,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Substitute health report to publish on {@link org.u2sa.interfaces.communication.Channels#HEALTH} because the service's own is overdue; empty if it is not, or the service has ended. For the host of the service. Thread-safe.
+   * Substitute health report to publish on {@link
+   * org.u2sa.interfaces.communication.Channels#HEALTH} because the service's own is overdue; empty
+   * if it is not, or the service has ended. For the host of the service. Thread-safe.
    */
   public final Optional<HealthReport> overdueHealth() {
     return handling.reporter().onBehalf(clock().micros());
@@ -397,19 +432,26 @@ public abstract class U2SAService extends Thread
   // Succession (thesis 5.1, user story 8)
 
   /**
-   * Saves the state that a service of another class needs for a bumpless takeover: anything learnt since the start, such as the current goal or an integrator. Called on the service's thread between two messages; this service continues if the successor refuses.
+   * Saves the state that a service of another class needs for a bumpless takeover: anything learnt
+   * since the start, such as the current goal or an integrator. Called on the service's thread
+   * between two messages; this service continues if the successor refuses.
    */
   protected void handOver(HandOver state) {}
 
   /**
-   * Restores the state saved by the predecessor, which may be of any class of the same role, or {@linkplain #remember remembered} by this service before a restart. Called once, before the thread runs, and not at a first start. Nothing can be published yet.
+   * Restores the state saved by the predecessor, which may be of any class of the same role, or
+   * {@linkplain #remember remembered} by this service before a restart. Called once, before the
+   * thread runs, and not at a first start. Nothing can be published yet.
    *
-   * @throws RuntimeException if the service cannot resume from there: in a {@link ServiceSwap} the predecessor stays; a restart fails, and the next one starts without saved state
+   * @throws RuntimeException if the service cannot resume from there: in a {@link ServiceSwap} the
+   *     predecessor stays; a restart fails, and the next one starts without saved state
    */
   protected void takeOver(HandOver state) {}
 
   /**
-   * Saves the current {@link #handOver} state in a file beside the log. If the service is restarted in this run, in the same process or after its process was killed, {@link #takeOver} gets it. Called on the service's thread whenever state that must not be lost changes.
+   * Saves the current {@link #handOver} state in a file beside the log. If the service is restarted
+   * in this run, in the same process or after its process was killed, {@link #takeOver} gets it.
+   * Called on the service's thread whenever state that must not be lost changes.
    */
   protected final void remember() {
     succession.remember();
@@ -423,7 +465,10 @@ public abstract class U2SAService extends Thread
   /** Sets when a periodic service's first step is due [µs of the run's clock]. */
   void firstStepAt(long micros) {}
 
-  /** When the first step is due [µs of the run's clock]; empty if immediately, or if the service has no steps. */
+  /**
+   * When the first step is due [µs of the run's clock]; empty if immediately, or if the service has
+   * no steps.
+   */
   OptionalLong firstStepMicros() {
     return OptionalLong.empty();
   }

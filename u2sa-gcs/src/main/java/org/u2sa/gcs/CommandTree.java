@@ -20,7 +20,8 @@ final class CommandTree {
   private CommandTree() {}
 
   /**
-   * Loads all providers on the class path; a broken one is reported on {@code err} and skipped, so that one bad jar does not disable the other commands.
+   * Loads all providers on the class path; a broken one is reported on {@code err} and skipped, so
+   * that one bad jar does not disable the other commands.
    */
   static List<CommandProvider> discover(PrintWriter err) {
     List<CommandProvider> found = new ArrayList<>();
@@ -81,7 +82,8 @@ final class CommandTree {
   }
 
   /**
-   * {@code u2sa demo}: lists the demos contributed by modules on the class path; each is a subcommand.
+   * {@code u2sa demo}: lists the demos contributed by modules on the class path; each is a
+   * subcommand.
    */
   @Command(
       name = "demo",

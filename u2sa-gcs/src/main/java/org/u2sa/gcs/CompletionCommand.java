@@ -9,7 +9,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa completion}: prints the shell script that completes commands, options and their values. */
+/**
+ * {@code u2sa completion}: prints the shell script that completes commands, options and their
+ * values.
+ */
 @Command(
     name = "completion",
     description = {

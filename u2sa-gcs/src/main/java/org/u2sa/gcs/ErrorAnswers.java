@@ -47,7 +47,8 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
   /** Reports {@code thrown} on {@code err} and returns the exit code. */
   int answer(Throwable thrown, PrintWriter err) {
     boolean badInput =
-        thrown instanceof BadInputException || thrown instanceof McapException; // their messages name the file
+        thrown instanceof BadInputException
+            || thrown instanceof McapException; // their messages name the file
     boolean told =
         badInput
             || thrown instanceof RunFailedException

@@ -12,7 +12,10 @@ import picocli.CommandLine.Help;
 
 /** Entry point of the program {@code u2sa}. */
 public final class Main {
-  /** Logger of the MQTT library; referenced here because an unreferenced logger may be garbage-collected and lose its level. */
+  /**
+   * Logger of the MQTT library; referenced here because an unreferenced logger may be
+   * garbage-collected and lose its level.
+   */
   private static final Logger MQTT = Logger.getLogger("org.eclipse.paho.client.mqttv3");
 
   private Main() {}
@@ -27,9 +30,11 @@ public final class Main {
   }
 
   /**
-   * Runs one command without exiting the virtual machine, for programs and tests that use the command line.
+   * Runs one command without exiting the virtual machine, for programs and tests that use the
+   * command line.
    *
-   * @param out receives the command's output, without colours; flushed after each line if it auto-flushes
+   * @param out receives the command's output, without colours; flushed after each line if it
+   *     auto-flushes
    * @param err receives errors
    * @return exit code, see {@link ExitCode}
    */
@@ -62,7 +67,9 @@ public final class Main {
   }
 
   /**
-   * Reports uncaught exceptions of threads. Paho's threads end that way when their client is closed while connecting, as in a process stopped during startup; they get one line and no stack trace, because the lost connection is handled elsewhere.
+   * Reports uncaught exceptions of threads. Paho's threads end that way when their client is closed
+   * while connecting, as in a process stopped during startup; they get one line and no stack trace,
+   * because the lost connection is handled elsewhere.
    */
   static final class LostThreads implements Thread.UncaughtExceptionHandler {
     private static final String PAHO = "org.eclipse.paho.";

@@ -19,7 +19,8 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Finds brokers of U2SA systems on the local networks by multicast DNS. Announcements can be forged; TLS authenticates the broker.
+ * Finds brokers of U2SA systems on the local networks by multicast DNS. Announcements can be
+ * forged; TLS authenticates the broker.
  */
 public final class BrokerSearch implements ServiceListener {
   /** Placeholder for a broker's address that requests a search. */

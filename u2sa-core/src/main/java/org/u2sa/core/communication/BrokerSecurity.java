@@ -15,9 +15,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.configuration.Variable;
 
-/**
- * Security of the embedded broker: users and encryption, or listening on this host only.
- */
+/** Security of the embedded broker: users and encryption, or listening on this host only. */
 final class BrokerSecurity {
   /** The variables. */
   record Settings(
@@ -58,7 +56,8 @@ final class BrokerSecurity {
    * Reads the users and the certificate.
    *
    * @param bindAddress where the broker is to listen
-   * @throws BadInputException if that would expose an unsecured broker to a network, or a file is invalid
+   * @throws BadInputException if that would expose an unsecured broker to a network, or a file is
+   *     invalid
    */
   static BrokerSecurity of(Settings settings, String bindAddress, int port, Consumer<String> log) {
     if (!settings.securityDirectory.isEmpty()) {

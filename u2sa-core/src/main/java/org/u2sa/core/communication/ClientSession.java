@@ -22,7 +22,8 @@ import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.User;
 
 /**
- * One client's session: authenticates the client, then filters each of its packets before Moquette sees it. Confined to its connection's thread.
+ * One client's session: authenticates the client, then filters each of its packets before Moquette
+ * sees it. Confined to its connection's thread.
  */
 final class ClientSession extends ChannelInboundHandlerAdapter {
   private enum Stage {
@@ -87,7 +88,8 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Ends the connection because its client reconnected. Its will is not published, because the client is present. May be called on any thread.
+   * Ends the connection because its client reconnected. Its will is not published, because the
+   * client is present. May be called on any thread.
    */
   void replaced() {
     ChannelHandlerContext ctx = context;
@@ -101,7 +103,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Whether the next packet may be read: not while the client leaves answers unread. Moquette disconnects a client that subscribes before Moquette has finished connecting it, which may be after the client has received CONNACK.
+   * Whether the next packet may be read: not while the client leaves answers unread. Moquette
+   * disconnects a client that subscribes before Moquette has finished connecting it, which may be
+   * after the client has received CONNACK.
    */
   boolean isReady() {
     return stage != Stage.CHECKED && (stage != Stage.IN || connected) && !outflow.owesAnswers();
@@ -187,7 +191,8 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Runs an action on a connection's thread, or drops it if the broker has ended that thread, because its connections are then closed.
+   * Runs an action on a connection's thread, or drops it if the broker has ended that thread,
+   * because its connections are then closed.
    */
   static void execute(Executor connectionThread, Runnable action) {
     try {
@@ -263,7 +268,8 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Moquette then checks the client's queue on its own thread. If every packet bypassed Moquette, the queue is empty, and waking that thread would only delay the message.
+   * Moquette then checks the client's queue on its own thread. If every packet bypassed Moquette,
+   * the queue is empty, and waking that thread would only delay the message.
    */
   @Override
   public void channelReadComplete(ChannelHandlerContext ctx) {

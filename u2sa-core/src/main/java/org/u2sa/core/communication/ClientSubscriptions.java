@@ -17,7 +17,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * One client's subscriptions, and the cost of its packets in queries. Confined to its connection's thread.
+ * One client's subscriptions, and the cost of its packets in queries. Confined to its connection's
+ * thread.
  */
 final class ClientSubscriptions {
   private static final double TOPICS_OF_A_QUESTION = 4_096.0;
@@ -45,7 +46,9 @@ final class ClientSubscriptions {
   }
 
   /**
-   * Whether a packet may be accepted now; if so, charges it to the allowances. Queries are limited per user, because every service answers them; messages on new topics per connection, so that no other connection can delay a stop.
+   * Whether a packet may be accepted now; if so, charges it to the allowances. Queries are limited
+   * per user, because every service answers them; messages on new topics per connection, so that no
+   * other connection can delay a stop.
    */
   boolean isInTurn(MqttMessage packet) {
     double questions = questions(packet);
@@ -56,7 +59,10 @@ final class ClientSubscriptions {
         || isInTurn(publish.variableHeader().topicName());
   }
 
-  /** Whether a message on the topic may be accepted now; a topic new to the broker is matched against all clients' filters and charged for it. */
+  /**
+   * Whether a message on the topic may be accepted now; a topic new to the broker is matched
+   * against all clients' filters and charged for it.
+   */
   private boolean isInTurn(String topic) {
     int compared = filter.subscriptions().filters();
     if (compared == 0 || filter.subscriptions().isRemembered(topic)) {
@@ -70,7 +76,8 @@ final class ClientSubscriptions {
   }
 
   /**
-   * Cost of a packet in queries: one if it queries every service or changes subscriptions. Further filters cost in proportion to the topics they are matched against.
+   * Cost of a packet in queries: one if it queries every service or changes subscriptions. Further
+   * filters cost in proportion to the topics they are matched against.
    */
   double questions(MqttMessage packet) {
     if (packet.payload() instanceof MqttSubscribePayload wanted) {

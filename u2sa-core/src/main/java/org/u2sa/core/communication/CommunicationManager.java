@@ -22,10 +22,12 @@ import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The Communication Manager of the thesis, through which all services of a system communicate (4.5.1.1).
+ * The Communication Manager of the thesis, through which all services of a system communicate
+ * (4.5.1.1).
  *
- * <p>By default it embeds a broker. Services of this process receive messages directly; the broker sends copies to remote subscribers. With {@code BROKER} = {@code
- * external} all services use another MQTT broker, and with {@code none} nothing leaves the process.
+ * <p>By default it embeds a broker. Services of this process receive messages directly; the broker
+ * sends copies to remote subscribers. With {@code BROKER} = {@code external} all services use
+ * another MQTT broker, and with {@code none} nothing leaves the process.
  */
 public final class CommunicationManager implements AutoCloseable {
   private static final String LOOPBACK = "127.0.0.1";
@@ -59,7 +61,8 @@ public final class CommunicationManager implements AutoCloseable {
    * Starts the Communication Manager of a system.
    *
    * @param systemId the vehicle
-   * @param configuration the Communication Manager's variables @param types the message types that remote clients may publish
+   * @param configuration the Communication Manager's variables @param types the message types that
+   *     remote clients may publish
    * @param log receives later failures, one line each
    * @throws CommunicationException if the port is taken or the external broker does not answer
    * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is wrong
@@ -121,7 +124,10 @@ public final class CommunicationManager implements AutoCloseable {
     return new CommunicationManager(bus, remote, own, broker, announcement, secured);
   }
 
-  /** Broker access; with the secured broker's own configuration, its authority is trusted by default. */
+  /**
+   * Broker access; with the secured broker's own configuration, its authority is trusted by
+   * default.
+   */
   private static BrokerAccess access(BrokerAccess.Login login, String directory) {
     String authority =
         login.authority().isEmpty() && !directory.isEmpty()
@@ -149,7 +155,8 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * The transport that routes this process's services through the broker by MQTT, even between themselves. They have full access and need no account. Empty without a broker.
+   * The transport that routes this process's services through the broker by MQTT, even between
+   * themselves. They have full access and need no account. Empty without a broker.
    */
   public Optional<Transport> brokerTransport() {
     return Optional.ofNullable(own).map(Supplier::get);
@@ -161,7 +168,8 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * The transport to another system on the same broker, which requires a user and encryption as for any client.
+   * The transport to another system on the same broker, which requires a user and encryption as for
+   * any client.
    *
    * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all and publish nothing
    * @throws CommunicationException if nothing leaves this process
@@ -185,7 +193,9 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * Replaces the embedded broker at the same address, as happens automatically when it fails. Services of this process are unaffected; remote ones reconnect. No effect with an external broker.
+   * Replaces the embedded broker at the same address, as happens automatically when it fails.
+   * Services of this process are unaffected; remote ones reconnect. No effect with an external
+   * broker.
    *
    * @throws CommunicationException if another program has taken the port
    */
@@ -195,9 +205,7 @@ public final class CommunicationManager implements AutoCloseable {
     }
   }
 
-  /**
-   * Stops the embedded broker once everything queued is sent. Services should end first.
-   */
+  /** Stops the embedded broker once everything queued is sent. Services should end first. */
   @Override
   public void close() {
     if (announcement != null) {

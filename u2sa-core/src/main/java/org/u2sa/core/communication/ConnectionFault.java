@@ -24,7 +24,8 @@ record ConnectionFault(String kind, String words, boolean isLoss) {
     if (error instanceof DecoderException) {
       return told(MALFORMED, error);
     }
-    return error instanceof IOException && error.getCause() != null // Moquette wraps decoder exceptions
+    return error instanceof IOException
+            && error.getCause() != null // Moquette wraps decoder exceptions
         ? told(MALFORMED, error.getCause())
         : new ConnectionFault("connection failed", shown(error), error instanceof IOException);
   }

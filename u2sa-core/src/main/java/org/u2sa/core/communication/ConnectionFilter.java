@@ -24,7 +24,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * Filter between the network and Moquette: rate-limits, authenticates and monitors every connection. Moquette accepts only connections admitted here.
+ * Filter between the network and Moquette: rate-limits, authenticates and monitors every
+ * connection. Moquette accepts only connections admitted here.
  */
 final class ConnectionFilter implements AutoCloseable {
   /** User name of anonymous clients. */
@@ -107,7 +108,8 @@ final class ConnectionFilter implements AutoCloseable {
   /**
    * Called by Moquette: whether the connection was admitted by this filter.
    *
-   * @throws StartingException if not, because the filter was not installed yet: the connection closes without an answer and the client retries, whereas "wrong password" would be final
+   * @throws StartingException if not, because the filter was not installed yet: the connection
+   *     closes without an answer and the client retries, whereas "wrong password" would be final
    */
   boolean letIn(byte[] password) {
     if (password == null || !MessageDigest.isEqual(pass, password)) {
@@ -290,7 +292,8 @@ final class ConnectionFilter implements AutoCloseable {
   }
 
   /**
-   * Shared allowance for messages of all clients beyond their own shares. For the network's thread only.
+   * Shared allowance for messages of all clients beyond their own shares. For the network's thread
+   * only.
    */
   Allowance beyondShares() {
     return beyondShares;
@@ -327,7 +330,10 @@ final class ConnectionFilter implements AutoCloseable {
     return unfinished;
   }
 
-  /** Memory budget for messages that clients have not read or acknowledged. For the network's thread. */
+  /**
+   * Memory budget for messages that clients have not read or acknowledged. For the network's
+   * thread.
+   */
   MemoryBudget<ClientSession> unsent() {
     return unsent;
   }
@@ -358,7 +364,8 @@ final class ConnectionFilter implements AutoCloseable {
   }
 
   /**
-   * Stops accepting input and waits until the clients have received what was sent to them. Returns a lower bound on the number of undelivered messages.
+   * Stops accepting input and waits until the clients have received what was sent to them. Returns
+   * a lower bound on the number of undelivered messages.
    */
   int drain() {
     ending = true;

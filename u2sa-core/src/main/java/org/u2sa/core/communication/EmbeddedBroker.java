@@ -20,7 +20,8 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * The in-process broker, bridged to the direct path: remote messages go onto the bus, and copies of local ones go out.
+ * The in-process broker, bridged to the direct path: remote messages go onto the bus, and copies of
+ * local ones go out.
  */
 final class EmbeddedBroker implements AutoCloseable {
   private final LocalBus bus;
@@ -107,7 +108,10 @@ final class EmbeddedBroker implements AutoCloseable {
     return properties;
   }
 
-  /** Probes the port first, because Moquette reports a taken one only in its own log with a stack trace. */
+  /**
+   * Probes the port first, because Moquette reports a taken one only in its own log with a stack
+   * trace.
+   */
   private static void refuseTakenPort(InetSocketAddress address) {
     try (ServerSocket probe = new ServerSocket()) {
       probe.bind(address);
@@ -152,7 +156,8 @@ final class EmbeddedBroker implements AutoCloseable {
   }
 
   /**
-   * Called by Moquette sequentially on its own thread. Moquette's client ID is the unique {@link ClientSession#connection}, so no event refers to another connection.
+   * Called by Moquette sequentially on its own thread. Moquette's client ID is the unique {@link
+   * ClientSession#connection}, so no event refers to another connection.
    */
   private final class Listener extends AbstractInterceptHandler {
     @Override

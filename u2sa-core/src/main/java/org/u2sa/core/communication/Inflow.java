@@ -8,7 +8,8 @@ import java.util.Deque;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Rate-limits a client's packets by back-pressure: stops reading, so that packets wait at the client and none is lost. Confined to its connection's thread.
+ * Rate-limits a client's packets by back-pressure: stops reading, so that packets wait at the
+ * client and none is lost. Confined to its connection's thread.
  */
 final class Inflow extends ChannelInboundHandlerAdapter {
   private static final long LOOK_AGAIN_MS = 2;
@@ -19,7 +20,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private static final double SLOWER_BURST_MESSAGES = 20.0; // arrive between two checks
 
   /**
-   * Guaranteed fraction of its rate, whatever others send: enough for a vehicle's service or an operator.
+   * Guaranteed fraction of its rate, whatever others send: enough for a vehicle's service or an
+   * operator.
    */
   private static final double SHARE = 0.01;
 
@@ -101,7 +103,9 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Records whether a subscriber of the client's last message is behind. Meanwhile the client is read more slowly, so that a burst is not lost, but never stopped, because a slow subscriber must not block the publisher.
+   * Records whether a subscriber of the client's last message is behind. Meanwhile the client is
+   * read more slowly, so that a burst is not lost, but never stopped, because a slow subscriber
+   * must not block the publisher.
    */
   void subscriberIsBehind(boolean behind) {
     isBehind = behind;

@@ -11,7 +11,11 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * Routes messages from publishers to subscribers, and retained messages to new subscribers. Runs entirely on the network's thread and bypasses Moquette, where each message would change threads at least twice and wait in queues that drop on overflow. A subscriber receives a message either as retained, if it was published before the subscription, or as new: none is missed, and none is followed by an older one.
+ * Routes messages from publishers to subscribers, and retained messages to new subscribers. Runs
+ * entirely on the network's thread and bypasses Moquette, where each message would change threads
+ * at least twice and wait in queues that drop on overflow. A subscriber receives a message either
+ * as retained, if it was published before the subscription, or as new: none is missed, and none is
+ * followed by an older one.
  */
 final class MessageRouter {
   /** Delivers messages of remote clients to the services of this process. */
@@ -71,10 +75,12 @@ final class MessageRouter {
   }
 
   /**
-   * Sends a message of this process. May be called on any thread; the order of each thread's messages is preserved.
+   * Sends a message of this process. May be called on any thread; the order of each thread's
+   * messages is preserved.
    *
    * @param isRetained whether late subscribers receive it too
-   * @param sent called on the network's thread once it has been queued on every subscriber's connection
+   * @param sent called on the network's thread once it has been queued on every subscriber's
+   *     connection
    */
   void send(String topic, boolean eachMatters, boolean isRetained, byte[] payload, Runnable sent) {
     outgoing.add(new Outgoing(topic, eachMatters, isRetained, payload, sent));
@@ -101,8 +107,8 @@ final class MessageRouter {
   }
 
   /**
-   * Sends a client the retained messages matching its new filters, each once. Called on
-   * the network's thread.
+   * Sends a client the retained messages matching its new filters, each once. Called on the
+   * network's thread.
    *
    * @param filters each with whether it asks for QoS 1
    * @return the number of messages sent

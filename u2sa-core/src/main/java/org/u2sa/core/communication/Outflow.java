@@ -13,7 +13,8 @@ import java.util.Optional;
 import org.u2sa.core.security.User;
 
 /**
- * Outgoing messages of one client: filters by the systems it may listen to and bounds its backlog. Confined to its connection's thread.
+ * Outgoing messages of one client: filters by the systems it may listen to and bounds its backlog.
+ * Confined to its connection's thread.
  */
 final class Outflow extends ChannelOutboundHandlerAdapter {
   private static final String SYSTEMS = "u2sa/";
@@ -21,7 +22,8 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   private static final int LAST_PACKET = 65_535;
 
   /**
-   * Maximum number of unacknowledged messages per client. Half of the packet IDs stay free, so the next free one is found quickly in whatever order the client acknowledges.
+   * Maximum number of unacknowledged messages per client. Half of the packet IDs stay free, so the
+   * next free one is found quickly in whatever order the client acknowledges.
    */
   private static final int MAX_UNACKNOWLEDGED = LAST_PACKET / 2;
 
@@ -146,7 +148,8 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   }
 
   /**
-   * Whether too many answers are unsent to read further requests: a client that asks and never reads would otherwise exhaust memory.
+   * Whether too many answers are unsent to read further requests: a client that asks and never
+   * reads would otherwise exhaust memory.
    */
   boolean owesAnswers() {
     return unsentAnswers > MAX_UNSENT_ANSWERS;

@@ -15,7 +15,9 @@ import org.u2sa.messages.schema.Origin;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Sends copies of local messages to remote subscribers. Encoding and sending run on a dedicated thread behind a bounded queue, so that no service blocks on the network; overflow is dropped and counted.
+ * Sends copies of local messages to remote subscribers. Encoding and sending run on a dedicated
+ * thread behind a bounded queue, so that no service blocks on the network; overflow is dropped and
+ * counted.
  */
 final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private static final int WAITING_AT_MOST = 8_192;
@@ -67,7 +69,10 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     }
   }
 
-  /** Sends a message again as the last one, because the broker may have received a local message after the remote one. */
+  /**
+   * Sends a message again as the last one, because the broker may have received a local message
+   * after the remote one.
+   */
   @Override
   public void restate(Channel<?> channel, U2SAData message) {
     forward(channel, message);

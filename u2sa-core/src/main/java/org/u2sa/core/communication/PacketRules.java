@@ -85,7 +85,10 @@ final class PacketRules {
     return open;
   }
 
-  /** Reason for refusing the client as a member of the topic's system; empty if allowed or not a system topic. */
+  /**
+   * Reason for refusing the client as a member of the topic's system; empty if allowed or not a
+   * system topic.
+   */
   Optional<String> refusalOfSystem(String topic) {
     try {
       return user == null || user.mayEnter(Topic.parse(topic).systemId())
@@ -97,7 +100,8 @@ final class PacketRules {
   }
 
   /**
-   * Reason for refusing the will, or empty. A will is published when its sender is gone and cannot answer for it, so it may report a lost service or stop, but not clear anything.
+   * Reason for refusing the will, or empty. A will is published when its sender is gone and cannot
+   * answer for it, so it may report a lost service or stop, but not clear anything.
    */
   Optional<String> refusalOfWill(ConnectRequest.Will will) {
     TopicPermissions.Verdict verdict = judge.judge(will.topic());
@@ -131,7 +135,8 @@ final class PacketRules {
   }
 
   /**
-   * A retained emergency stop may not be deleted, not even by users who may clear it: it would remain in force where it was heard and be unknown to late subscribers.
+   * A retained emergency stop may not be deleted, not even by users who may clear it: it would
+   * remain in force where it was heard and be unknown to late subscribers.
    */
   private Optional<String> refusalOfStop(
       TopicPermissions.Verdict verdict, byte[] payload, boolean isWill) {

@@ -12,7 +12,9 @@ import java.util.function.BiPredicate;
 import java.util.function.Consumer;
 
 /**
- * Subscriptions of remote clients by connection, so that messages without subscribers are not encoded and subscribers are found quickly. Filters are matched against topics on the thread of the changing client, so the number of filters does not slow the services' threads. Thread-safe.
+ * Subscriptions of remote clients by connection, so that messages without subscribers are not
+ * encoded and subscribers are found quickly. Filters are matched against topics on the thread of
+ * the changing client, so the number of filters does not slow the services' threads. Thread-safe.
  */
 final class RemoteSubscriptions {
   private static final int TOPICS_REMEMBERED = 4_096;
@@ -110,7 +112,10 @@ final class RemoteSubscriptions {
     return byUser.getOrDefault(user, 0);
   }
 
-  /** Version number that changes with every modification, so that results of {@link #wants} can be cached. */
+  /**
+   * Version number that changes with every modification, so that results of {@link #wants} can be
+   * cached.
+   */
   int version() {
     return version.get();
   }
@@ -136,7 +141,8 @@ final class RemoteSubscriptions {
   }
 
   /**
-   * Whether any client subscribes to the topic. The result is cached from then on; use it only for topics of this process, whose number no client controls.
+   * Whether any client subscribes to the topic. The result is cached from then on; use it only for
+   * topics of this process, whose number no client controls.
    */
   boolean wants(String topic) {
     TopicRoute known = interests.get(topic);
@@ -152,7 +158,9 @@ final class RemoteSubscriptions {
     return routes.containsKey(topic);
   }
 
-  /** The subscribers of a topic. Least recently used topics are evicted and matched again on demand. */
+  /**
+   * The subscribers of a topic. Least recently used topics are evicted and matched again on demand.
+   */
   synchronized TopicRoute route(String topic) {
     TopicRoute known = routes.get(topic);
     if (known == null) {

@@ -10,7 +10,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Retained messages by topic, with their owners. Bounded in number and bytes, per client and in total; urgent messages, such as an emergency stop, have reserved room. Thread-safe.
+ * Retained messages by topic, with their owners. Bounded in number and bytes, per client and in
+ * total; urgent messages, such as an emergency stop, have reserved room. Thread-safe.
  */
 final class RetainedTable {
   /** Owner for services of this process, which are exempt from the limits. */
@@ -34,7 +35,8 @@ final class RetainedTable {
   private final long bytesAtMost;
   private final long bytesOfOneAtMost;
   private final Map<String, Entry> entries = new ConcurrentHashMap<>(); // written under this
-  private final Map<String, Sum> byOwner = new HashMap<>(); // this and the following: guarded by this
+  private final Map<String, Sum> byOwner =
+      new HashMap<>(); // this and the following: guarded by this
   private final Sum ordinary = new Sum();
   private final Sum urgent = new Sum();
 

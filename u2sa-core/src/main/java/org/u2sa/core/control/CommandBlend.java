@@ -7,7 +7,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.HandOver;
 
 /**
- * Keeps the last commands, and blends from another control system's commands to this one's: when one law takes over from another, surfaces move gradually instead of jumping.
+ * Keeps the last commands, and blends from another control system's commands to this one's: when
+ * one law takes over from another, surfaces move gradually instead of jumping.
  */
 final class CommandBlend {
   private static final String NAME = "COMMAND ";
@@ -25,7 +26,8 @@ final class CommandBlend {
   /**
    * Reads the last commands of the previous control system.
    *
-   * @param alike whether it was of the same class: then its state is complete, and nothing is blended
+   * @param alike whether it was of the same class: then its state is complete, and nothing is
+   *     blended
    */
   void takeOver(HandOver state, boolean alike) {
     for (String actuator : state.texts("COMMANDED")) {

@@ -25,10 +25,13 @@ import org.u2sa.service.ServiceRole;
  * Turns navigation points into actuator commands (thesis 3.2.3.5). In: navigation, state. Out:
  * actuation.
  *
- * <p>{@link #control} is called once per new state, on the service's thread. A navigation point older than STALE AFTER counts as absent. When states stop, nothing is commanded, and the last commands expire after COMMAND EXPIRY; when the service ends,
- * actuators are left {@linkplain #neutral() neutral}.
+ * <p>{@link #control} is called once per new state, on the service's thread. A navigation point
+ * older than STALE AFTER counts as absent. When states stop, nothing is commanded, and the last
+ * commands expire after COMMAND EXPIRY; when the service ends, actuators are left {@linkplain
+ * #neutral() neutral}.
  *
- * <p>A control system that {@linkplain #obeysWithoutState() needs no state} obeys each navigation point on arrival if no state has arrived for STALE AFTER (thesis 4.3.2).
+ * <p>A control system that {@linkplain #obeysWithoutState() needs no state} obeys each navigation
+ * point on arrival if no state has arrived for STALE AFTER (thesis 4.3.2).
  */
 public abstract class ControlSystem extends EventDrivenService {
   /** The subsystem of navigation points for the vehicle as a whole. */
@@ -85,23 +88,25 @@ public abstract class ControlSystem extends EventDrivenService {
    * Commands the actuators, by {@link #command}. Called for each state newer than the previous one.
    *
    * @param state the newest estimate
-   * @param point target, in the vehicle's own frame (BODY) at the point's timestamp; empty if absent or stale
+   * @param point target, in the vehicle's own frame (BODY) at the point's timestamp; empty if
+   *     absent or stale
    */
   protected abstract void control(StateInformation state, Optional<NavigationPoint> point);
 
-  /**
-   * Safe commands of this control system's actuators, by actuator name [%, −100…100].
-   */
+  /** Safe commands of this control system's actuators, by actuator name [%, −100…100]. */
   protected abstract Map<String, Double> neutral();
 
   /**
-   * Whether a navigation point alone suffices. Without states, such a control system is called with the origin of LOCAL_NED, heading north, in place of a state, without speed or attitude.
+   * Whether a navigation point alone suffices. Without states, such a control system is called with
+   * the origin of LOCAL_NED, heading north, in place of a state, without speed or attitude.
    */
   protected boolean obeysWithoutState() {
     return false;
   }
 
-  /** Whether {@link #control} is currently called for navigation points because no states arrive. */
+  /**
+   * Whether {@link #control} is currently called for navigation points because no states arrive.
+   */
   public final boolean isStateless() {
     return isStateless;
   }
@@ -163,14 +168,17 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * Time between the previous and the current state [s], by timestamps; 0 for the first state and after a gap longer than STALE AFTER, so that integrators neither start nor resume with a jump.
+   * Time between the previous and the current state [s], by timestamps; 0 for the first state and
+   * after a gap longer than STALE AFTER, so that integrators neither start nor resume with a jump.
    */
   protected final double stepS() {
     return stepS;
   }
 
   /**
-   * The newest navigation point of a subsystem, unless it is stale by the newest state's time. If its state was not seen, because it has not arrived yet or was replaced by a newer one in the inbox, the last point whose state was seen is used.
+   * The newest navigation point of a subsystem, unless it is stale by the newest state's time. If
+   * its state was not seen, because it has not arrived yet or was replaced by a newer one in the
+   * inbox, the last point whose state was seen is used.
    */
   protected final Optional<NavigationPoint> navigationPoint(String subsystem) {
     Optional<NavigationPoint> newest =
@@ -184,7 +192,8 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * State from which a navigation point was computed, that is the one with the same timestamp; empty if no longer remembered.
+   * State from which a navigation point was computed, that is the one with the same timestamp;
+   * empty if no longer remembered.
    */
   protected final Optional<StateInformation> stateOf(NavigationPoint point) {
     return point.timestamp().isEmpty()
@@ -193,7 +202,8 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * Rotates a navigation point from BODY to north, east, down relative to the vehicle [m], by the attitude from which it was computed; empty if that state is no longer remembered.
+   * Rotates a navigation point from BODY to north, east, down relative to the vehicle [m], by the
+   * attitude from which it was computed; empty if that state is no longer remembered.
    */
   protected final Optional<Point> nedOf(NavigationPoint point) {
     return stateOf(point).map(state -> ned(point.point(), state));
@@ -230,7 +240,8 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * Commands an actuator by angle, speed or force, if it announced support for it; by a percentage while blending from another control system's commands.
+   * Commands an actuator by angle, speed or force, if it announced support for it; by a percentage
+   * while blending from another control system's commands.
    *
    * @param typed command addressed to the actuator
    * @param percentage equivalent percentage [%]

@@ -3,7 +3,8 @@ package org.u2sa.core.control;
 import org.u2sa.service.HandOver;
 
 /**
- * A PID controller in parallel form, with filtered derivative on measurement, set-point weighting, back-calculation anti-windup and bumpless transfer:
+ * A PID controller in parallel form, with filtered derivative on measurement, set-point weighting,
+ * back-calculation anti-windup and bumpless transfer:
  *
  * <p>u = K (b r − y) + I − K T_d s / (1 + s T_d / N) y, dI/dt = K / T_i (r − y) + (u_attained − u)
  * / T_t
@@ -63,7 +64,8 @@ public final class Pid {
   }
 
   /**
-   * Replaces the gains; the integral does not make the output jump. States of disabled parts are reset.
+   * Replaces the gains; the integral does not make the output jump. States of disabled parts are
+   * reset.
    */
   public void gains(Gains newGains) {
     gains = newGains;
@@ -86,7 +88,8 @@ public final class Pid {
    *
    * @param setpoint set point
    * @param measured in the same unit
-   * @param stepS time since the previous call [s]; 0 on the first call or after a gap: integral and derivative are held
+   * @param stepS time since the previous call [s]; 0 on the first call or after a gap: integral and
+   *     derivative are held
    */
   public double step(double setpoint, double measured, double stepS) {
     if (stepS > 0.0 && !Double.isNaN(measuredBefore) && gains.derivativeS > 0.0) {
@@ -103,8 +106,8 @@ public final class Pid {
   }
 
   /**
-   * Reports the attained output, once after each {@link #step}: when actuators saturate, the integral tracks them with a tracking time of √(T_i T_d), or T_i / 2 without a
-   * derivative.
+   * Reports the attained output, once after each {@link #step}: when actuators saturate, the
+   * integral tracks them with a tracking time of √(T_i T_d), or T_i / 2 without a derivative.
    *
    * @param attained output the actuators achieve, in the unit of the output
    */
@@ -123,7 +126,8 @@ public final class Pid {
   }
 
   /**
-   * Sets the integral so that the next output is the given one (bumpless transfer). Without an integral, only the next output is affected.
+   * Sets the integral so that the next output is the given one (bumpless transfer). Without an
+   * integral, only the next output is affected.
    */
   public void takeOver(double wantedOutput, double setpoint, double measured) {
     derivative = 0.0;

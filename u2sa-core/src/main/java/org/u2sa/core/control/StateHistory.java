@@ -21,7 +21,8 @@ final class StateHistory {
   /**
    * Adds a state that has a timestamp.
    *
-   * @return false if it is not newer than the newest; a state older by more than the span starts a new history, because the clock was set back
+   * @return false if it is not newer than the newest; a state older by more than the span starts a
+   *     new history, because the clock was set back
    */
   boolean add(StateInformation state) {
     long time = state.timestamp().orElseThrow();

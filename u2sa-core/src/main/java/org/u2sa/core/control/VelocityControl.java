@@ -13,8 +13,10 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Controls a vehicle that regulates its own velocity, such as one with an ArduPilot or PX4 autopilot: converts the vector to the navigation point to speeds along the vehicle's axes and a turn rate. In: navigation, state. Out: actuation of FORWARD SPEED, LEFT SPEED, CLIMB SPEED and TURN
- * RATE.
+ * Controls a vehicle that regulates its own velocity, such as one with an ArduPilot or PX4
+ * autopilot: converts the vector to the navigation point to speeds along the vehicle's axes and a
+ * turn rate. In: navigation, state. Out: actuation of FORWARD SPEED, LEFT SPEED, CLIMB SPEED and
+ * TURN RATE.
  *
  * <p>Without fresh navigation all four are 0 and the vehicle stops.
  */
@@ -111,7 +113,8 @@ public final class VelocityControl extends ControlSystem {
   }
 
   /**
-   * Rotates north, east, down to forward, left, up of the level vehicle [m]; empty without a heading.
+   * Rotates north, east, down to forward, left, up of the level vehicle [m]; empty without a
+   * heading.
    */
   private static Optional<Point> ahead(Point ned, StateInformation state) {
     boolean local = state.referenceFrame().isLocal();

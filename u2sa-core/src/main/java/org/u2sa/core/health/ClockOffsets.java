@@ -10,7 +10,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 
 /**
- * Offsets of other services' clocks from this one, from the timestamps of their health reports: timestamp minus arrival of the least delayed of several reports.
+ * Offsets of other services' clocks from this one, from the timestamps of their health reports:
+ * timestamp minus arrival of the least delayed of several reports.
  */
 final class ClockOffsets {
   private static final int REPORTS = 8; // 2 s at the usual interval

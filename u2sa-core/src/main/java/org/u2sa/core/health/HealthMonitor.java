@@ -27,8 +27,8 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. Each service
  * has its own policy. The monitor itself is watched by its process's {@code HealthWatch} or its
- * supervisor. While disconnected from all others it judges no service. It reports services whose clocks
- * differ from its own by name.
+ * supervisor. While disconnected from all others it judges no service. It reports services whose
+ * clocks differ from its own by name.
  */
 public final class HealthMonitor extends PeriodicService {
   private static final double LOOKS_PER_S = 4.0;

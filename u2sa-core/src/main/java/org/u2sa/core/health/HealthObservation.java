@@ -9,7 +9,8 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Reports of one service and the condition concluded from them. Each start of the service is a new instance; reports of superseded instances are ignored.
+ * Reports of one service and the condition concluded from them. Each start of the service is a new
+ * instance; reports of superseded instances are ignored.
  */
 final class HealthObservation {
   /** Number of missed report intervals after which a service is silent. */

@@ -11,7 +11,9 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * One monitored service: its condition and the policy applied to it. Restarts back off; when they do not help, the service is given up until somebody else starts it. A service that was told to stop is left alone.
+ * One monitored service: its condition and the policy applied to it. Restarts back off; when they
+ * do not help, the service is given up until somebody else starts it. A service that was told to
+ * stop is left alone.
  */
 final class WatchedService {
   /** Kinds of failure that have a policy. */

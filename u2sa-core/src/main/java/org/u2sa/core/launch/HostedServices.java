@@ -20,8 +20,9 @@ import org.u2sa.service.U2SAService;
  * and starts a new one of the same class, name and configuration file. A thread that hangs cannot
  * be ended in Java: it is disconnected and abandoned.
  *
- * <p>A swap replaces a running service by another class ({@link ServiceSwap}) with the same configuration. A restart after it starts the class that ran last; the next
- * run of the system starts what the system file says.
+ * <p>A swap replaces a running service by another class ({@link ServiceSwap}) with the same
+ * configuration. A restart after it starts the class that ran last; the next run of the system
+ * starts what the system file says.
  */
 final class HostedServices implements ServiceHost {
   /** Longest wait for a service's thread to end. */

@@ -13,7 +13,8 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * A mission as read from its file (docs/missions.md): the goals in file order, and where the vehicle starts. Its goals have unique names and are frozen, but for waypoints that lack a
+ * A mission as read from its file (docs/missions.md): the goals in file order, and where the
+ * vehicle starts. Its goals have unique names and are frozen, but for waypoints that lack a
  * threshold (see {@link #load(Path)}): nobody can publish those.
  */
 public final class Mission {

@@ -20,7 +20,8 @@ import org.u2sa.messages.contract.MissionOrderResult;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * Carries out operators' orders to a {@link MissionManager} and reports the results. Idempotent: a repeated order is answered again but not executed again.
+ * Carries out operators' orders to a {@link MissionManager} and reports the results. Idempotent: a
+ * repeated order is answered again but not executed again.
  */
 final class MissionOrders {
   private static final int REMEMBERED = 64;

@@ -13,7 +13,8 @@ import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.service.HandOver;
 
 /**
- * Progress of the mission, or of a failsafe's goals while the mission waits to be resumed. Not thread-safe.
+ * Progress of the mission, or of a failsafe's goals while the mission waits to be resumed. Not
+ * thread-safe.
  */
 final class MissionProgress {
   private static final String COMPLETED = "COMPLETED";

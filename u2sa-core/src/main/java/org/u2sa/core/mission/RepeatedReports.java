@@ -5,7 +5,8 @@ import java.util.Map;
 import org.u2sa.messages.GoalInformation;
 
 /**
- * Detects duplicate reports (same goal and time) from the network or from a planner that waits for an answer. In a loop each would count as another lap. Not thread-safe.
+ * Detects duplicate reports (same goal and time) from the network or from a planner that waits for
+ * an answer. In a loop each would count as another lap. Not thread-safe.
  */
 final class RepeatedReports {
   private final Map<String, Long> newest = new HashMap<>(); // by goal [µs]

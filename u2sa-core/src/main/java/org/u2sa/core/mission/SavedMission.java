@@ -13,7 +13,8 @@ import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Mission progress saved beside the logs, so that another process can resume it. Replaced atomically: a power cut leaves the old or the new file intact.
+ * Mission progress saved beside the logs, so that another process can resume it. Replaced
+ * atomically: a power cut leaves the old or the new file intact.
  */
 final class SavedMission {
   private static final String DIGEST = "MISSION SHA-256";

@@ -29,7 +29,9 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Avoids the obstacles in the world model: plans a route, follows it past traffic, replans when it is blocked or a better one exists, frees a stuck vehicle, and gives up with a reason. Confined to the planner's thread.
+ * Avoids the obstacles in the world model: plans a route, follows it past traffic, replans when it
+ * is blocked or a better one exists, frees a stuck vehicle, and gives up with a reason. Confined to
+ * the planner's thread.
  */
 final class Avoidance {
   private static final String NONE = "NONE";
@@ -37,7 +39,10 @@ final class Avoidance {
   /** A moving vehicle restarts its search, which may therefore not terminate. */
   private static final String NOT_IN_TIME = "no way to the goal was found in time";
 
-  /** Hysteresis: a new route replaces the old one if it costs no more than this share of the old one's remainder. */
+  /**
+   * Hysteresis: a new route replaces the old one if it costs no more than this share of the old
+   * one's remainder.
+   */
   private static final double BETTER = 0.9;
 
   /** Below this share of its speed, a vehicle that cannot hover or stop has not taken off. */
@@ -234,7 +239,9 @@ final class Avoidance {
         givenUp);
   }
 
-  /** Discards guesses after a while without any route, because a gap may have been closed in error. */
+  /**
+   * Discards guesses after a while without any route, because a gap may have been closed in error.
+   */
   private void overlook(AvoidanceSettings now, long micros) {
     boolean isStuck = begun && track.isEmpty() && micros >= recoversUntil;
     if (now.overlookAfter() > 0.0 && isStuck && micros - routelessSince > now.overlookMicros()) {

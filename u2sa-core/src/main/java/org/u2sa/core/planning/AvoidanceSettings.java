@@ -295,7 +295,10 @@ record AvoidanceSettings(
     return leastSpeed == 0.0;
   }
 
-  /** Number of nodes to search per state; larger for vehicles that cannot stop, which need their route sooner. */
+  /**
+   * Number of nodes to search per state; larger for vehicles that cannot stop, which need their
+   * route sooner.
+   */
   int effort() {
     return stops() ? planningEffort : EFFORTS_IN_FLIGHT * planningEffort;
   }

@@ -13,7 +13,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * Delegates to the guidance currently configured; both are kept up to date on each leg, so that it can change en route.
+ * Delegates to the guidance currently configured; both are kept up to date on each leg, so that it
+ * can change en route.
  */
 final class ChosenGuidance implements WaypointGuidance {
   private static final String LINE = "LINE";
@@ -25,7 +26,8 @@ final class ChosenGuidance implements WaypointGuidance {
   private final WaypointGuidance direct = new DirectGuidance();
 
   /**
-   * @param configuration configuration of the planner, in which GUIDANCE names LINE, DIRECT or an extension's law
+   * @param configuration configuration of the planner, in which GUIDANCE names LINE, DIRECT or an
+   *     extension's law
    */
   ChosenGuidance(Configurator configuration, Supplier<LineSettings> settings) {
     laws.put(LINE, GuidanceLaw.carrot());
@@ -47,7 +49,10 @@ final class ChosenGuidance implements WaypointGuidance {
             settings, (leg, lookAheadM) -> laws.get(lawName()).pointAhead(leg, lookAheadM));
   }
 
-  /** Line law used for legs and turns, even while DIRECT is selected, because that can change en route. */
+  /**
+   * Line law used for legs and turns, even while DIRECT is selected, because that can change en
+   * route.
+   */
   private String lawName() {
     return name.get().equals(DIRECT) ? LINE : name.get();
   }

@@ -6,8 +6,9 @@ import org.u2sa.messages.frame.Point;
 /**
  * Guidance of the thesis (4.5.2.4), kept for teaching: always straight toward the waypoint.
  *
- * <p>The point is a unit vector in the vehicle's horizontal plane; its z is the wanted climb, −1 (down,
- * full climb) … 1 (full descent), 0 to hold altitude. It follows no line and has no finish line: a vehicle that misses the waypoint circles until it hits.
+ * <p>The point is a unit vector in the vehicle's horizontal plane; its z is the wanted climb, −1
+ * (down, full climb) … 1 (full descent), 0 to hold altitude. It follows no line and has no finish
+ * line: a vehicle that misses the waypoint circles until it hits.
  */
 final class DirectGuidance implements WaypointGuidance {
   /** Altitude is held within this difference: 10 ft [m]. */

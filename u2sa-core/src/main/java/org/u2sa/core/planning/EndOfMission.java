@@ -46,14 +46,16 @@ final class EndOfMission {
   /**
    * Plans the next step of holding.
    *
-   * @param place where to hold; if empty or without coordinates, the vehicle's position when holding began; its altitude at that time if the place has none
+   * @param place where to hold; if empty or without coordinates, the vehicle's position when
+   *     holding began; its altitude at that time if the place has none
    */
   List<NavigationPoint> plan(Vehicle vehicle, Optional<Place> place) {
     return settings.get().holdsAtEnd() ? hold(vehicle, place) : List.of();
   }
 
   /**
-   * Plans the next step of holding for a failsafe, whatever AT END says: vehicles that cannot stop circle. A vehicle with AT END = STOP and no circle stops here too.
+   * Plans the next step of holding for a failsafe, whatever AT END says: vehicles that cannot stop
+   * circle. A vehicle with AT END = STOP and no circle stops here too.
    *
    * @param place as in {@link #plan}
    */

@@ -9,7 +9,10 @@ import org.u2sa.core.planning.seen.PlanarShape;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Gaps that appear open only from a distance. Scanner errors widen obstacles where they are seen best, so a gap may close as the vehicle approaches and open again as it leaves. Two such gaps would make it oscillate; so a gap that closed twice counts as closed while another route exists. Confined to the planner's thread.
+ * Gaps that appear open only from a distance. Scanner errors widen obstacles where they are seen
+ * best, so a gap may close as the vehicle approaches and open again as it leaves. Two such gaps
+ * would make it oscillate; so a gap that closed twice counts as closed while another route exists.
+ * Confined to the planner's thread.
  */
 final class FalseGaps {
   /** Maximum distance at which a gap is seen reliably [radii of the vehicle with clearance]. */

@@ -12,7 +12,8 @@ import org.u2sa.core.planning.seen.SeenWorld;
 import org.u2sa.messages.StateInformation;
 
 /**
- * Virtual obstacles that the planner adds while another route exists: the way back, gaps found closed, and the wrong sides of marks. Confined to the planner's thread.
+ * Virtual obstacles that the planner adds while another route exists: the way back, gaps found
+ * closed, and the wrong sides of marks. Confined to the planner's thread.
  */
 final class Guesses {
   private final SeenWorld world;

@@ -4,7 +4,8 @@ import java.util.function.DoubleSupplier;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Law that guides a vehicle onto a line and along it. Extensions supply their own through a {@link GuidanceLawProvider}.
+ * Law that guides a vehicle onto a line and along it. Extensions supply their own through a {@link
+ * GuidanceLawProvider}.
  */
 public interface GuidanceLaw {
   /**
@@ -16,8 +17,8 @@ public interface GuidanceLaw {
   Point pointAhead(Leg leg, double lookAheadM);
 
   /**
-   * Law that aims at a point on the line, one look-ahead ahead of the vehicle's projection (after Park,
-   * Deyst, How: A New Nonlinear Guidance Logic for Trajectory Tracking, AIAA 2004-4900).
+   * Law that aims at a point on the line, one look-ahead ahead of the vehicle's projection (after
+   * Park, Deyst, How: A New Nonlinear Guidance Logic for Trajectory Tracking, AIAA 2004-4900).
    */
   static GuidanceLaw carrot() {
     return (leg, lookAheadM) -> {
@@ -27,10 +28,12 @@ public interface GuidanceLaw {
   }
 
   /**
-   * Vector-field law: far from the line, the course meets it at the intercept angle; closer, the course bends along it (Nelson, Barber, McLain, Beard: Vector Field Path Following for
-   * Miniature Air Vehicles, IEEE Transactions on Robotics 23(3), 2007, eq. 6).
+   * Vector-field law: far from the line, the course meets it at the intercept angle; closer, the
+   * course bends along it (Nelson, Barber, McLain, Beard: Vector Field Path Following for Miniature
+   * Air Vehicles, IEEE Transactions on Robotics 23(3), 2007, eq. 6).
    *
-   * <p>Near the line it is equivalent to {@link #carrot} with the same look-ahead. Far off it still advances along the leg, while a carrot is approached ever more perpendicularly.
+   * <p>Near the line it is equivalent to {@link #carrot} with the same look-ahead. Far off it still
+   * advances along the leg, while a carrot is approached ever more perpendicularly.
    *
    * @param interceptRad course relative to the line when far off [rad], above 0, at most π/2
    */

@@ -13,7 +13,8 @@ public interface GuidanceLawProvider {
   /**
    * Creates a law for one planner.
    *
-   * @param configuration configuration of the planner, in which the law declares and reads variables
+   * @param configuration configuration of the planner, in which the law declares and reads
+   *     variables
    */
   GuidanceLaw law(Configurator configuration);
 }

@@ -3,7 +3,8 @@ package org.u2sa.core.planning;
 /**
  * A straight leg on a horizontal plane: north and east [m], relative to any origin. Immutable.
  *
- * <p>Along-track is measured from the start toward the end; cross-track is positive to the right of the direction of travel.
+ * <p>Along-track is measured from the start toward the end; cross-track is positive to the right of
+ * the direction of travel.
  */
 public record Leg(double startNorthM, double startEastM, double endNorthM, double endEastM) {
   /** Shorter legs have no defined direction [m]. */
@@ -25,7 +26,8 @@ public record Leg(double startNorthM, double startEastM, double endNorthM, doubl
   }
 
   /**
-   * Along-track distance of a point [m]; negative before the start, more than the length past the end.
+   * Along-track distance of a point [m]; negative before the start, more than the length past the
+   * end.
    */
   public double alongM(double northM, double eastM) {
     double bearing = bearingRad();
@@ -38,9 +40,7 @@ public record Leg(double startNorthM, double startEastM, double endNorthM, doubl
     return (eastM - startEastM) * Math.cos(bearing) - (northM - startNorthM) * Math.sin(bearing);
   }
 
-  /**
-   * Remaining along-track distance of a point [m]; negative past the finish line.
-   */
+  /** Remaining along-track distance of a point [m]; negative past the finish line. */
   public double remainingM(double northM, double eastM) {
     return lengthM() - alongM(northM, eastM);
   }

@@ -6,17 +6,18 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * Follows the straight lines between waypoints by any {@link GuidanceLaw}; decides when a leg starts and ends, and when the vehicle turns to the next one.
+ * Follows the straight lines between waypoints by any {@link GuidanceLaw}; decides when a leg
+ * starts and ends, and when the vehicle turns to the next one.
  *
- * <p>If the leg has no given start, the vehicle heads straight for the waypoint, and the leg starts where it has turned toward it. If a waypoint lies inside the turning circle, the vehicle first moves away from it.
+ * <p>If the leg has no given start, the vehicle heads straight for the waypoint, and the leg starts
+ * where it has turned toward it. If a waypoint lies inside the turning circle, the vehicle first
+ * moves away from it.
  */
 final class LineGuidance implements WaypointGuidance {
   /** Maximum difference of course and bearing of a vehicle that heads for the waypoint [rad]. */
   private static final double ALIGNED_RAD = Math.toRadians(5.0);
 
-  /**
-   * In turning radii: a waypoint nearer than this to the circle's centre cannot be turned to …
-   */
+  /** In turning radii: a waypoint nearer than this to the circle's centre cannot be turned to … */
   private static final double INSIDE_CIRCLE = 1.2;
 
   /** … so the vehicle moves away until it is farther than this (hysteresis). */
@@ -31,9 +32,7 @@ final class LineGuidance implements WaypointGuidance {
   /** … by the distance travelled in this time, whichever is more [s]. */
   private static final double PASSED_S = 1.0;
 
-  /**
-   * Growth of the distance beyond noise: the closest approach is past [m].
-   */
+  /** Growth of the distance beyond noise: the closest approach is past [m]. */
   private static final double GROWN_M = 1.0;
 
   private final Supplier<LineSettings> settings;
@@ -154,7 +153,8 @@ final class LineGuidance implements WaypointGuidance {
   }
 
   /**
-   * Guidance without a leg: to the target, or straight on while the target is inside the turning circle.
+   * Guidance without a leg: to the target, or straight on while the target is inside the turning
+   * circle.
    */
   private Point straightTo(Vehicle vehicle, Point to) {
     double radius = settings.get().turns().radiusM(vehicle.speedMps());
@@ -191,9 +191,7 @@ final class LineGuidance implements WaypointGuidance {
     return distanceM > nearestM + Math.max(PASSED_SHARE * threshold, PASSED_S * vehicle.speedMps());
   }
 
-  /**
-   * Point on a leg ahead of the vehicle; for a vehicle that turns in place, not past the end.
-   */
+  /** Point on a leg ahead of the vehicle; for a vehicle that turns in place, not past the end. */
   private Point ahead(Vehicle vehicle, Leg leg, AltitudeProfile.Slope altitudes) {
     double lookAhead = settings.get().lookAheadM(vehicle.speedMps());
     double along = leg.alongM(0.0, 0.0) + lookAhead;

@@ -53,7 +53,8 @@ final class LoiterCircle {
   }
 
   /**
-   * Point on the circle, one look-ahead ahead of the vehicle's projection: north, east, down [m] from the vehicle.
+   * Point on the circle, one look-ahead ahead of the vehicle's projection: north, east, down [m]
+   * from the vehicle.
    */
   Point ahead(Vehicle vehicle, double lookAheadM) {
     Point to = vehicle.nedOf(centre);

@@ -4,7 +4,8 @@ import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Directions in which a vehicle without a route looks for one: alternating sides. Confined to the planner's thread.
+ * Directions in which a vehicle without a route looks for one: alternating sides. Confined to the
+ * planner's thread.
  */
 final class LookAround {
   private static final double STEP_RAD = Math.toRadians(60.0);

@@ -5,7 +5,9 @@ import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Monitors the vehicle's progress toward its goal. Every new route looks promising, even through a gap that is a sensor error, so only the remaining distance to the goal counts. Confined to the planner's thread.
+ * Monitors the vehicle's progress toward its goal. Every new route looks promising, even through a
+ * gap that is a sensor error, so only the remaining distance to the goal counts. Confined to the
+ * planner's thread.
  */
 final class Nearing {
   /** Without progress, a goal is given up after the time to travel the route this many times. */

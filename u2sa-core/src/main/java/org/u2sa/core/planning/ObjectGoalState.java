@@ -16,7 +16,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Moves the vehicle near an object of the world model, and points subsystems at it. Without a State Estimator the objects' own frame, that of the vehicle, suffices (thesis 4.3.2).
+ * Moves the vehicle near an object of the world model, and points subsystems at it. Without a State
+ * Estimator the objects' own frame, that of the vehicle, suffices (thesis 4.3.2).
  */
 final class ObjectGoalState implements PlannerState {
   private final Avoidance avoidance;

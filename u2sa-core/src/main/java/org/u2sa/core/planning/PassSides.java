@@ -11,7 +11,9 @@ import org.u2sa.core.planning.local.RouteTrack;
 import org.u2sa.core.planning.seen.PlanarShape;
 
 /**
- * Marks to be passed on one side only, such as IGVC's flags or a channel's buoys: the other side of each is closed, across the approach, until the vehicle has passed. Confined to the planner's thread.
+ * Marks to be passed on one side only, such as IGVC's flags or a channel's buoys: the other side of
+ * each is closed, across the approach, until the vehicle has passed. Confined to the planner's
+ * thread.
  */
 final class PassSides {
   /** Distance below which the route past the mark follows what was seen on both sides [reaches]. */

@@ -5,7 +5,9 @@ import java.util.function.Supplier;
 import org.u2sa.core.planning.seen.SeenWorld;
 
 /**
- * Selects the passages that routes may use: first only those in which the vehicle can turn in place; without such a route to the goal, all that it fits through. Confined to the planner's thread.
+ * Selects the passages that routes may use: first only those in which the vehicle can turn in
+ * place; without such a route to the goal, all that it fits through. Confined to the planner's
+ * thread.
  */
 final class Passages {
   private final Supplier<AvoidanceSettings> settings;
@@ -25,7 +27,8 @@ final class Passages {
   }
 
   /**
-   * Restricts routes to wide passages, because the goal changed or the vehicle got stuck in a narrow one.
+   * Restricts routes to wide passages, because the goal changed or the vehicle got stuck in a
+   * narrow one.
    */
   void widen() {
     isNarrow = false;

@@ -11,9 +11,7 @@ import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
 
-/**
- * Reports path changes to the log and displays. Confined to the planner's thread.
- */
+/** Reports path changes to the log and displays. Confined to the planner's thread. */
 final class PathNews {
   private final Supplier<AvoidanceSettings> settings;
   private final BiConsumer<String, Boolean> say;

@@ -21,10 +21,13 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of goals. In: state, goals, failsafe. Out: navigation, goal-reports.
+ * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of
+ * goals. In: state, goals, failsafe. Out: navigation, goal-reports.
  *
- * <p>It plans once per state estimate, so without fresh states it publishes no navigation points. On request of a failsafe it holds its position, as at the mission's end, or publishes none. The same
- * class serves aircraft and ground vehicles; only their configuration differs (thesis 4.6.2.3).
+ * <p>It plans once per state estimate, so without fresh states it publishes no navigation points.
+ * On request of a failsafe it holds its position, as at the mission's end, or publishes none. The
+ * same class serves aircraft and ground vehicles; only their configuration differs (thesis
+ * 4.6.2.3).
  */
 public class PathPlanner extends EventDrivenService {
   private final Settings<PlanningSettings> settings = settings(PlanningSettings.class);
@@ -77,7 +80,10 @@ public class PathPlanner extends EventDrivenService {
     subscribe(Channels.FAILSAFE, state -> react(state.action()));
   }
 
-  /** Configured settings; but a landing glide path is linear, whatever the mission's altitude profile. */
+  /**
+   * Configured settings; but a landing glide path is linear, whatever the mission's altitude
+   * profile.
+   */
   final LineSettings lines() {
     PlanningSettings configured = settings.get();
     return failsafe == FailsafeAction.LAND
@@ -145,7 +151,8 @@ public class PathPlanner extends EventDrivenService {
   }
 
   /**
-   * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own axes suffice: the vehicle is at their origin (thesis 4.3.2).
+   * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own
+   * axes suffice: the vehicle is at their origin (thesis 4.3.2).
    */
   private void onObjects(ObjectList list) {
     avoidance.world().see(list);

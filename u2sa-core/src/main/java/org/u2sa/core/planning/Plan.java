@@ -11,7 +11,8 @@ import org.u2sa.messages.NavigationPoint;
  * @param points navigation points, one per subsystem; none to stop
  * @param progress progress of the goal
  * @param remark remark for the operator's log, including the reason for giving up; empty if none
- * @param changed goal with the fields changed by the pursuit (thesis 4.2.1.3: shots fired, time of arrival), returned in the report; empty if unchanged
+ * @param changed goal with the fields changed by the pursuit (thesis 4.2.1.3: shots fired, time of
+ *     arrival), returned in the report; empty if unchanged
  */
 public record Plan(
     List<NavigationPoint> points,

@@ -11,7 +11,8 @@ public interface PlannerStateProvider {
   /**
    * Creates states for one planner.
    *
-   * @param configuration configuration of the planner, in which states declare and read their own variables
+   * @param configuration configuration of the planner, in which states declare and read their own
+   *     variables
    */
   Collection<PlannerState> plannerStates(Configurator configuration);
 }

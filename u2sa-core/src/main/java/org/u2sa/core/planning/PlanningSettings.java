@@ -4,7 +4,8 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Configuration variables of every {@link PathPlanner}. Only these distinguish an aircraft from a ground vehicle.
+ * Configuration variables of every {@link PathPlanner}. Only these distinguish an aircraft from a
+ * ground vehicle.
  */
 record PlanningSettings(
     @Variable(

@@ -8,7 +8,8 @@ import org.u2sa.messages.StateInformation;
  * Input of a planner state.
  *
  * @param goal current goal
- * @param before goal finished just before, from which the vehicle comes; empty at mission start and after an order to change goals
+ * @param before goal finished just before, from which the vehicle comes; empty at mission start and
+ *     after an order to change goals
  * @param after most likely next goal, for anticipation; empty at the end
  * @param state the newest estimate
  * @param missionS time since mission start [s], the time base of goals

@@ -7,7 +7,8 @@ import org.u2sa.core.planning.seen.Mover;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Measures the time in which traffic holds the vehicle up: it waits, or backs off from slow oncoming traffic. Such time does not count as lack of progress. Confined to the planner's thread.
+ * Measures the time in which traffic holds the vehicle up: it waits, or backs off from slow
+ * oncoming traffic. Such time does not count as lack of progress. Confined to the planner's thread.
  */
 final class TrafficHold {
   /** Maximum hold; longer blockage by traffic counts as permanent [s]. */

@@ -1,7 +1,8 @@
 package org.u2sa.core.planning;
 
 /**
- * Computes how far before a waypoint a vehicle must start its turn to join the next leg without overshoot.
+ * Computes how far before a waypoint a vehicle must start its turn to join the next leg without
+ * overshoot.
  *
  * @param accelerationMps2 lateral acceleration of the vehicle's turns [m/s²]: g · tan(bank) for an
  *     aircraft; 0 for a vehicle that turns in place and does not anticipate
@@ -12,15 +13,14 @@ record TurnAnticipation(double accelerationMps2, double lagS, double cornerM) {
   /** Share of a waypoint's horizontal threshold by which an anticipated turn may cut its corner. */
   static final double CORNER_SHARE = 0.6;
 
-  /**
-   * Radius of the vehicle's turns at a ground speed [m]; 0 for a vehicle that turns in place.
-   */
+  /** Radius of the vehicle's turns at a ground speed [m]; 0 for a vehicle that turns in place. */
   double radiusM(double speedMps) {
     return accelerationMps2 > 0.0 ? speedMps * speedMps / accelerationMps2 : 0.0;
   }
 
   /**
-   * Distance to a waypoint within which a vehicle may turn to the next [m]: the threshold, or the corner-cutting limit.
+   * Distance to a waypoint within which a vehicle may turn to the next [m]: the threshold, or the
+   * corner-cutting limit.
    */
   double nearM(double thresholdM) {
     double share = accelerationMps2 == 0.0 ? 1.0 : CORNER_SHARE;
@@ -30,8 +30,10 @@ record TurnAnticipation(double accelerationMps2, double lagS, double cornerM) {
   /**
    * Distance before the waypoint at which to start the turn [m].
    *
-   * <p>The corner may be cut by 60 % of the threshold, but by no more than the limit. An arc of radius R that starts d before the waypoint passes it at sqrt(d² + R²) − R, so it passes at m or
-   * less if d ≤ sqrt(2 R m + m²). Starting at R · tan(θ/2) makes the arc end on the next leg: the turn never needs to start sooner.
+   * <p>The corner may be cut by 60 % of the threshold, but by no more than the limit. An arc of
+   * radius R that starts d before the waypoint passes it at sqrt(d² + R²) − R, so it passes at m or
+   * less if d ≤ sqrt(2 R m + m²). Starting at R · tan(θ/2) makes the arc end on the next leg: the
+   * turn never needs to start sooner.
    *
    * @param speedMps ground speed [m/s]
    * @param turnRad change of direction at the waypoint [rad], either sign

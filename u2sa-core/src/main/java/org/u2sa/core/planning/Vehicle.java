@@ -9,7 +9,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * A state estimate from the planner's view: position and motion of the vehicle, and relative positions of other places.
+ * A state estimate from the planner's view: position and motion of the vehicle, and relative
+ * positions of other places.
  */
 final class Vehicle {
   /** Below this speed the course is meaningless [m/s]. */
@@ -24,7 +25,8 @@ final class Vehicle {
   }
 
   /**
-   * Creates the view of a state; empty if the state lacks position or heading, or is in a frame of the vehicle itself.
+   * Creates the view of a state; empty if the state lacks position or heading, or is in a frame of
+   * the vehicle itself.
    */
   static Optional<Vehicle> of(StateInformation state) {
     if (state.x().isEmpty() || state.y().isEmpty() || state.psi().isEmpty()) {
@@ -87,7 +89,8 @@ final class Vehicle {
 
   /**
    * Vector from the vehicle to a place: north, east, down [m]. A coordinate that the place or the
-   * vehicle lacks counts as no difference (thesis 4.6.2.3). Down is the difference of altitudes, without the earth's curvature.
+   * vehicle lacks counts as no difference (thesis 4.6.2.3). Down is the difference of altitudes,
+   * without the earth's curvature.
    *
    * @throws IllegalArgumentException if one is on the earth and the other on a local plane
    */
@@ -119,7 +122,8 @@ final class Vehicle {
   }
 
   /**
-   * Rotates a vector from north, east, down to the thesis's BODY axes: forward, left, down. Unknown attitude counts as level.
+   * Rotates a vector from north, east, down to the thesis's BODY axes: forward, left, down. Unknown
+   * attitude counts as level.
    */
   Point body(Point ned) {
     return body(ned, state.phi().orElse(0.0), state.theta().orElse(0.0));

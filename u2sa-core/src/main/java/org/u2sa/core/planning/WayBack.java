@@ -6,16 +6,17 @@ import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.core.planning.seen.PlanarShape;
 
 /**
- * Closes the way back between two lines, such as those of a lane, behind a vehicle that has reached a waypoint: the way ahead is not seen yet and may be longer, but leads to the next waypoint.
+ * Closes the way back between two lines, such as those of a lane, behind a vehicle that has reached
+ * a waypoint: the way ahead is not seen yet and may be longer, but leads to the next waypoint.
  */
 final class WayBack {
-  private static final double MARGIN_M =
-      1.0; // leaves room to turn and to back out
+  private static final double MARGIN_M = 1.0; // leaves room to turn and to back out
 
   private WayBack() {}
 
   /**
-   * Chain from the nearest line on the left, behind the vehicle, to the nearest on the right; empty unless both sides have a line.
+   * Chain from the nearest line on the left, behind the vehicle, to the nearest on the right; empty
+   * unless both sides have a line.
    *
    * @param shapes static obstacles; chains among them are lines
    * @param circleM turning radius of the vehicle
@@ -36,7 +37,9 @@ final class WayBack {
             new double[] {left[1], behind.eastM(), right[1]}));
   }
 
-  /** North and east of the nearest point of a chain on one side (1: right); an empty array if none. */
+  /**
+   * North and east of the nearest point of a chain on one side (1: right); an empty array if none.
+   */
   private static double[] nearest(List<PlanarShape> shapes, Pose pose, double reachM, double side) {
     double[] found = {};
     double least = reachM;

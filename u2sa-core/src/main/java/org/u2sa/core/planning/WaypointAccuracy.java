@@ -8,8 +8,9 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 
 /**
- * Adapts waypoints' horizontal thresholds to the accuracy reported in the state. With a
- * standard deviation of σ along each axis, a position is within r of its estimate with a probability of 1 − exp(−r² / 2σ²) (Rayleigh distribution).
+ * Adapts waypoints' horizontal thresholds to the accuracy reported in the state. With a standard
+ * deviation of σ along each axis, a position is within r of its estimate with a probability of 1 −
+ * exp(−r² / 2σ²) (Rayleigh distribution).
  */
 final class WaypointAccuracy {
   /** Standard deviations for 86 % probability. */
@@ -20,7 +21,9 @@ final class WaypointAccuracy {
 
   private WaypointAccuracy() {}
 
-  /** Standard deviation of the horizontal position along the worse axis [m]; empty if not reported. */
+  /**
+   * Standard deviation of the horizontal position along the worse axis [m]; empty if not reported.
+   */
   static OptionalDouble sigmaM(StateInformation state) {
     if (state.xSigma().isEmpty() && state.ySigma().isEmpty()) {
       return OptionalDouble.empty();
@@ -29,7 +32,8 @@ final class WaypointAccuracy {
   }
 
   /**
-   * Estimated distance that ensures the vehicle is truly within the threshold [m]: the threshold less two standard deviations, but at least half of it.
+   * Estimated distance that ensures the vehicle is truly within the threshold [m]: the threshold
+   * less two standard deviations, but at least half of it.
    */
   static double surelyWithinM(double thresholdM, StateInformation state) {
     return thresholdM

@@ -22,22 +22,20 @@ interface WaypointGuidance {
   Point towards(Vehicle vehicle, Place target, double threshold, Optional<Place> after);
 
   /**
-   * Converts a vector north, east, down [m] to the point this guidance passes to control, in BODY axes.
+   * Converts a vector north, east, down [m] to the point this guidance passes to control, in BODY
+   * axes.
    */
   Point bodyPoint(Vehicle vehicle, Point ned);
 
-  /**
-   * Whether the vehicle had finally passed the target at the last call of {@link #towards}.
-   */
+  /** Whether the vehicle had finally passed the target at the last call of {@link #towards}. */
   boolean hasPassed();
 
-  /**
-   * Whether a vehicle within the threshold is at its closest and will come no nearer.
-   */
+  /** Whether a vehicle within the threshold is at its closest and will come no nearer. */
   boolean isNearest();
 
   /**
-   * Whether the vehicle approaches the target; false while it turns round or moves away to gain room for the turn, when the distance does not count for the attempt.
+   * Whether the vehicle approaches the target; false while it turns round or moves away to gain
+   * room for the turn, when the distance does not count for the attempt.
    */
   boolean isApproaching();
 

@@ -17,7 +17,9 @@ import org.u2sa.service.HandOver;
  * Guides the vehicle to a waypoint.
  *
  * <p>The waypoint is reached within its horizontal threshold and, if it has one, its vertical
- * threshold (thesis 3.2.3.4), and is reported when the vehicle comes no nearer. After a miss the vehicle turns round for another attempt; after the last attempt the waypoint is abandoned and reported as such.
+ * threshold (thesis 3.2.3.4), and is reported when the vehicle comes no nearer. After a miss the
+ * vehicle turns round for another attempt; after the last attempt the waypoint is abandoned and
+ * reported as such.
  */
 final class WaypointState implements PlannerState {
   /** Share of a threshold within which usual estimation errors do not hide a miss. */
@@ -138,7 +140,8 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * Speed of the waypoint, or the speed to arrive at its time, within the vehicle's limits. For aircraft it is airspeed, with the wind taken into account.
+   * Speed of the waypoint, or the speed to arrive at its time, within the vehicle's limits. For
+   * aircraft it is airspeed, with the wind taken into account.
    */
   private OptionalDouble speed(Waypoint waypoint, double toGoM, Pursuit pursuit) {
     if (waypoint.time().isEmpty()) {
@@ -163,7 +166,8 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * Handles a waypoint with a heading: complete if the vehicle has it; otherwise it turns in place, or makes another approach if it cannot.
+   * Handles a waypoint with a heading: complete if the vehicle has it; otherwise it turns in place,
+   * or makes another approach if it cannot.
    */
   private Plan turned(
       Waypoint waypoint, Vehicle vehicle, Place target, NavigationPoint point, double downM) {
@@ -232,7 +236,8 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * Threshold to aim at: vehicles that turn in place leave a waypoint at the edge of its threshold, where an estimation error could cause a miss. Corner-cutting turns keep a margin anyway.
+   * Threshold to aim at: vehicles that turn in place leave a waypoint at the edge of its threshold,
+   * where an estimation error could cause a miss. Corner-cutting turns keep a margin anyway.
    */
   private double aimedAtM(Waypoint waypoint, StateInformation state) {
     return settings.get().turnAcceleration() == 0.0
@@ -241,7 +246,8 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * Whether a waypoint within its threshold may be left: within the corner-cutting limit, or at the closest approach. At the very edge, an estimation error could cause a miss.
+   * Whether a waypoint within its threshold may be left: within the corner-cutting limit, or at the
+   * closest approach. At the very edge, an estimation error could cause a miss.
    */
   private boolean isNearEnough(Waypoint waypoint, StateInformation state) {
     double nearM = settings.get().lines().turns().nearM(aimedAtM(waypoint, state));

@@ -10,7 +10,9 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Checks that actuators obey, by the counts of obeyed and refused commands in their services' health reports. Trouble is a service that has only refused for a time. Refusals while disarmed do not count.
+ * Checks that actuators obey, by the counts of obeyed and refused commands in their services'
+ * health reports. Trouble is a service that has only refused for a time. Refusals while disarmed do
+ * not count.
  */
 final class ActuationWatch implements Watch {
   /** Last report of a service. */

@@ -7,7 +7,8 @@ import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Arming state: the vehicle may move once all checks have passed and an operator, or ARM AT START, has armed it.
+ * Arming state: the vehicle may move once all checks have passed and an operator, or ARM AT START,
+ * has armed it.
  */
 final class Arming {
   private final SafetyManager manager;

@@ -17,7 +17,9 @@ import org.u2sa.service.EmergencyLatch;
 
 /** Reasons against arming. */
 final class ArmingChecks {
-  /** Actuators announce themselves every 5 s; after three missed announcements one counts as gone. */
+  /**
+   * Actuators announce themselves every 5 s; after three missed announcements one counts as gone.
+   */
   private static final double GONE_AFTER_S = 15.0;
 
   private final Configurator matrix;

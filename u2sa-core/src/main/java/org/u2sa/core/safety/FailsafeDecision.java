@@ -12,7 +12,10 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /**
- * Selects the failsafe action: the most severe one in the matrix of the active hazards. A cause stays active until it has been absent for CLEAR AFTER. RETURN and more severe actions latch until {@link #acknowledge}, unless RESUME is set. The fence action always latches, because the mission would breach the fence again.
+ * Selects the failsafe action: the most severe one in the matrix of the active hazards. A cause
+ * stays active until it has been absent for CLEAR AFTER. RETURN and more severe actions latch until
+ * {@link #acknowledge}, unless RESUME is set. The fence action always latches, because the mission
+ * would breach the fence again.
  */
 final class FailsafeDecision {
   /** An active hazard. */

@@ -16,7 +16,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Geofence: a keep-in polygon, keep-out polygons and two altitude limits. Uses a local plane in metres east and north of the polygon's first corner, accurate enough for fences of some tens of kilometres. Immutable.
+ * Geofence: a keep-in polygon, keep-out polygons and two altitude limits. Uses a local plane in
+ * metres east and north of the polygon's first corner, accurate enough for fences of some tens of
+ * kilometres. Immutable.
  */
 final class Fence {
   private final Optional<Geodetic> origin; // empty: of a local plane

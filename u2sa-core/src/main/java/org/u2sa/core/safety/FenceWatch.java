@@ -10,7 +10,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Checks that the vehicle can still stop or turn round inside the fence, if any. The floor applies once the armed vehicle has been above it, so that it can take off.
+ * Checks that the vehicle can still stop or turn round inside the fence, if any. The floor applies
+ * once the armed vehicle has been above it, so that it can take off.
  */
 final class FenceWatch implements Watch {
   private static final double ROUNDING_M = 1e-3;
@@ -21,7 +22,8 @@ final class FenceWatch implements Watch {
   private final PositionWatch states;
   private volatile Fence fence; // null if none; written by the Safety Manager's thread
   private boolean aboveFloor;
-  private Point clear = Point.of(0.0, 0.0, 0.0); // where the distance to the fence was last computed
+  private Point clear =
+      Point.of(0.0, 0.0, 0.0); // where the distance to the fence was last computed
   private double clearM; // free radius around it; 0 if unknown
 
   /**

@@ -6,7 +6,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Isolates a watch's exceptions from other watches: one that throws reports its own hazard until it handles a message or judges without a fault again.
+ * Isolates a watch's exceptions from other watches: one that throws reports its own hazard until it
+ * handles a message or judges without a fault again.
  */
 final class GuardedWatch implements Watch {
   private final Watch watch;

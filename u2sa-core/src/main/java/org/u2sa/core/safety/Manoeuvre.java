@@ -11,7 +11,8 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Room a vehicle needs to stop or turn round: its stopping distance, or the region it may cover while turning.
+ * Room a vehicle needs to stop or turn round: its stopping distance, or the region it may cover
+ * while turning.
  *
  * @param turns whether it turns; otherwise it brakes
  * @param reactionS from the failsafe until it brakes or turns [s]; till then it goes straight on

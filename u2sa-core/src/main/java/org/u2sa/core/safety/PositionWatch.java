@@ -7,7 +7,10 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.MessageAge;
 
-/** Checks that the vehicle knows its position: lost when states are stale, lack x and y, or are too uncertain. */
+/**
+ * Checks that the vehicle knows its position: lost when states are stale, lack x and y, or are too
+ * uncertain.
+ */
 final class PositionWatch implements Watch {
   private final Supplier<SafetySettings> settings;
   private StateInformation newest; // null until the first

@@ -8,7 +8,9 @@ import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Last retained messages of the previous Safety Manager, so that a restart in flight neither disarms the vehicle nor drops a failsafe. Messages older than a restart takes, or that far ahead of this clock, are from another run.
+ * Last retained messages of the previous Safety Manager, so that a restart in flight neither
+ * disarms the vehicle nor drops a failsafe. Messages older than a restart takes, or that far ahead
+ * of this clock, are from another run.
  */
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent what it retained

@@ -7,8 +7,9 @@ import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A custom check in the Safety Manager, such as for water in the hull: it prevents arming, and in motion it is a cause in the failsafe matrix. All methods are called on the Safety
- * Manager's thread and return at once. A check that throws counts as trouble.
+ * A custom check in the Safety Manager, such as for water in the hull: it prevents arming, and in
+ * motion it is a cause in the failsafe matrix. All methods are called on the Safety Manager's
+ * thread and return at once. A check that throws counts as trouble.
  */
 public interface SafetyCheck {
   /**

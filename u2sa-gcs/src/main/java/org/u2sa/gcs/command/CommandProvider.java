@@ -4,9 +4,12 @@ import java.util.List;
 
 /**
  * Adds commands to the command line {@code u2sa}. A module names its provider in {@code
- * META-INF/services/org.u2sa.gcs.command.CommandProvider}; the frame finds it through {@link java.util.ServiceLoader} and so depends on none of the contributing modules.
+ * META-INF/services/org.u2sa.gcs.command.CommandProvider}; the frame finds it through {@link
+ * java.util.ServiceLoader} and so depends on none of the contributing modules.
  *
- * <p>All providers are queried at each start of {@code u2sa}, even for {@code --help}, so constructors of providers and commands must only set fields; load resources when the command runs.
+ * <p>All providers are queried at each start of {@code u2sa}, even for {@code --help}, so
+ * constructors of providers and commands must only set fields; load resources when the command
+ * runs.
  */
 public interface CommandProvider {
 

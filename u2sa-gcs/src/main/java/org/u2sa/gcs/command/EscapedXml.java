@@ -6,7 +6,8 @@ public final class EscapedXml {
   private EscapedXml() {}
 
   /**
-   * Returns {@code text} as character data or attribute value: markup is escaped, and characters forbidden in XML 1.0 are replaced by U+FFFD.
+   * Returns {@code text} as character data or attribute value: markup is escaped, and characters
+   * forbidden in XML 1.0 are replaced by U+FFFD.
    */
   public static String of(String text) {
     StringBuilder xml = new StringBuilder(text.length() + 16);

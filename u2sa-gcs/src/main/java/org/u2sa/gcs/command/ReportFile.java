@@ -60,7 +60,10 @@ public final class ReportFile {
     }
   }
 
-  /** Returns the operating system's reason; java.nio exceptions whose message is only a path get an explanation. */
+  /**
+   * Returns the operating system's reason; java.nio exceptions whose message is only a path get an
+   * explanation.
+   */
   public static String reason(IOException e) {
     if (e instanceof AccessDeniedException) {
       return "permission denied";

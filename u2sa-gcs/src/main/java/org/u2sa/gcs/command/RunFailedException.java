@@ -1,7 +1,8 @@
 package org.u2sa.gcs.command;
 
 /**
- * Thrown when a run fails for a reason fully explained by the message: the command line prints it without a stack trace and exits with 1.
+ * Thrown when a run fails for a reason fully explained by the message: the command line prints it
+ * without a stack trace and exits with 1.
  */
 public class RunFailedException extends RuntimeException {
 

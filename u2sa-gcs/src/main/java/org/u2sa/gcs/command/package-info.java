@@ -1,4 +1,5 @@
 /**
- * Building blocks of commands: provider, exit codes, failures, output files. The command tree is in {@code gcs}.
+ * Building blocks of commands: provider, exit codes, failures, output files. The command tree is in
+ * {@code gcs}.
  */
 package org.u2sa.gcs.command;

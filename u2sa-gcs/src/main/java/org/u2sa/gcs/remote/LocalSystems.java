@@ -16,7 +16,9 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Registry of the systems run by this account on this machine and their broker addresses, so that a command finds the right broker even if another program has the default port. One file per system, named after its process, in a folder writable only by this account.
+ * Registry of the systems run by this account on this machine and their broker addresses, so that a
+ * command finds the right broker even if another program has the default port. One file per system,
+ * named after its process, in a folder writable only by this account.
  */
 public final class LocalSystems {
   /**
@@ -137,7 +139,10 @@ public final class LocalSystems {
     }
   }
 
-  /** Returns the system of a file; empty if the process ended without removing it, or if it is another file. */
+  /**
+   * Returns the system of a file; empty if the process ended without removing it, or if it is
+   * another file.
+   */
   private static Optional<LocalSystem> read(Path file) throws IOException {
     String name = file.getFileName().toString();
     if (!name.matches("\\d{1,9}-\\d{1,5}") || Files.size(file) > MAX_BYTES) {

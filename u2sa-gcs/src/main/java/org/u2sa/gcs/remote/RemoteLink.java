@@ -67,7 +67,8 @@ public final class RemoteLink implements AutoCloseable {
   }
 
   /**
-   * Subscribes the listener to a channel. It is called on the transport's thread and must not block.
+   * Subscribes the listener to a channel. It is called on the transport's thread and must not
+   * block.
    *
    * @throws CommunicationException if the broker refuses the subscription
    */
@@ -109,7 +110,8 @@ public final class RemoteLink implements AutoCloseable {
   }
 
   /**
-   * Publishes a request and passes on the answers on its channel until {@code enough} holds or {@link #timeoutS} has elapsed.
+   * Publishes a request and passes on the answers on its channel until {@code enough} holds or
+   * {@link #timeoutS} has elapsed.
    *
    * @param request not frozen yet; system and time are filled in
    * @param type of the answers, including subclasses
@@ -161,7 +163,8 @@ public final class RemoteLink implements AutoCloseable {
   /**
    * Waits until a condition holds, or for a maximum time.
    *
-   * @param holds condition, polled every 20 ms; may depend on answers or on which services are heard
+   * @param holds condition, polled every 20 ms; may depend on answers or on which services are
+   *     heard
    * @param atMostS maximum wait [s]
    */
   public void await(BooleanSupplier holds, double atMostS) throws InterruptedException {

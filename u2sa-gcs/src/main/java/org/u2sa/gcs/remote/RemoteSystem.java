@@ -26,7 +26,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * Options of all commands that join a running system in another process or on another host, and the connection to it; used as {@code @Mixin RemoteSystem remote}:
+ * Options of all commands that join a running system in another process or on another host, and the
+ * connection to it; used as {@code @Mixin RemoteSystem remote}:
  *
  * <pre>{@code
  * try (RemoteLink link = remote.connect()) {
@@ -39,7 +40,8 @@ import picocli.CommandLine.Spec;
  * }
  * }</pre>
  *
- * Failures (no broker, no system, several systems) are exceptions that the command line reports in one line.
+ * Failures (no broker, no system, several systems) are exceptions that the command line reports in
+ * one line.
  */
 public final class RemoteSystem {
   private static final double LONGEST_S = 3_600.0;
@@ -126,7 +128,9 @@ public final class RemoteSystem {
   }
 
   /**
-   * Returns an unconnected transport for a service that joins the system. Fails like {@link #connect}, except if a system was chosen by ID: then an unreachable broker is detected only when connecting.
+   * Returns an unconnected transport for a service that joins the system. Fails like {@link
+   * #connect}, except if a system was chosen by ID: then an unreachable broker is detected only
+   * when connecting.
    */
   public MqttTransport transport() throws InterruptedException {
     Clock clock = new SystemClock();
@@ -181,7 +185,8 @@ public final class RemoteSystem {
   }
 
   /**
-   * Returns a hint for a silent system: the other systems at the broker, and the closest match. Empty if the system was not chosen by name.
+   * Returns a hint for a silent system: the other systems at the broker, and the closest match.
+   * Empty if the system was not chosen by name.
    */
   public Optional<String> otherSystems(RemoteLink link) throws InterruptedException {
     if (systemId == null) {
@@ -198,7 +203,9 @@ public final class RemoteSystem {
   }
 
   /**
-   * Finds the systems whose services report health at the broker: listens until the first is heard, and then for others. Lost connections are not reported, because a missing system is reported at the end.
+   * Finds the systems whose services report health at the broker: listens until the first is heard,
+   * and then for others. Lost connections are not reported, because a missing system is reported at
+   * the end.
    */
   private SortedSet<String> heard(String name, Clock clock) throws InterruptedException {
     SortedSet<String> heard = new ConcurrentSkipListSet<>();

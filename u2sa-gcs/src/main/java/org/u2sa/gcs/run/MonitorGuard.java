@@ -15,7 +15,11 @@ import org.u2sa.service.ServiceRole;
 /**
  * Supervises the health monitor, and restarts ended processes in its place while no monitor works.
  *
- * <p>It restarts a health monitor's process if it failed or has been silent for too long, because nothing else would. If this process's own launcher is not heard either, the silence is blamed on a broken link. Processes of other services are left to the monitor's policy while a monitor is heard. Without one, because the system has none or it ended too, the guard restarts the process immediately, a limited number of times.
+ * <p>It restarts a health monitor's process if it failed or has been silent for too long, because
+ * nothing else would. If this process's own launcher is not heard either, the silence is blamed on
+ * a broken link. Processes of other services are left to the monitor's policy while a monitor is
+ * heard. Without one, because the system has none or it ended too, the guard restarts the process
+ * immediately, a limited number of times.
  *
  * <p>One thread checks for silence; ends may be reported from any thread.
  */

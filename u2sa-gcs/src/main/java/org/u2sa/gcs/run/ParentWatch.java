@@ -7,7 +7,9 @@ import java.util.function.IntConsumer;
 import org.u2sa.gcs.command.ExitCode;
 
 /**
- * Exits this process when its parent ends. The parent holds the other end of standard input and writes nothing, so end of file means that the parent is gone. An orphan would block its service's name in the next run.
+ * Exits this process when its parent ends. The parent holds the other end of standard input and
+ * writes nothing, so end of file means that the parent is gone. An orphan would block its service's
+ * name in the next run.
  */
 final class ParentWatch {
   private static final long ENDS_WITHIN_S = 5;

@@ -163,7 +163,8 @@ public final class RunCommand implements Callable<Integer> {
   }
 
   /**
-   * Moves the broker to another port if the configured one is taken, provided that only this machine can reach it: clients on other machines expect the configured port.
+   * Moves the broker to another port if the configured one is taken, provided that only this
+   * machine can reach it: clients on other machines expect the configured port.
    */
   private void evadeTakenPort(SystemFile system, PrintWriter out) {
     XmlConfiguration configuration =
@@ -329,7 +330,9 @@ public final class RunCommand implements Callable<Integer> {
         system.communicationManager().transport(), services, new SystemClock(), out::println);
   }
 
-  /** Entries whose troubles this process prints: with a supervising process, that one prints all. */
+  /**
+   * Entries whose troubles this process prints: with a supervising process, that one prints all.
+   */
   private Predicate<String> ownServices(RunningSystem system) {
     Set<String> own = new HashSet<>();
     if (!supervised) {

@@ -20,7 +20,8 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Maps system-file entries to service names by asking the running services, because a name depends on the service and its configuration.
+ * Maps system-file entries to service names by asking the running services, because a name depends
+ * on the service and its configuration.
  */
 final class ServiceNames implements Receiver, AutoCloseable {
   private static final int ASKS_AT_MOST = 20; // per unknown name

@@ -16,7 +16,8 @@ import org.u2sa.interfaces.communication.MqttClient;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * Runs one Java process per service: starts and restarts them, and reports immediately when one ends. Thread-safe.
+ * Runs one Java process per service: starts and restarts them, and reports immediately when one
+ * ends. Thread-safe.
  */
 final class ServiceProcesses implements AutoCloseable {
   private static final long END_WITHIN_S = 5;
@@ -123,7 +124,8 @@ final class ServiceProcesses implements AutoCloseable {
   }
 
   /**
-   * Waits until no process is left, or until one rejects its input on its first start, so that the system was never complete. Returns the exit codes of the failed processes.
+   * Waits until no process is left, or until one rejects its input on its first start, so that the
+   * system was never complete. Returns the exit codes of the failed processes.
    */
   synchronized Map<String, Integer> awaitEnd() throws InterruptedException {
     while (!refused && processes.values().stream().anyMatch(Process::isAlive)) {
@@ -160,7 +162,8 @@ final class ServiceProcesses implements AutoCloseable {
   }
 
   /**
-   * Launch parameters of single-service processes: {@code u2sa run --only}, with this program's own Java.
+   * Launch parameters of single-service processes: {@code u2sa run --only}, with this program's own
+   * Java.
    *
    * @param file the system file
    * @param logs folder of the log files

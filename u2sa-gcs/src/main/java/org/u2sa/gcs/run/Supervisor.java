@@ -19,9 +19,12 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Executes start and restart orders when each service has its own process: kills it (SIGKILL, because it may hang) and starts it again. Actuators go neutral meanwhile, as their commands expire.
+ * Executes start and restart orders when each service has its own process: kills it (SIGKILL,
+ * because it may hang) and starts it again. Actuators go neutral meanwhile, as their commands
+ * expire.
  *
- * <p>It reports ended processes on the health channel. It restarts a health monitor's process without an order, because nothing else would give one, and any process while no monitor works.
+ * <p>It reports ended processes on the health channel. It restarts a health monitor's process
+ * without an order, because nothing else would give one, and any process while no monitor works.
  */
 final class Supervisor implements ServiceHost, AutoCloseable {
   private final ServiceProcesses processes;
@@ -54,7 +57,8 @@ final class Supervisor implements ServiceHost, AutoCloseable {
   }
 
   /**
-   * Acts if no monitor does, and reports the end immediately: this process is the first to know, and the broker only sees a broken link.
+   * Acts if no monitor does, and reports the end immediately: this process is the first to know,
+   * and the broker only sees a broken link.
    */
   private void ended(String entry, int exitCode) {
     Optional<ServiceNames.Word> last = names.nameOf(entry).flatMap(names::lastWord);

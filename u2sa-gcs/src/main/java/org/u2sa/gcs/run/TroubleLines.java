@@ -15,7 +15,9 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Prints troubles reported by services, such as a missing device, which would otherwise appear only in their log files. Each text is printed once, and each service is limited to one line every few seconds.
+ * Prints troubles reported by services, such as a missing device, which would otherwise appear only
+ * in their log files. Each text is printed once, and each service is limited to one line every few
+ * seconds.
  */
 public final class TroubleLines implements Receiver, AutoCloseable {
   private static final long APART_MICROS = 5_000_000;

@@ -22,7 +22,9 @@ import org.eclipse.paho.client.mqttv3.MqttException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * An MQTT session over an unencrypted socket. Messages are sent on the publisher's thread and received on one reader thread: two thread hand-offs fewer than with Paho. Publishing never blocks on the network: the reader thread sends later what the socket does not accept immediately.
+ * An MQTT session over an unencrypted socket. Messages are sent on the publisher's thread and
+ * received on one reader thread: two thread hand-offs fewer than with Paho. Publishing never blocks
+ * on the network: the reader thread sends later what the socket does not accept immediately.
  */
 final class DirectSession implements MqttSession {
   private static final int REFUSED = 0x80; // failure code in a SUBACK

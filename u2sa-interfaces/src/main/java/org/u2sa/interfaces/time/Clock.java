@@ -28,7 +28,9 @@ public interface Clock {
   Waiter newWaiter(String name);
 
   /**
-   * {@link #newWaiter(String)} for a low-latency thread: in real time it spins for a while before it sleeps, at the cost of that much CPU time, and again before a deadline. In simulated time it does not spin.
+   * {@link #newWaiter(String)} for a low-latency thread: in real time it spins for a while before
+   * it sleeps, at the cost of that much CPU time, and again before a deadline. In simulated time it
+   * does not spin.
    *
    * @param name who waits, for diagnostics
    * @param spinMicros maximum spin time per wait [µs]; 0 to not spin
@@ -42,14 +44,16 @@ public interface Clock {
    * Thread#sleep} or for a device. Simulated time advances without the thread meanwhile.
    *
    * @param thread the waiting thread, started after this call
-   * @param outOfStep called by the driving thread when simulated time first advances without the thread
+   * @param outOfStep called by the driving thread when simulated time first advances without the
+   *     thread
    */
   default Waiter newWaiter(Thread thread, Runnable outOfStep) {
     return newWaiter(thread.getName());
   }
 
   /**
-   * The thread on whose behalf the caller runs: the one that {@linkplain Waiter#lend lent} the current turn if the clock runs it on another thread, else the calling thread.
+   * The thread on whose behalf the caller runs: the one that {@linkplain Waiter#lend lent} the
+   * current turn if the clock runs it on another thread, else the calling thread.
    */
   static Thread runningThread() {
     return Thread.currentThread() instanceof TurnCarriers.Carrier carrier
@@ -76,14 +80,16 @@ public interface Clock {
     /**
      * Runs one turn.
      *
-     * @return deadline of the next turn, time of the clock [µs], or {@link Clock#NEVER}; a signal starts the turn earlier; {@link #OVER} at the end
+     * @return deadline of the next turn, time of the clock [µs], or {@link Clock#NEVER}; a signal
+     *     starts the turn earlier; {@link #OVER} at the end
      * @throws InterruptedException if the thread was interrupted
      */
     long take() throws InterruptedException;
   }
 
   /**
-   * The waiting point of one thread. Only that thread may call {@link #await} and {@link #lend}; any thread may call the other methods.
+   * The waiting point of one thread. Only that thread may call {@link #await} and {@link #lend};
+   * any thread may call the other methods.
    */
   interface Waiter extends AutoCloseable {
     /**
@@ -98,9 +104,13 @@ public interface Clock {
     /**
      * Runs turns until they are over, {@linkplain #await waiting} between them.
      *
-     * <p>The thread lends its turns: the clock may run some of them on its own thread while this one is blocked in the call. Turns run one at a time, each sees the writes of earlier ones, and no lock may be held between turns. Interrupting this thread interrupts the running turn. {@link Clock#runningThread} is this thread in all of them.
+     * <p>The thread lends its turns: the clock may run some of them on its own thread while this
+     * one is blocked in the call. Turns run one at a time, each sees the writes of earlier ones,
+     * and no lock may be held between turns. Interrupting this thread interrupts the running turn.
+     * {@link Clock#runningThread} is this thread in all of them.
      *
-     * @throws InterruptedException if this thread was interrupted, or a turn threw it; any other exception of a turn is rethrown here
+     * @throws InterruptedException if this thread was interrupted, or a turn threw it; any other
+     *     exception of a turn is rethrown here
      */
     default void lend(Turns turns) throws InterruptedException {
       for (long next = turns.take(); next != Turns.OVER; next = turns.take()) {
@@ -112,7 +122,8 @@ public interface Clock {
     void signal();
 
     /**
-     * Releases the waiter: waits return immediately from now on, and a simulation advances without this thread. Idempotent.
+     * Releases the waiter: waits return immediately from now on, and a simulation advances without
+     * this thread. Idempotent.
      */
     @Override
     void close();

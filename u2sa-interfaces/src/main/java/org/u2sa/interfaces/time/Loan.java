@@ -4,7 +4,9 @@ import java.lang.reflect.UndeclaredThrowableException;
 import java.util.function.Predicate;
 
 /**
- * The turns a thread has lent to a {@link LockstepClock}; carriers run them one at a time until they are returned. Guarded by the clock's lock, except {@link #carry} and the methods of the lender.
+ * The turns a thread has lent to a {@link LockstepClock}; carriers run them one at a time until
+ * they are returned. Guarded by the clock's lock, except {@link #carry} and the methods of the
+ * lender.
  */
 final class Loan {
   private final Thread lender = Thread.currentThread();
@@ -55,7 +57,10 @@ final class Loan {
     } while (goesOn.test(this));
   }
 
-  /** Whether the lender must continue by itself after this turn; called on the carrier, once per turn. */
+  /**
+   * Whether the lender must continue by itself after this turn; called on the carrier, once per
+   * turn.
+   */
   boolean isEnding() {
     interrupted = Thread.interrupted();
     return interrupted || thrown != null || deadlineMicros == Clock.Turns.OVER;

@@ -6,14 +6,25 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 
 /**
- * Simulated time in lockstep: one thread runs at a time, and time advances only when all of them wait.
+ * Simulated time in lockstep: one thread runs at a time, and time advances only when all of them
+ * wait.
  *
- * <p>The order of turns depends only on the threads' signals and deadlines: signalled threads run first, in order of their signals, then the earliest deadline (ties: the waiter created first). A multi-threaded run is therefore bit-for-bit repeatable, runs as fast as the machine allows, and every service has reacted to a simulation step before the next one begins.
+ * <p>The order of turns depends only on the threads' signals and deadlines: signalled threads run
+ * first, in order of their signals, then the earliest deadline (ties: the waiter created first). A
+ * multi-threaded run is therefore bit-for-bit repeatable, runs as fast as the machine allows, and
+ * every service has reacted to a simulation step before the next one begins.
  *
- * <p>Waking a sleeping thread takes longer than most turns. Therefore {@linkplain Waiter#lend lent} turns run one after the other on one thread of the clock, a carrier. A thread that keeps its turns and is certain to be next is woken while the previous turn still runs, and spins for a few microseconds before it sleeps again. Both affect which thread runs and when it wakes, never the order of turns.
+ * <p>Waking a sleeping thread takes longer than most turns. Therefore {@linkplain Waiter#lend lent}
+ * turns run one after the other on one thread of the clock, a carrier. A thread that keeps its
+ * turns and is certain to be next is woken while the previous turn still runs, and spins for a few
+ * microseconds before it sleeps again. Both affect which thread runs and when it wakes, never the
+ * order of turns.
  *
- * <p>The thread that calls {@link #runUntil} or {@link #advance} is the driver: it is blocked while the services run. A waiter counts as busy from its creation until its thread first waits, so create it where the order is deterministic (in the thread that starts the services) and start its thread. Time advances without a thread that has the turn but blocks on something else, if its waiter was created by
- * {@link #newWaiter(Thread, Runnable)}.
+ * <p>The thread that calls {@link #runUntil} or {@link #advance} is the driver: it is blocked while
+ * the services run. A waiter counts as busy from its creation until its thread first waits, so
+ * create it where the order is deterministic (in the thread that starts the services) and start its
+ * thread. Time advances without a thread that has the turn but blocks on something else, if its
+ * waiter was created by {@link #newWaiter(Thread, Runnable)}.
  */
 public final class LockstepClock implements Clock {
   /** On a single core a spinning thread would only take the core from the running one. */
@@ -21,11 +32,9 @@ public final class LockstepClock implements Clock {
 
   private static final long LOOKS_EVERY_MS = 10;
 
-  private final Object lock =
-      new Object(); // guards all fields below; nowMicros only for writing
+  private final Object lock = new Object(); // guards all fields below; nowMicros only for writing
   private final List<Turn> turns = new ArrayList<>(); // in order of creation
-  private final ArrayDeque<Turn> ready =
-      new ArrayDeque<>(); // signalled while waiting, FIFO
+  private final ArrayDeque<Turn> ready = new ArrayDeque<>(); // signalled while waiting, FIFO
   private final TurnCarriers carriers = new TurnCarriers();
   private final List<Turn> unreliable = new ArrayList<>(); // threads that may block elsewhere
   private int busy; // turns that are not waiting
@@ -65,7 +74,8 @@ public final class LockstepClock implements Clock {
   }
 
   /**
-   * Advances time by the span, running everything due up to and including its end; returns when all threads wait.
+   * Advances time by the span, running everything due up to and including its end; returns when all
+   * threads wait.
    *
    * @param micros span [µs], not negative; 0 only lets threads handle pending signals
    * @throws InterruptedException if the calling thread was interrupted
@@ -81,7 +91,8 @@ public final class LockstepClock implements Clock {
   /**
    * Advances time until the condition holds or the limit is reached.
    *
-   * @param condition evaluated each time before time advances, while no service runs; must not block
+   * @param condition evaluated each time before time advances, while no service runs; must not
+   *     block
    * @param limitMicros time of this clock [µs] at which to give up
    * @return whether the condition held
    * @throws InterruptedException if the calling thread was interrupted
@@ -133,7 +144,9 @@ public final class LockstepClock implements Clock {
   }
 
   /**
-   * Whether the driver's condition holds. It is evaluated on the last thread to wait, but its exceptions go to the driver: they must neither kill that thread's service nor leave the driver blocked.
+   * Whether the driver's condition holds. It is evaluated on the last thread to wait, but its
+   * exceptions go to the driver: they must neither kill that thread's service nor leave the driver
+   * blocked.
    */
   private boolean isDone() {
     try {

@@ -1,10 +1,13 @@
 package org.u2sa.interfaces.time;
 
 /**
- * Detects whether a thread that has its turn on a {@link LockstepClock} is blocked on something else. Polled during the turn. Guarded by the clock's lock.
+ * Detects whether a thread that has its turn on a {@link LockstepClock} is blocked on something
+ * else. Polled during the turn. Guarded by the clock's lock.
  */
 final class StepWatch {
-  /** Consecutive polls that must find the thread asleep; waits for a lock or a log file are shorter. */
+  /**
+   * Consecutive polls that must find the thread asleep; waits for a lock or a log file are shorter.
+   */
   private static final int ASLEEP_LOOKS = 3;
 
   /** Polls of a thread that appears runnable, but may block in a system call or loop forever. */

@@ -5,7 +5,9 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.LongSupplier;
 
 /**
- * Real time: the machine's monotonic clock, aligned with the time of day once per process, so it never jumps while a vehicle moves. All instances of a process agree, as do those of child processes started with {@link #option}, even if the time of day was changed meanwhile.
+ * Real time: the machine's monotonic clock, aligned with the time of day once per process, so it
+ * never jumps while a vehicle moves. All instances of a process agree, as do those of child
+ * processes started with {@link #option}, even if the time of day was changed meanwhile.
  *
  * <p>The only class that calls the system's clock.
  */
@@ -38,7 +40,8 @@ public final class SystemClock implements Clock {
   }
 
   /**
-   * The JVM option that makes a child process on this machine, started now, agree with this process on the time.
+   * The JVM option that makes a child process on this machine, started now, agree with this process
+   * on the time.
    */
   public static String option() {
     return "-D" + PROPERTY + "=" + OF_PROCESS.text(System.nanoTime());
@@ -131,7 +134,10 @@ public final class SystemClock implements Clock {
   }
 
   /**
-   * Maps the machine's monotonic clock to the time of day. It is determined once per process and handed to child processes, so that none of them sees changes of the machine's time of day. On Linux and Android all processes share the monotonic clock; elsewhere an inherited base is detected as implausible and ignored.
+   * Maps the machine's monotonic clock to the time of day. It is determined once per process and
+   * handed to child processes, so that none of them sees changes of the machine's time of day. On
+   * Linux and Android all processes share the monotonic clock; elsewhere an inherited base is
+   * detected as implausible and ignored.
    *
    * @param zeroMicros time of day when the monotonic clock read 0 [µs since 1970-01-01T00:00Z]
    */

@@ -3,7 +3,9 @@ package org.u2sa.interfaces.time;
 import java.util.ArrayDeque;
 
 /**
- * Worker threads on which a {@link LockstepClock} runs lent turns. Usually one; more are created while code in a lent turn waits for another turn or hangs. They end when no thread lends turns any more. Guarded by the clock's lock.
+ * Worker threads on which a {@link LockstepClock} runs lent turns. Usually one; more are created
+ * while code in a lent turn waits for another turn or hangs. They end when no thread lends turns
+ * any more. Guarded by the clock's lock.
  */
 final class TurnCarriers {
   private final ArrayDeque<Carrier> free = new ArrayDeque<>(); // LIFO

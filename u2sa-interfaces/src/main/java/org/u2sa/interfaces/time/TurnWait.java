@@ -3,7 +3,8 @@ package org.u2sa.interfaces.time;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * One thread's wait for its turn on a {@link LockstepClock}: asleep, or spinning for a few microseconds once it was called ahead. Guarded by the clock's lock, except {@link #await}.
+ * One thread's wait for its turn on a {@link LockstepClock}: asleep, or spinning for a few
+ * microseconds once it was called ahead. Guarded by the clock's lock, except {@link #await}.
  */
 final class TurnWait {
   /** About the latency of waking a thread; spinning longer gains nothing. */

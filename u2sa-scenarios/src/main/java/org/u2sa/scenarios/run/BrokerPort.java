@@ -14,7 +14,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * The port on which a run's broker accepts other MQTT clients. Runs do not need such clients, so an occupied port is an error only if it was requested explicitly.
+ * The port on which a run's broker accepts other MQTT clients. Runs do not need such clients, so an
+ * occupied port is an error only if it was requested explicitly.
  */
 final class BrokerPort {
   private static final String MANAGER = "CommunicationManager";
@@ -44,7 +45,10 @@ final class BrokerPort {
     asked = value;
   }
 
-  /** Sets the Communication Manager's port for a run and reports it if it differs from the configured one. */
+  /**
+   * Sets the Communication Manager's port for a run and reports it if it differs from the
+   * configured one.
+   */
   public void configure(SystemFile system, LaunchOptions launch, Terminal terminal) {
     if (throughBroker) {
       launch.throughBroker();

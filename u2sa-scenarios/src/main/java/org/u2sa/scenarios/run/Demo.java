@@ -49,7 +49,8 @@ public interface Demo {
   }
 
   /**
-   * Distance within which the rules count a waypoint as reached [m]; empty for the mission's threshold.
+   * Distance within which the rules count a waypoint as reached [m]; empty for the mission's
+   * threshold.
    */
   default OptionalDouble captureRadiusM() {
     return OptionalDouble.empty();

@@ -20,8 +20,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 /**
- * Options and procedure common to all demos: reads and checks the files, and executes the runs. Used as
- * {@code @Mixin DemoFrame frame} in a command that is a {@link Demo}.
+ * Options and procedure common to all demos: reads and checks the files, and executes the runs.
+ * Used as {@code @Mixin DemoFrame frame} in a command that is a {@link Demo}.
  */
 public final class DemoFrame {
   @Mixin private DemoOptions options;

@@ -118,17 +118,15 @@ public final class DemoOptions {
     return realtime;
   }
 
-  /**
-   * Stream for human-readable messages: standard output, or standard error with {@code --json}.
-   */
+  /** Stream for human-readable messages: standard output, or standard error with {@code --json}. */
   public Terminal terminal() {
     CommandLine line = command.commandLine();
     return Terminal.detect(json ? line.getErr() : line.getOut(), System.getenv());
   }
 
   /**
-   * Output directory of this command: {@code --out}, else {@code out/<demo>-seed<N>} if a seed
-   * was given, else {@code out/<demo>-<yyyyMMdd-HHmmss>} by local time.
+   * Output directory of this command: {@code --out}, else {@code out/<demo>-seed<N>} if a seed was
+   * given, else {@code out/<demo>-<yyyyMMdd-HHmmss>} by local time.
    *
    * @param demo name of the demo, e.g. {@code cessna}
    * @param startedAtMicros when the command started, system clock [µs since 1970]
@@ -147,8 +145,8 @@ public final class DemoOptions {
   }
 
   /**
-   * Output directory of run {@code k} (from 0): the directory itself for a single run, else
-   * {@code run-01}, … inside it.
+   * Output directory of run {@code k} (from 0): the directory itself for a single run, else {@code
+   * run-01}, … inside it.
    */
   public Path runDirectory(Path directory, int k) {
     return runs == 1 ? directory : directory.resolve(String.format(Locale.ROOT, "run-%02d", k + 1));

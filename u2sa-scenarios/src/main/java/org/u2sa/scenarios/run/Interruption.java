@@ -6,7 +6,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.u2sa.gcs.command.RunFailedException;
 
 /**
- * Handles Ctrl-C or SIGTERM during a run: the run shuts down cleanly with neutral actuators and writes its report before the JVM exits. The exit code is the system's, 130 or 143.
+ * Handles Ctrl-C or SIGTERM during a run: the run shuts down cleanly with neutral actuators and
+ * writes its report before the JVM exits. The exit code is the system's, 130 or 143.
  */
 public final class Interruption implements AutoCloseable {
   private static final long END_WITHIN_S = 15;

@@ -15,7 +15,8 @@ import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Repeats the waypoints of a mission for several laps, in file order. The resulting mission terminates, so a run can be scored.
+ * Repeats the waypoints of a mission for several laps, in file order. The resulting mission
+ * terminates, so a run can be scored.
  */
 public final class Laps {
   private Laps() {}
@@ -26,7 +27,8 @@ public final class Laps {
    * @param laps at least 1
    * @param leastThresholdM minimum threshold of the waypoints [m]
    * @return the mission in the file
-   * @throws BadInputException if a goal is not a waypoint in earth coordinates, or if several laps are requested of a mission with explicit successors
+   * @throws BadInputException if a goal is not a waypoint in earth coordinates, or if several laps
+   *     are requested of a mission with explicit successors
    */
   public static Mission write(Mission mission, int laps, double leastThresholdM, Path file) {
     Home home = RunPlans.home(mission);

@@ -6,7 +6,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Real-time watchdog of the vehicle's readings: reports when they stop and resume, and when to give up. Not thread-safe.
+ * Real-time watchdog of the vehicle's readings: reports when they stop and resume, and when to give
+ * up. Not thread-safe.
  */
 final class ReadingsWatch {
   private static final long SILENCE_MICROS = 2 * Clock.MICROS_PER_SECOND;
@@ -25,7 +26,8 @@ final class ReadingsWatch {
 
   /**
    * @param vehicle its name in messages, e.g. {@code aircraft}
-   * @param patience timeout for the first reading and after a loss [s]; empty for 300 s and 60 s, respectively
+   * @param patience timeout for the first reading and after a loss [s]; empty for 300 s and 60 s,
+   *     respectively
    * @param console receives messages about the link
    */
   ReadingsWatch(Clock clock, String vehicle, OptionalDouble patience, Consumer<String> console) {

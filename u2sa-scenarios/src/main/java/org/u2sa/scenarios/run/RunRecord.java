@@ -12,7 +12,8 @@ import org.u2sa.scenarios.report.Track;
 import org.u2sa.scenarios.report.TrackSample;
 
 /**
- * The record of a run, for its score and its screen. Confined to the observer's thread, except methods documented as thread-safe.
+ * The record of a run, for its score and its screen. Confined to the observer's thread, except
+ * methods documented as thread-safe.
  */
 public final class RunRecord {
   private static final long NOT_YET = -1;
@@ -60,7 +61,8 @@ public final class RunRecord {
   }
 
   /**
-   * Whether the target has no {@link #moment} yet. It needs one before it is replaced, or the score would miss it.
+   * Whether the target has no {@link #moment} yet. It needs one before it is replaced, or the score
+   * would miss it.
    */
   boolean isTargetUnseen() {
     return !seen && leg >= 0 && leg < names.size();

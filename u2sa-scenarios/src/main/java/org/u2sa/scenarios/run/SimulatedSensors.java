@@ -38,7 +38,9 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Provides simulated devices for all sensors of a demo's system file, so one line there adds an IMU, a second receiver or a barometer. A service configured for a device other than {@code SIMULATED} gets that device. Each service has its own random stream.
+ * Provides simulated devices for all sensors of a demo's system file, so one line there adds an
+ * IMU, a second receiver or a barometer. A service configured for a device other than {@code
+ * SIMULATED} gets that device. Each service has its own random stream.
  */
 public final class SimulatedSensors {
   private static final double ENCODER_HZ = 50.0;

@@ -96,7 +96,9 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     }
   }
 
-  /** Records the ground truth; false if its time has not advanced, e.g. before the vehicle exists. */
+  /**
+   * Records the ground truth; false if its time has not advanced, e.g. before the vehicle exists.
+   */
   private boolean look() {
     VehicleTruth truth = vehicle.get();
     if (truth.timeS() <= lastS) {
@@ -139,7 +141,10 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     return record;
   }
 
-  /** {@inheritDoc} True if the mission is over and the vehicle has stopped, or if the scorer ends the run. */
+  /**
+   * {@inheritDoc} True if the mission is over and the vehicle has stopped, or if the scorer ends
+   * the run.
+   */
   @Override
   public boolean isOver() {
     return over || scorer.isOver();
@@ -150,7 +155,10 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     return scorer.outcome();
   }
 
-  /** Scores a run by the ground truth, in addition to its waypoints. Confined to the observer's thread. */
+  /**
+   * Scores a run by the ground truth, in addition to its waypoints. Confined to the observer's
+   * thread.
+   */
   public interface Scorer {
     /** Processes a sample later than the previous one. */
     default void see(VehicleTruth truth) {}

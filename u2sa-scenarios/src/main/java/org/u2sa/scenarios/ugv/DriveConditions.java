@@ -8,7 +8,8 @@ import org.u2sa.sim.world.Terrain;
 /**
  * The conditions of a drive: motors, load and ground.
  *
- * @param mismatch fraction by which the right motor is stronger and the left one weaker, −0.5…0.5; empty: up to ±0.05, by the seed
+ * @param mismatch fraction by which the right motor is stronger and the left one weaker, −0.5…0.5;
+ *     empty: up to ±0.05, by the seed
  * @param payloadKg mass above the vehicle's centre of gravity [kg]
  * @param words deviations from the default, for reports; empty if none
  */

@@ -39,9 +39,7 @@ enum GpsGrade {
     return parameters;
   }
 
-  /**
-   * The State Estimator's STALE AFTER; must exceed the fix interval [s].
-   */
+  /** The State Estimator's STALE AFTER; must exceed the fix interval [s]. */
   double fixTimeoutS() {
     return fixTimeoutS;
   }
@@ -54,7 +52,8 @@ enum GpsGrade {
   }
 
   /**
-   * Latency from the time of validity of a fix to the arrival of its first message at the board [s]: NAV-POSLLH has 36 bytes, at 9600 baud.
+   * Latency from the time of validity of a fix to the arrival of its first message at the board
+   * [s]: NAV-POSLLH has 36 bytes, at 9600 baud.
    */
   double delayS() {
     return parameters.latencyS() + FIRST_MESSAGE_S;

@@ -28,9 +28,7 @@ import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
-/**
- * The simulated world of one run: a vehicle with its sensors, wired to an IOIO board.
- */
+/** The simulated world of one run: a vehicle with its sensors, wired to an IOIO board. */
 final class UgvWorld {
   private static final int COMPASS_BAUD = 9600;
   private static final double YEAR = 2026.4;

@@ -13,12 +13,13 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Terrain;
 
 /**
- * Counts contacts, and motion of a disarmed vehicle: before arming or after an emergency stop, with a grace period to come to rest. A vehicle without brakes may roll down a slope while its motors are neutral or off.
+ * Counts contacts, and motion of a disarmed vehicle: before arming or after an emergency stop, with
+ * a grace period to come to rest. A vehicle without brakes may roll down a slope while its motors
+ * are neutral or off.
  */
 final class UnarmedMotion implements TruthObserver.Scorer {
   private static final double AT_REST_WITHIN_S = 2.0;
-  private static final double LEVEL =
-      0.03; // rise over run; rolling resistance holds the vehicle
+  private static final double LEVEL = 0.03; // rise over run; rolling resistance holds the vehicle
 
   private final Terrain terrain;
   private final Supplier<DriveCommand> motors;

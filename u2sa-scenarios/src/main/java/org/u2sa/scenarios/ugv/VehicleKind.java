@@ -43,7 +43,8 @@ enum VehicleKind {
   /**
    * Creates a vehicle.
    *
-   * @param mismatch fraction by which the right motor is stronger, because no two motors are identical
+   * @param mismatch fraction by which the right motor is stronger, because no two motors are
+   *     identical
    * @param payloadKg payload at the vehicle's centre of gravity [kg]
    */
   abstract GroundVehicle make(GroundStart start, double mismatch, double payloadKg);

@@ -11,7 +11,9 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Tracks which actuators are present, by their announcements. An actuator is lost if its announcement was not renewed for three renewal periods, was withdrawn or offers no effect, or if its service failed or disconnected. It returns with its next announcement. Not thread-safe.
+ * Tracks which actuators are present, by their announcements. An actuator is lost if its
+ * announcement was not renewed for three renewal periods, was withdrawn or offers no effect, or if
+ * its service failed or disconnected. It returns with its next announcement. Not thread-safe.
  */
 public final class ActuatorRoster {
   private static final double RENEWAL_S = 5.0; // for actuators that announce none
@@ -88,7 +90,8 @@ public final class ActuatorRoster {
   }
 
   /**
-   * Remaining share of an actuator, with or without a numeric effect, 0…1; 1 if it never announced itself.
+   * Remaining share of an actuator, with or without a numeric effect, 0…1; 1 if it never announced
+   * itself.
    */
   public double left(String actuator, long nowMicros) {
     Known known = actuators.get(actuator);

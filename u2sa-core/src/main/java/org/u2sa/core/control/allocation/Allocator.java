@@ -11,10 +11,14 @@ import java.util.function.ToDoubleFunction;
  *
  * <p>min γ Σⱼ (wⱼ (B f − τ)ⱼ / sⱼ)² + Σᵢ cᵢ fᵢ²
  *
- * <p>with wanted wrench τ, shares f, effects B, weights w of degrees of freedom scaled by the maximum s of the healthy effectors, and costs c of effectors (Johansen &amp; Fossen: Control
- * allocation – a survey, Automatica 49 (2013), section 2.2). Within the limits this is the weighted pseudo-inverse. Allocates no memory per step. Not thread-safe.
+ * <p>with wanted wrench τ, shares f, effects B, weights w of degrees of freedom scaled by the
+ * maximum s of the healthy effectors, and costs c of effectors (Johansen &amp; Fossen: Control
+ * allocation – a survey, Automatica 49 (2013), section 2.2). Within the limits this is the weighted
+ * pseudo-inverse. Allocates no memory per step. Not thread-safe.
  *
- * <p>An axis that has lost its effectors keeps the s of the healthy vehicle, so that its remaining authority is not used at the expense of other axes. The same holds for an axis that effectors reach only through slight misalignment.
+ * <p>An axis that has lost its effectors keeps the s of the healthy vehicle, so that its remaining
+ * authority is not used at the expense of other axes. The same holds for an axis that effectors
+ * reach only through slight misalignment.
  */
 public final class Allocator {
   /** Weight of error over effort, γ: unwanted errors stay below a millionth. */
@@ -44,7 +48,8 @@ public final class Allocator {
   private final double[] attained = new double[DegreeOfFreedom.COUNT];
 
   /**
-   * @param weights weights of the degrees of freedom in their order, 0 or more; 0 if not controlled; errors go to lower weights
+   * @param weights weights of the degrees of freedom in their order, 0 or more; 0 if not
+   *     controlled; errors go to lower weights
    */
   public Allocator(double... weights) {
     if (weights.length != DegreeOfFreedom.COUNT
@@ -108,7 +113,8 @@ public final class Allocator {
    *
    * @param wanted X, Y, Z [N], K, M, N [N m]
    * @param stepS time since the previous call [s], for rate limits; 0 disables rate limits
-   * @param speedMps speed through air or water [m/s], for effectors that depend on it; NaN if unknown
+   * @param speedMps speed through air or water [m/s], for effectors that depend on it; NaN if
+   *     unknown
    */
   public void allocate(double[] wanted, double stepS, double speedMps) {
     bound(stepS, speedMps);
@@ -138,7 +144,9 @@ public final class Allocator {
     }
   }
 
-  /** Maximum effect of each effector along each axis, in either direction, at its reference speed. */
+  /**
+   * Maximum effect of each effector along each axis, in either direction, at its reference speed.
+   */
   private static double[][] reach(List<Effector> all) {
     double[][] reach = new double[all.size()][DegreeOfFreedom.COUNT];
     for (DegreeOfFreedom axis : AXES) {
@@ -207,9 +215,7 @@ public final class Allocator {
     return ERROR_OVER_EFFORT * relative * relative;
   }
 
-  /**
-   * Wrench of the last commands, X, Y, Z [N], K, M, N [N m], at a speed [m/s].
-   */
+  /** Wrench of the last commands, X, Y, Z [N], K, M, N [N m], at a speed [m/s]. */
   public double[] present(double speedMps) {
     double[] wrench = new double[DegreeOfFreedom.COUNT];
     for (int i = 0; i < percents.length; i++) {

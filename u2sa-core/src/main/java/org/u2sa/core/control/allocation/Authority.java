@@ -7,7 +7,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Maximum force or moment along and about each controlled axis while the other controlled axes stay at 0: the lesser of both directions.
+ * Maximum force or moment along and about each controlled axis while the other controlled axes stay
+ * at 0: the lesser of both directions.
  *
  * @param most maximum by axis [N or N m]
  */

@@ -7,11 +7,12 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 /**
  * Solves min ½ xᵀ H x − gᵀ x within lowest ≤ x ≤ highest, H positive definite, exactly.
  *
- * <p>It starts like a redistributed pseudo-inverse (Bodson: Evaluation of Optimization Methods
- * for Control Allocation, JGCD 25 (2002) 4): unknowns that saturate are held at their bounds, and the others compensate. Where that would end short of the optimum, a bound whose
- * multiplier has the wrong sign is released again (active set; Härkegård: Efficient active set
- * algorithms for solving constrained least squares problems in aircraft control allocation, CDC
- * 2002; Nocedal &amp; Wright, algorithm 16.3). Allocates no memory while solving. Not thread-safe.
+ * <p>It starts like a redistributed pseudo-inverse (Bodson: Evaluation of Optimization Methods for
+ * Control Allocation, JGCD 25 (2002) 4): unknowns that saturate are held at their bounds, and the
+ * others compensate. Where that would end short of the optimum, a bound whose multiplier has the
+ * wrong sign is released again (active set; Härkegård: Efficient active set algorithms for solving
+ * constrained least squares problems in aircraft control allocation, CDC 2002; Nocedal &amp;
+ * Wright, algorithm 16.3). Allocates no memory while solving. Not thread-safe.
  */
 final class BoundedLeastSquares {
   private static final double RELATIVE_SLACK = 1e-10; // tolerance of multipliers

@@ -6,7 +6,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.EffectCurve;
 
 /**
- * Actuator model for allocation: the wrench of a share of its full effect, and the limits of that share. Shares are proportional to the effect; {@link EffectCurve} converts them to percentages. Immutable.
+ * Actuator model for allocation: the wrench of a share of its full effect, and the limits of that
+ * share. Shares are proportional to the effect; {@link EffectCurve} converts them to percentages.
+ * Immutable.
  */
 public final class Effector {
   private static final double FULL_PERCENT = 100.0;
@@ -33,7 +35,9 @@ public final class Effector {
   }
 
   /**
-   * Creates an effector from an announcement; empty without a numeric effect. The remaining share is {@link ActuatorAnnouncement#available}. A reverse effect that is not opposite counts by its component along that line.
+   * Creates an effector from an announcement; empty without a numeric effect. The remaining share
+   * is {@link ActuatorAnnouncement#available}. A reverse effect that is not opposite counts by its
+   * component along that line.
    */
   public static Optional<Effector> of(ActuatorAnnouncement announced) {
     return of(announced, announced.available().orElse(FULL_PERCENT) / FULL_PERCENT);
@@ -140,7 +144,9 @@ public final class Effector {
     return share < 0.0 ? share * astern : share;
   }
 
-  /** Force at a percentage, along the effect's own line [N]; as announced for the healthy actuator. */
+  /**
+   * Force at a percentage, along the effect's own line [N]; as announced for the healthy actuator.
+   */
   double forceN(double percent) {
     double share = curve.share(percent);
     return share * (share < 0.0 ? curve.reverseN() : curve.forwardN());

@@ -28,11 +28,17 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Controls any vehicle using the effects its actuators announce (thesis 3.2.3.5: "discover which actuators
- * exist, … and how those actuators influence the state"). In: navigation, state, actuators, health,
- * arming-state. Out: actuation of every actuator that announced a numeric effect.
+ * Controls any vehicle using the effects its actuators announce (thesis 3.2.3.5: "discover which
+ * actuators exist, … and how those actuators influence the state"). In: navigation, state,
+ * actuators, health, arming-state. Out: actuation of every actuator that announced a numeric
+ * effect.
  *
- * <p>Position → velocity → force and angle → rate → moment, by cascaded PIDs ({@link Cascade}), and weighted allocation ({@link Allocator}). When an actuator appears, disappears or weakens, the next state is allocated accordingly, and health reports the remaining authority. Without fresh navigation the vehicle stops and keeps its heading. Without any state it approaches the point using motion estimated from the sightings of it ({@link SeenMotion}), and actuators are released when no point arrives (thesis 4.3.2).
+ * <p>Position → velocity → force and angle → rate → moment, by cascaded PIDs ({@link Cascade}), and
+ * weighted allocation ({@link Allocator}). When an actuator appears, disappears or weakens, the
+ * next state is allocated accordingly, and health reports the remaining authority. Without fresh
+ * navigation the vehicle stops and keeps its heading. Without any state it approaches the point
+ * using motion estimated from the sightings of it ({@link SeenMotion}), and actuators are released
+ * when no point arrives (thesis 4.3.2).
  */
 public final class AllocatingControl extends ControlSystem {
   /** Unit of actuator commands. */

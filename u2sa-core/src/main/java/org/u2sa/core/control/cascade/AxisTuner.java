@@ -10,7 +10,9 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * Relay auto-tuning of one axis's inner loop, started by a variable, while the other axes are controlled as usual. Reports the gains found; applying them is up to the operator. Not thread-safe.
+ * Relay auto-tuning of one axis's inner loop, started by a variable, while the other axes are
+ * controlled as usual. Reports the gains found; applying them is up to the operator. Not
+ * thread-safe.
  */
 final class AxisTuner {
   /** The variables. */

@@ -67,7 +67,8 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
   }
 
   /**
-   * Displacement between the positions of two states: north, east, down [m]; empty if one is absent. A height absent from one of them counts as unchanged.
+   * Displacement between the positions of two states: north, east, down [m]; empty if one is
+   * absent. A height absent from one of them counts as unchanged.
    */
   static Optional<Point> displacement(StateInformation then, StateInformation now) {
     if (!hasPlace(then) || !hasPlace(now)) {

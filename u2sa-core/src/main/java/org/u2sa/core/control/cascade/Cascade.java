@@ -10,7 +10,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * Computes the wrench that moves the vehicle to its target: proportional outer loops give velocities and rates, inner PIDs give accelerations, scaled by mass. Not thread-safe.
+ * Computes the wrench that moves the vehicle to its target: proportional outer loops give
+ * velocities and rates, inner PIDs give accelerations, scaled by mass. Not thread-safe.
  */
 final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
@@ -89,7 +90,10 @@ final class Cascade {
     measured[5] = motion.rates().z();
   }
 
-  /** Wanted velocity along the vehicle's axes [m/s], with each axis within its limit and the total within the speed. */
+  /**
+   * Wanted velocity along the vehicle's axes [m/s], with each axis within its limit and the total
+   * within the speed.
+   */
   private Point velocity(BodyMotion motion, Point toGo, double speedMps) {
     Point body = motion.frd(toGo);
     double forward = towards(DegreeOfFreedom.SURGE, body.x());
@@ -135,7 +139,9 @@ final class Cascade {
   }
 
   /**
-   * Switches between control by sight in the vehicle's own axes and by states. The heading to hold is dropped, because it refers to axes that have turned; by sight, a vehicle that faces its direction of travel must not move sideways, which would look like turning.
+   * Switches between control by sight in the vehicle's own axes and by states. The heading to hold
+   * is dropped, because it refers to axes that have turned; by sight, a vehicle that faces its
+   * direction of travel must not move sideways, which would look like turning.
    */
   void goBySight(boolean bySight) {
     turnsFirst = bySight && settings.facesTheWay();

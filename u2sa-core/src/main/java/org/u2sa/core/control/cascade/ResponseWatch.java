@@ -6,9 +6,14 @@ import org.u2sa.core.control.allocation.Allocator;
 import org.u2sa.core.control.allocation.DegreeOfFreedom;
 
 /**
- * Detects an actuator that does not respond, or too weakly, from the vehicle's motion: the residual wrench suddenly matches the wrench that actuator should give. The residual is the commanded wrench minus mass times acceleration minus its long-term mean (drag, current, weight).
+ * Detects an actuator that does not respond, or too weakly, from the vehicle's motion: the residual
+ * wrench suddenly matches the wrench that actuator should give. The residual is the commanded
+ * wrench minus mass times acceleration minus its long-term mean (drag, current, weight).
  *
- * <p>One fault at a time; a change of speed is mistaken for a fault only if it matches one actuator in all controlled axes at once. Two actuators with the same effect cannot be distinguished, so neither is reported. Johansen &amp; Fossen 2013, section 4, on faults; the residual is that of a disturbance observer. Not thread-safe.
+ * <p>One fault at a time; a change of speed is mistaken for a fault only if it matches one actuator
+ * in all controlled axes at once. Two actuators with the same effect cannot be distinguished, so
+ * neither is reported. Johansen &amp; Fossen 2013, section 4, on faults; the residual is that of a
+ * disturbance observer. Not thread-safe.
  */
 final class ResponseWatch {
   private static final double FILTER_S = 0.5; // filter of forces and of the derivative of velocity

@@ -5,8 +5,12 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * Estimates the vehicle's motion without states. The actuators' effect predicts acceleration; sightings of the stationary target correct it: approach speed, sink rate and turn rate follow from how the target approaches, rises and moves to the other side (a complementary filter: Higgins, IEEE Transactions on Aerospace and Electronic Systems 11, 1975).
- * Assumes a level vehicle, and takes motion across the line of sight for turning, because the two cannot be distinguished. Not thread-safe.
+ * Estimates the vehicle's motion without states. The actuators' effect predicts acceleration;
+ * sightings of the stationary target correct it: approach speed, sink rate and turn rate follow
+ * from how the target approaches, rises and moves to the other side (a complementary filter:
+ * Higgins, IEEE Transactions on Aerospace and Electronic Systems 11, 1975). Assumes a level
+ * vehicle, and takes motion across the line of sight for turning, because the two cannot be
+ * distinguished. Not thread-safe.
  */
 final class SeenMotion {
   private static final Attitude LEVEL = new Attitude(0.0, 0.0, 0.0);
@@ -30,9 +34,11 @@ final class SeenMotion {
    * Computes the motion relative to the vehicle's current axes: heading 0, level.
    *
    * @param place target: forward, right, down [m]
-   * @param acceleration acceleration by the actuators since the previous call, along the same axes [m/s²]
+   * @param acceleration acceleration by the actuators since the previous call, along the same axes
+   *     [m/s²]
    * @param turnAcceleration the same about the down axis [rad/s²]
-   * @param stepS time since the previous call [s]; 0 if unknown, then the motion counts as unchanged
+   * @param stepS time since the previous call [s]; 0 if unknown, then the motion counts as
+   *     unchanged
    */
   BodyMotion step(Point place, Point acceleration, double turnAcceleration, double stepS) {
     if (stepS > 0.0 && place.minus(before).distance() > JUMP_MPS * stepS) {

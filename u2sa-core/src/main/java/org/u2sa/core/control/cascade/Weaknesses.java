@@ -7,9 +7,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.u2sa.core.control.allocation.Effector;
 
-/**
- * Actuators found to respond weakly or not at all, until they are retried. Not thread-safe.
- */
+/** Actuators found to respond weakly or not at all, until they are retried. Not thread-safe. */
 final class Weaknesses {
   private static final double FULL_PERCENT = 100.0;
 

@@ -94,7 +94,9 @@ final class AirbornePhases {
   }
 
   /**
-   * Climbs to the safe height and follows navigation laterally there. Near the ground bank is limited, whatever navigation demands, and the speed is above approach speed, because landings are refused in strong wind, whose gusts cost airspeed.
+   * Climbs to the safe height and follows navigation laterally there. Near the ground bank is
+   * limited, whatever navigation demands, and the speed is above approach speed, because landings
+   * are refused in strong wind, whose gusts cost airspeed.
    */
   Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
     altitudeDemandM = Math.max(target.altitudeM(), safeAltitudeM(state));

@@ -17,7 +17,8 @@ public enum AircraftActuator {
 
   /**
    * Elevator at which the Cessna holds about 75 kt by itself, at cruise power as at idle [%],
-   * negative: nose up. With a centred elevator it noses over: a few seconds without commands would cost 100 m.
+   * negative: nose up. With a centred elevator it noses over: a few seconds without commands would
+   * cost 100 m.
    */
   public static final double TRIMMED_ELEVATOR_PERCENT = -10.0;
 
@@ -40,7 +41,8 @@ public enum AircraftActuator {
   }
 
   /**
-   * Whether it sets power or configuration rather than attitude, and so holds its value through a short loss of control commands: idling the engine for a few seconds costs more than it saves.
+   * Whether it sets power or configuration rather than attitude, and so holds its value through a
+   * short loss of control commands: idling the engine for a few seconds costs more than it saves.
    */
   boolean holdsThroughSilence() {
     return this == THROTTLE || this == MIXTURE || this == FLAPS;

@@ -8,7 +8,8 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * State of an aeroplane: adds fields for wings, wheels and engine. Readers that do not know this class receive a {@link StateInformation}.
+ * State of an aeroplane: adds fields for wings, wheels and engine. Readers that do not know this
+ * class receive a {@link StateInformation}.
  */
 public class AircraftState extends StateInformation {
   private static final Schema<AircraftState> SCHEMA =

@@ -4,7 +4,8 @@ import java.util.Optional;
 import org.u2sa.service.HandOver;
 
 /**
- * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure computation: time comes with the state. Not thread-safe.
+ * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure
+ * computation: time comes with the state. Not thread-safe.
  */
 final class Autopilot {
   private static final double LONGEST_STEP_S = 0.2; // a longer gap is a lost link, not a step
@@ -43,7 +44,8 @@ final class Autopilot {
             tuning.touchDown().maxCrosswind(), tuning.takeOff().safeHeight(), touchDown.heightM());
   }
 
-  /** Computes one step.
+  /**
+   * Computes one step.
    *
    * @param target empty if navigation is absent or stale
    */

@@ -19,7 +19,9 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Flies a Cessna 172 autonomously from the runway along its mission. In: state, navigation. Out:
- * actuation (aileron, elevator, rudder, throttle, mixture, flaps, brakes, once per state), control-status. Without fresh navigation it holds wings level and altitude, then circles; on the ground it holds the brakes. If navigation leads to the ground, it lands.
+ * actuation (aileron, elevator, rudder, throttle, mixture, flaps, brakes, once per state),
+ * control-status. Without fresh navigation it holds wings level and altitude, then circles; on the
+ * ground it holds the brakes. If navigation leads to the ground, it lands.
  */
 public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
@@ -104,7 +106,8 @@ public final class CessnaControl extends ControlSystem {
   }
 
   /**
-   * Navigation point relative to the aircraft now, rotated by the attitude from which it was computed.
+   * Navigation point relative to the aircraft now, rotated by the attitude from which it was
+   * computed.
    */
   private Optional<GuidanceTarget> target(NavigationPoint point, FlightState now) {
     Optional<FlightState> then = stateOf(point).flatMap(reader::read);

@@ -13,7 +13,8 @@ final class EnergyLaw {
   /** The law's output: pitch [rad] and throttle, 0…1. */
   record Command(double pitchRad, double throttle) {}
 
-  /** Set points of the law.
+  /**
+   * Set points of the law.
    *
    * @param altitudeM altitude above mean sea level [m]
    * @param airspeedMps true airspeed [m/s]

@@ -3,7 +3,8 @@ package org.u2sa.core.control.fixedwing;
 import org.u2sa.service.HandOver;
 
 /**
- * Estimates the line that navigation follows from its points ahead, independent of the aircraft's position. In the flare it serves as the runway's centreline.
+ * Estimates the line that navigation follows from its points ahead, independent of the aircraft's
+ * position. In the flare it serves as the runway's centreline.
  */
 final class FinalApproach {
   private static final double TIME_CONSTANT_S = 5.0; // at 38 m/s the direction is that of 190 m

@@ -4,7 +4,9 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
 /**
- * Flares at the end of a descent: the demanded sink rate falls with height, ḣ = −h/τ, an exponential flare (Stevens & Lewis, 2nd ed., section 4.7). A PI loop raises the nose to attain that sink rate; after touchdown the nose is lowered.
+ * Flares at the end of a descent: the demanded sink rate falls with height, ḣ = −h/τ, an
+ * exponential flare (Stevens & Lewis, 2nd ed., section 4.7). A PI loop raises the nose to attain
+ * that sink rate; after touchdown the nose is lowered.
  */
 final class FlareLaw {
   /** Parameters of the flare, which starts only if navigation leads to the ground. */

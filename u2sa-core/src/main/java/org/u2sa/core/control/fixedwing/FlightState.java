@@ -1,13 +1,15 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * State of the aircraft at one time, as used by the control laws. North and east are metres in the plane tangent to the earth at the aircraft's first position.
+ * State of the aircraft at one time, as used by the control laws. North and east are metres in the
+ * plane tangent to the earth at the aircraft's first position.
  *
  * @param timeS time of measurement [s]
  * @param northM position [m]
  * @param eastM position [m]
  * @param altitudeM above mean sea level [m, up]
- * @param heightM height of the aircraft above its position on its wheels [m, up]; about 0 on the ground
+ * @param heightM height of the aircraft above its position on its wheels [m, up]; about 0 on the
+ *     ground
  * @param rollRad right wing down positive [rad]
  * @param pitchRad nose up positive [rad]
  * @param headingRad true, clockwise from north [rad]

@@ -18,7 +18,9 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.HandOver;
 
 /**
- * Converts state messages in GLOBAL to {@link FlightState}s: Euler rates to body rates, geodetic positions to metres from the first one. Horizontal position and velocity keep their last values when lost, because the wings can be held level without them.
+ * Converts state messages in GLOBAL to {@link FlightState}s: Euler rates to body rates, geodetic
+ * positions to metres from the first one. Horizontal position and velocity keep their last values
+ * when lost, because the wings can be held level without them.
  */
 final class FlightStateReader {
   private static final List<StateField> NEEDED =
@@ -84,7 +86,8 @@ final class FlightStateReader {
   }
 
   /**
-   * Converts a state for the laws; empty if something they need is {@linkplain #missing missing}. A message that is not an {@link AircraftState} counts as airborne.
+   * Converts a state for the laws; empty if something they need is {@linkplain #missing missing}. A
+   * message that is not an {@link AircraftState} counts as airborne.
    */
   Optional<FlightState> read(StateInformation state) {
     if (!missing(state).isEmpty()) {

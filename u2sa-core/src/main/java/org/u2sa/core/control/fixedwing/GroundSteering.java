@@ -6,7 +6,8 @@ import org.u2sa.service.HandOver;
 /**
  * Keeps the runway's centreline by rudder and nose wheel: aims at a point ahead on the line, turns
  * at a rate proportional to the heading error, and finds the rudder from the geometry of a steered
- * wheel, ψ̇ = V/L · δ, whose effect grows with speed. The proportional gain on the rate is divided by speed likewise; the integral compensates propeller effects and crosswind.
+ * wheel, ψ̇ = V/L · δ, whose effect grows with speed. The proportional gain on the rate is divided
+ * by speed likewise; the integral compensates propeller effects and crosswind.
  */
 final class GroundSteering {
   /** Gains on the runway. */
@@ -184,7 +185,8 @@ final class GroundSteering {
   }
 
   /**
-   * Rudder of a roll-out, −1…1, positive turns right: gentler at higher speed, because the aircraft touches down with some drift and little load on its wheels.
+   * Rudder of a roll-out, −1…1, positive turns right: gentler at higher speed, because the aircraft
+   * touches down with some drift and little load on its wheels.
    *
    * @param noseDown whether the nose wheel steers
    */

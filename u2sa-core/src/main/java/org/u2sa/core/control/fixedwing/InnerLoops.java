@@ -3,7 +3,8 @@ package org.u2sa.core.control.fixedwing;
 import org.u2sa.service.HandOver;
 
 /**
- * The inner loops and their setpoints: bank by the ailerons, pitch by the elevator, coordination by the rudder; and the current rudder and throttle.
+ * The inner loops and their setpoints: bank by the ailerons, pitch by the elevator, coordination by
+ * the rudder; and the current rudder and throttle.
  */
 final class InnerLoops {
   private static final double LEAST_SCALE = 0.6;

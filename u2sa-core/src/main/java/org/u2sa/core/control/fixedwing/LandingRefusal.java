@@ -5,7 +5,8 @@ import java.util.Optional;
 import org.u2sa.service.HandOver;
 
 /**
- * Refuses to land in more crosswind than configured. After a refusal the aircraft stays airborne until navigation leads up again: a new approach needs a decision.
+ * Refuses to land in more crosswind than configured. After a refusal the aircraft stays airborne
+ * until navigation leads up again: a new approach needs a decision.
  */
 final class LandingRefusal {
   /** Navigation below this height above ground means landing: no mission cruises this low [m]. */
@@ -25,7 +26,8 @@ final class LandingRefusal {
 
   /**
    * @param safeHeightM height to which it climbs instead, above ground [m]
-   * @param flareHeightM height at which the flare starts, above ground [m]; slightly above it, a landing continues in any case
+   * @param flareHeightM height at which the flare starts, above ground [m]; slightly above it, a
+   *     landing continues in any case
    */
   LandingRefusal(double maxCrosswindMps, double safeHeightM, double flareHeightM) {
     this.maxCrosswindMps = maxCrosswindMps;

@@ -4,12 +4,12 @@ import org.u2sa.messages.frame.Gravity;
 
 /**
  * Steers to a point ahead on the leg: S. Park, J. Deyst, J. P. How, A New Nonlinear Guidance Logic
- * for Trajectory Tracking, AIAA 2004-4900, eq. 1: a = 2 V² / L1 · sin η, with ground speed V, so that no wind estimate is needed. Bank is that of a level coordinated turn.
+ * for Trajectory Tracking, AIAA 2004-4900, eq. 1: a = 2 V² / L1 · sin η, with ground speed V, so
+ * that no wind estimate is needed. Bank is that of a level coordinated turn.
  */
 final class LateralGuidance {
 
-  private static final double SLOWEST_MPS =
-      5.0; // ground speed; below it the track is meaningless
+  private static final double SLOWEST_MPS = 5.0; // ground speed; below it the track is meaningless
 
   private final double shortestM;
 

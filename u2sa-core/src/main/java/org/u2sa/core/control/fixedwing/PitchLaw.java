@@ -5,8 +5,9 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
 /**
- * Holds a pitch by the elevator: proportional pitch loop around a rate loop. In a turn, the pitch rate of the coordinated turn q = g/V · sin φ tan φ (McCormick,
- * Aerodynamics, Aeronautics, and Flight Mechanics, section 7) is added to the demand.
+ * Holds a pitch by the elevator: proportional pitch loop around a rate loop. In a turn, the pitch
+ * rate of the coordinated turn q = g/V · sin φ tan φ (McCormick, Aerodynamics, Aeronautics, and
+ * Flight Mechanics, section 7) is added to the demand.
  */
 final class PitchLaw {
   /** Parameters of the pitch loop and its inner pitch-rate loop. */

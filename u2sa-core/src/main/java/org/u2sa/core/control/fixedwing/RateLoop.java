@@ -1,9 +1,10 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * Computes a surface deflection from a demanded body rate: feed-forward, proportional and integral terms. Surface effect grows with dynamic pressure and damping with speed, so the proportional and integral terms are scaled by
- * (Vref/V)² and the feed-forward by Vref/V (Stevens and Lewis, Aircraft Control and Simulation, 2nd
- * ed., section 4.4, gain scheduling).
+ * Computes a surface deflection from a demanded body rate: feed-forward, proportional and integral
+ * terms. Surface effect grows with dynamic pressure and damping with speed, so the proportional and
+ * integral terms are scaled by (Vref/V)² and the feed-forward by Vref/V (Stevens and Lewis,
+ * Aircraft Control and Simulation, 2nd ed., section 4.4, gain scheduling).
  */
 final class RateLoop {
   /**

@@ -1,8 +1,8 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * Stall protection: stall speed grows with the root of the load factor, 1/cos φ in a
- * level turn (14 CFR 23.2110; Cessna 172P handbook, figure 5-3).
+ * Stall protection: stall speed grows with the root of the load factor, 1/cos φ in a level turn (14
+ * CFR 23.2110; Cessna 172P handbook, figure 5-3).
  */
 final class StallGuard {
   private final GuidanceParameters parameters;

@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Reconfigures the commands for the remaining surfaces. A weakened aileron or rudder deflects farther for the same effect; missing aileron authority is replaced by rudder through sideslip and dihedral, more slowly (as
- * NASA's Propulsion Controlled Aircraft and pilots' handbooks have it for lost ailerons).
+ * Reconfigures the commands for the remaining surfaces. A weakened aileron or rudder deflects
+ * farther for the same effect; missing aileron authority is replaced by rudder through sideslip and
+ * dihedral, more slowly (as NASA's Propulsion Controlled Aircraft and pilots' handbooks have it for
+ * lost ailerons).
  *
  * @param aileron remaining share of both ailerons, 0…1: 0.5 when one of two is lost
  * @param elevator remaining share, 0…1

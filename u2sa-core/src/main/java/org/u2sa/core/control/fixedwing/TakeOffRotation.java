@@ -1,7 +1,9 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * Rotation speed and pitch. In wind the speed is raised by a share of the wind speed, for gusts; as lift grows with speed squared, less pitch then gives the same lift, leaving more margin for upward gusts.
+ * Rotation speed and pitch. In wind the speed is raised by a share of the wind speed, for gusts; as
+ * lift grows with speed squared, less pitch then gives the same lift, leaving more margin for
+ * upward gusts.
  */
 final class TakeOffRotation {
   private final Tuning tuning;

@@ -11,7 +11,9 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Control of the thesis's Cessna (4.5.2.5), kept for teaching. In: state, navigation. Out:
- * actuation. It keeps an aircraft airborne and flies it past waypoints in calm air; airspeed, wind, stall and runway are not considered; for those see {@link CessnaControl}. Without fresh navigation it commands nothing, and actuators go neutral when their commands expire.
+ * actuation. It keeps an aircraft airborne and flies it past waypoints in calm air; airspeed, wind,
+ * stall and runway are not considered; for those see {@link CessnaControl}. Without fresh
+ * navigation it commands nothing, and actuators go neutral when their commands expire.
  */
 public final class ThesisControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
@@ -49,7 +51,9 @@ public final class ThesisControl extends ControlSystem {
   }
 
   /**
-   * The proportional controllers of thesis 4.5.2.4 and 4.5.2.5: bearing drives the aileron, the altitude differential the elevator. Two damping terms not in the thesis suppress bank oscillation and pitch hunting; with their gains at 0 this is the law of the thesis.
+   * The proportional controllers of thesis 4.5.2.4 and 4.5.2.5: bearing drives the aileron, the
+   * altitude differential the elevator. Two damping terms not in the thesis suppress bank
+   * oscillation and pitch hunting; with their gains at 0 this is the law of the thesis.
    */
   static final class ThesisLaw {
     /** With BANK GAIN and PITCH GAIN at 0, this is the law of the thesis. */

@@ -4,8 +4,11 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
 /**
- * The last metres of a landing, and the roll-out. In the air it holds the runway's centreline by bank, reduces sink rate and power, and near the ground aligns the nose with the runway, windward wing low. On its wheels it holds the wings level by aileron, into the wind as speed falls, lowers the nose, then pulls the elevator back, and brakes harder as speed falls (Cessna 172P handbook, section 4: crosswind and short-field landing; FAA
- * Airplane Flying Handbook, chapter 9).
+ * The last metres of a landing, and the roll-out. In the air it holds the runway's centreline by
+ * bank, reduces sink rate and power, and near the ground aligns the nose with the runway, windward
+ * wing low. On its wheels it holds the wings level by aileron, into the wind as speed falls, lowers
+ * the nose, then pulls the elevator back, and brakes harder as speed falls (Cessna 172P handbook,
+ * section 4: crosswind and short-field landing; FAA Airplane Flying Handbook, chapter 9).
  */
 final class TouchDown {
   /** Parameters of the last metres, and the crosswind limit. */

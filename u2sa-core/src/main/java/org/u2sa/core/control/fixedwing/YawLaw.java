@@ -5,8 +5,9 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
 /**
- * Coordinates turns by rudder: damps yaw about r = g/V · sin φ cos θ (coordinated
- * turn; Stevens and Lewis, 2nd ed., section 4.4), compensates the adverse yaw of the ailerons, and slowly removes sideslip, which trims the propeller's swirl.
+ * Coordinates turns by rudder: damps yaw about r = g/V · sin φ cos θ (coordinated turn; Stevens and
+ * Lewis, 2nd ed., section 4.4), compensates the adverse yaw of the ailerons, and slowly removes
+ * sideslip, which trims the propeller's swirl.
  */
 final class YawLaw {
   /** Gains at the reference speed. */

@@ -16,8 +16,10 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Follows the navigation points of a ground vehicle with steered front wheels by regulated pure pursuit. In: navigation, state. Out: actuation of throttle (forwards positive) and steering (to
- * the right positive), once per state. Without fresh navigation or without a position, the vehicle brakes to a stop.
+ * Follows the navigation points of a ground vehicle with steered front wheels by regulated pure
+ * pursuit. In: navigation, state. Out: actuation of throttle (forwards positive) and steering (to
+ * the right positive), once per state. Without fresh navigation or without a position, the vehicle
+ * brakes to a stop.
  */
 public final class AckermannPursuitControl extends ControlSystem {
   /** Steering settings. */
@@ -121,7 +123,8 @@ public final class AckermannPursuitControl extends ControlSystem {
   /**
    * Commands the motors; returns the demanded share of the drive's capability.
    *
-   * @param alongPath angle of the front wheels, left positive [rad]; if empty, derived from the demand
+   * @param alongPath angle of the front wheels, left positive [rad]; if empty, derived from the
+   *     demand
    */
   private double drive(PursuitControl.Demand demand, OptionalDouble alongPath) {
     Drive drive = demand.drive();

@@ -12,10 +12,12 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Control of the thesis's ground vehicle (4.6.2.5), kept for teaching: one proportional controller per wheel. In: navigation, state. Out: actuation of the left and the right motor,
- * once for each state.
+ * Control of the thesis's ground vehicle (4.6.2.5), kept for teaching: one proportional controller
+ * per wheel. In: navigation, state. Out: actuation of the left and the right motor, once for each
+ * state.
  *
- * <p>Both wheels are proportional to the distance of the target, up to a limit, and to its bearing with opposite signs. Acceleration and ground speed are not considered; for those see {@link
+ * <p>Both wheels are proportional to the distance of the target, up to a limit, and to its bearing
+ * with opposite signs. Acceleration and ground speed are not considered; for those see {@link
  * DifferentialPursuitControl}. Without fresh navigation both wheels stop.
  */
 public final class DifferentialDriveControl extends ControlSystem {

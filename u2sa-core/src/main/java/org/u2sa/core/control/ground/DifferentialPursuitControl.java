@@ -12,8 +12,10 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Follows the navigation points of a differential ground vehicle by regulated pure pursuit, with turns in place (the default for thesis 4.6.2.5). In: navigation, state. Out: actuation of the
- * left and the right motor, once per state, or once per navigation point while no states arrive. Without fresh navigation the vehicle brakes to a stop.
+ * Follows the navigation points of a differential ground vehicle by regulated pure pursuit, with
+ * turns in place (the default for thesis 4.6.2.5). In: navigation, state. Out: actuation of the
+ * left and the right motor, once per state, or once per navigation point while no states arrive.
+ * Without fresh navigation the vehicle brakes to a stop.
  */
 public final class DifferentialPursuitControl extends ControlSystem {
   /** Turn settings. */

@@ -16,7 +16,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Common part of ground control systems: the navigation point relative to the vehicle now, the vehicle's measured motion, and whether its motors are present. In: arming-state, actuators. Confined to the control's thread.
+ * Common part of ground control systems: the navigation point relative to the vehicle now, the
+ * vehicle's measured motion, and whether its motors are present. In: arming-state, actuators.
+ * Confined to the control's thread.
  */
 final class GroundControl {
   private final ControlSystem control;
@@ -55,7 +57,8 @@ final class GroundControl {
   }
 
   /**
-   * Target; empty to stop. A motor announced as lost also stops the vehicle, which would otherwise lurch on its return, or rest as if stalled.
+   * Target; empty to stop. A motor announced as lost also stops the vehicle, which would otherwise
+   * lurch on its return, or rest as if stalled.
    *
    * @param then state from which the point was computed
    * @param ned position of the point relative to the vehicle at that state: north, east, down [m]

@@ -29,7 +29,8 @@ record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, bool
   }
 
   /**
-   * Transforms a point from the pose of one state to that of a newer one. Empty if either state lacks position or heading.
+   * Transforms a point from the pose of one state to that of a newer one. Empty if either state
+   * lacks position or heading.
    *
    * @param ned point relative to the older state: north, east, down [m]
    * @param backwards whether to go there with the rear first

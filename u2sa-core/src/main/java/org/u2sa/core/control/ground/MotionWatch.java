@@ -4,7 +4,9 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Detects stalled motors: full command without the demanded motion, caused by overload, a steep slope, an obstacle or missing power. Rests stalled motors so that they do not burn out. Not thread-safe.
+ * Detects stalled motors: full command without the demanded motion, caused by overload, a steep
+ * slope, an obstacle or missing power. Rests stalled motors so that they do not burn out. Not
+ * thread-safe.
  */
 final class MotionWatch {
   private static final double FULL_EFFORT = 0.98;

@@ -14,9 +14,7 @@ final class PathSteering {
   private final TargetTrail trail = new TargetTrail();
   private StateInformation origin; // null if none yet
 
-  /**
-   * Angle of the front wheels [rad], left positive; empty without target, position or path.
-   */
+  /** Angle of the front wheels [rad], left positive; empty without target, position or path. */
   OptionalDouble steeringRad(
       StanleyLaw.Tuning tuning,
       StateInformation state,

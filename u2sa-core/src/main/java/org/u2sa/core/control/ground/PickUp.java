@@ -1,10 +1,14 @@
 package org.u2sa.core.control.ground;
 
 /**
- * Feed-forward that compensates inertia. At a constant command, the vehicle approaches a new speed as a first-order lag, T dv/dt + v = command, so the command is the speed plus T times its rate of change. Not thread-safe.
+ * Feed-forward that compensates inertia. At a constant command, the vehicle approaches a new speed
+ * as a first-order lag, T dv/dt + v = command, so the command is the speed plus T times its rate of
+ * change. Not thread-safe.
  */
 final class PickUp {
-  /** Filter time of the rate of change, because the wanted motion jumps slightly with each state. */
+  /**
+   * Filter time of the rate of change, because the wanted motion jumps slightly with each state.
+   */
   private static final double SMOOTHED_S = 0.1;
 
   private double smooth = Double.NaN; // NaN before the first step: it may take over while moving

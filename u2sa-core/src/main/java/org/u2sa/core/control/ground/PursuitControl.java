@@ -6,7 +6,8 @@ import java.util.function.Supplier;
 import org.u2sa.service.HandOver;
 
 /**
- * Regulated pure pursuit independent of the drive: computes the motion command with feedback from the measured motion, and rests stalled motors. Not thread-safe.
+ * Regulated pure pursuit independent of the drive: computes the motion command with feedback from
+ * the measured motion, and rests stalled motors. Not thread-safe.
  */
 final class PursuitControl {
   private final Supplier<PursuitTuning> tuning;
@@ -54,7 +55,8 @@ final class PursuitControl {
   }
 
   /**
-   * Models the lag of motors, tyres and sensors as first order, so that feedback does not take it for an error.
+   * Models the lag of motors, tyres and sensors as first order, so that feedback does not take it
+   * for an error.
    */
   private void follow(Drive demanded, double responseS, double stepS) {
     double share = stepS / (responseS + stepS);

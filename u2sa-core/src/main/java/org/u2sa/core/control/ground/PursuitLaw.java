@@ -4,13 +4,18 @@ import java.util.Optional;
 import org.u2sa.service.HandOver;
 
 /**
- * Regulated pure pursuit: drives the arc to the point, slower in tight curves and near the goal, within the vehicle's acceleration; turns in place toward a point well off to the side, if the vehicle can.
+ * Regulated pure pursuit: drives the arc to the point, slower in tight curves and near the goal,
+ * within the vehicle's acceleration; turns in place toward a point well off to the side, if the
+ * vehicle can.
  *
  * <p>After Macenski, Singh, Martin, Ginés: Regulated Pure Pursuit for Robot Path Tracking,
  * Autonomous Robots 47 (2023), sections 3.2 and 3.3, as in ROS 2's Nav2. Not thread-safe.
  */
 final class PursuitLaw {
-  /** Hysteresis: stays stopped until the point is this many tolerances away, because positions are noisy. */
+  /**
+   * Hysteresis: stays stopped until the point is this many tolerances away, because positions are
+   * noisy.
+   */
   private static final double LEAVES_AFTER = 2.0;
 
   private PursuitSettings settings;
@@ -117,8 +122,7 @@ final class PursuitLaw {
         cruise * Math.min(1.0, target.distanceM() / settings.tuning().approachDistance()); // eq. 7
     double wanted =
         Math.max(Math.min(inCurve, nearGoal), Math.min(settings.tuning().approachSpeed(), cruise));
-    double steerable =
-        settings.tuning().turnRateRadPerS() / Math.abs(curvature); // holds the arc
+    double steerable = settings.tuning().turnRateRadPerS() / Math.abs(curvature); // holds the arc
     return Math.min(wanted, steerable);
   }
 

@@ -5,7 +5,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Feed-forward of motor power on slopes, from the vehicle's pitch: feedback alone takes seconds, so the vehicle would stop before a ramp and run away after it.
+ * Feed-forward of motor power on slopes, from the vehicle's pitch: feedback alone takes seconds, so
+ * the vehicle would stop before a ramp and run away after it.
  */
 record SlopeHelp(
     @Variable(

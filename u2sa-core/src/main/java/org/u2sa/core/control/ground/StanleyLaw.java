@@ -3,7 +3,8 @@ package org.u2sa.core.control.ground;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * Steers front wheels along a path by the heading error and the cross-track error of the front axle, δ = ψ_path − ψ + arctan(k e / (k_soft + v)) − k_yaw (r − r_path).
+ * Steers front wheels along a path by the heading error and the cross-track error of the front
+ * axle, δ = ψ_path − ψ + arctan(k e / (k_soft + v)) − k_yaw (r − r_path).
  *
  * <p>Hoffmann, Tomlin, Montemerlo, Thrun: Autonomous Automobile Trajectory Tracking for Off-Road
  * Driving, ACC 2007, equation 5 (Stanley, Thrun et al., J. Field Robotics 23 (2006) 9).
@@ -38,7 +39,8 @@ final class StanleyLaw {
   /**
    * Angle of the front wheels [rad], left positive.
    *
-   * @param headingErrorRad heading of the path relative to the vehicle, positive if the path points left
+   * @param headingErrorRad heading of the path relative to the vehicle, positive if the path points
+   *     left
    * @param rightOfPathM distance of the front axle's centre to the right of the path
    * @param speedMps forward speed
    * @param yawRateErrorRadPerS measured yaw rate minus the path's, left positive

@@ -4,7 +4,9 @@ import java.util.OptionalDouble;
 import org.u2sa.service.HandOver;
 
 /**
- * Integral trim of steady speed errors from slopes, soft ground, load or a discharging battery. It is bounded by the motors' capability, is zero while the vehicle stands, so that it never creeps, and resets with each drive and each turn.
+ * Integral trim of steady speed errors from slopes, soft ground, load or a discharging battery. It
+ * is bounded by the motors' capability, is zero while the vehicle stands, so that it never creeps,
+ * and resets with each drive and each turn.
  */
 final class TurnTrim {
   private final String name;

@@ -4,12 +4,15 @@ import java.util.OptionalDouble;
 import org.u2sa.service.HandOver;
 
 /**
- * Makes two motors attain the wanted yaw rate despite motor mismatch and load, by three integrals of the yaw-rate error; the integral is the heading error, so that a noisy compass does no harm.
+ * Makes two motors attain the wanted yaw rate despite motor mismatch and load, by three integrals
+ * of the yaw-rate error; the integral is the heading error, so that a noisy compass does no harm.
  *
  * <ul>
- *   <li>Mismatch: by how much one motor is weaker, in proportion to its command. Kept at standstill and in turns, because motors do not change.
+ *   <li>Mismatch: by how much one motor is weaker, in proportion to its command. Kept at standstill
+ *       and in turns, because motors do not change.
  *   <li>Bias: turning independent of speed, such as on a side slope. Only while driving.
- *   <li>Push: extra effort to turn in place, where wheels scrub under load. Kept from turn to turn, for both directions.
+ *   <li>Push: extra effort to turn in place, where wheels scrub under load. Kept from turn to turn,
+ *       for both directions.
  * </ul>
  *
  * None of them moves a vehicle commanded to stand.
@@ -62,7 +65,8 @@ final class WheelBalance {
    *
    * @param wanted shares by calibration alone
    * @param ahead common share of both motors; 0 for a turn in place or standstill
-   * @param errorRadPerS wanted minus actual yaw rate, left positive; empty if unknown, or if the motors do not obey
+   * @param errorRadPerS wanted minus actual yaw rate, left positive; empty if unknown, or if the
+   *     motors do not obey
    */
   WheelShares step(
       WheelShares wanted,

@@ -9,7 +9,8 @@ package org.u2sa.core.control.ground;
 record WheelSpeeds(double leftMps, double rightMps) {
 
   /**
-   * Wheel speeds of a motion; if a wheel exceeds its limit, both are scaled by the same factor, so that the vehicle stays on its arc.
+   * Wheel speeds of a motion; if a wheel exceeds its limit, both are scaled by the same factor, so
+   * that the vehicle stays on its arc.
    *
    * @param trackM track width [m]
    * @param mostMps maximum wheel speed [m/s]

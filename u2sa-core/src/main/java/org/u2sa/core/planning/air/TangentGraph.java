@@ -15,7 +15,8 @@ import org.u2sa.core.planning.seen.PlanarShape;
  * The shortest path around shapes for an aircraft with a turning circle: arcs around them, none
  * tighter than that, and the tangents between (a visibility graph of circles: Chang, Choi, Kwon,
  * Park, Yap: Shortest Path Amidst Disc Obstacles Is Computable, SoCG 2005; the first and the last
- * circle as in Dubins 1957). Obstacles smaller than the turning circle are passed on a turning circle.
+ * circle as in Dubins 1957). Obstacles smaller than the turning circle are passed on a turning
+ * circle.
  *
  * <p>Searched by A*; tangents and arcs are created and checked lazily. Immutable.
  */
@@ -115,7 +116,8 @@ public final class TangentGraph {
    *
    * @param clearanceM clearance to keep from shapes [m]
    * @param radiusM minimum turn radius [m], above 0
-   * @return arcs and straights; empty if there is none, or if there are too many obstacles to decide
+   * @return arcs and straights; empty if there is none, or if there are too many obstacles to
+   *     decide
    */
   public static Optional<Curve> shortest(
       List<PlanarShape> shapes,

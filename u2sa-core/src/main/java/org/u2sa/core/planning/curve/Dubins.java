@@ -1,10 +1,10 @@
 package org.u2sa.core.planning.curve;
 
 /**
- * Shortest path of a forward-only vehicle with a minimum turn radius (Dubins:
- * On Curves of Minimal Length with a Constraint on Average Curvature, American Journal of
- * Mathematics 79, 1957; formulas after Shkel and Lumelsky: Classification of the Dubins Set,
- * Robotics and Autonomous Systems 34, 2001).
+ * Shortest path of a forward-only vehicle with a minimum turn radius (Dubins: On Curves of Minimal
+ * Length with a Constraint on Average Curvature, American Journal of Mathematics 79, 1957; formulas
+ * after Shkel and Lumelsky: Classification of the Dubins Set, Robotics and Autonomous Systems 34,
+ * 2001).
  */
 public final class Dubins {
   private static final double TURN = 2.0 * Math.PI;
@@ -108,8 +108,9 @@ public final class Dubins {
   }
 
   /**
-   * Shortest path to a point with any final heading: a turn and a straight, or two turns if the point lies inside a turning circle (Bui, Boissonnat, Soueres, Laumond: Shortest Path
-   * Synthesis for Dubins Non-holonomic Robot, ICRA 1994).
+   * Shortest path to a point with any final heading: a turn and a straight, or two turns if the
+   * point lies inside a turning circle (Bui, Boissonnat, Soueres, Laumond: Shortest Path Synthesis
+   * for Dubins Non-holonomic Robot, ICRA 1994).
    */
   public static Curve shortest(Pose from, double northM, double eastM, double radiusM) {
     Pose rel = from.relative(new Pose(northM, eastM, 0.0));

@@ -1,11 +1,12 @@
 package org.u2sa.core.planning.curve;
 
 /**
- * Shortest path of a vehicle that can reverse and has a minimum turn radius
- * (Reeds, Shepp: Optimal Paths for a Car That Goes Both Forwards and Backwards, Pacific Journal of
- * Mathematics 145, 1990, section 8).
+ * Shortest path of a vehicle that can reverse and has a minimum turn radius (Reeds, Shepp: Optimal
+ * Paths for a Car That Goes Both Forwards and Backwards, Pacific Journal of Mathematics 145, 1990,
+ * section 8).
  *
- * <p>Each family of the paper is tried as-is, time-reversed, mirrored, and both; asymmetric ones also from end to start.
+ * <p>Each family of the paper is tried as-is, time-reversed, mirrored, and both; asymmetric ones
+ * also from end to start.
  */
 public final class ReedsShepp {
   private static final double HALF = Math.PI / 2.0;
@@ -27,7 +28,8 @@ public final class ReedsShepp {
   }
 
   /**
-   * Length of the shortest path between two poses [m]; if that is at most enough, the length of any path of at most enough, which is found sooner.
+   * Length of the shortest path between two poses [m]; if that is at most enough, the length of any
+   * path of at most enough, which is found sooner.
    */
   public static double lengthM(Pose from, Pose to, double radiusM, double enoughM) {
     return search(from, to, radiusM, enoughM).lengthM();

@@ -5,8 +5,9 @@ import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 
 /**
- * Lower bound of the cost to the goal from each point of a grid, ignoring turn limits: Dijkstra's search from the goal over squares of two by two cells, in buckets (Dial:
- * Algorithm 360, Communications of the ACM 12, 1969).
+ * Lower bound of the cost to the goal from each point of a grid, ignoring turn limits: Dijkstra's
+ * search from the goal over squares of two by two cells, in buckets (Dial: Algorithm 360,
+ * Communications of the ACM 12, 1969).
  *
  * <p>Not thread-safe; memory is reused for successive goals.
  */

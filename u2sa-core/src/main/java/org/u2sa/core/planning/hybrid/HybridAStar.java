@@ -18,9 +18,13 @@ import org.u2sa.core.planning.search.GridFrame;
  * Thrun, Montemerlo, Diebel: Path Planning for Autonomous Vehicles in Unknown Semi-structured
  * Environments, International Journal of Robotics Research 29, 2010, section 2).
  *
- * <p>Nodes are cells of position and heading that keep the exact pose in which they were reached. The heuristic is the maximum of the cost-to-go ignoring turn limits and the shortest curve ignoring obstacles; occasionally that curve itself is tried to the goal.
+ * <p>Nodes are cells of position and heading that keep the exact pose in which they were reached.
+ * The heuristic is the maximum of the cost-to-go ignoring turn limits and the shortest curve
+ * ignoring obstacles; occasionally that curve itself is tried to the goal.
  *
- * <p>A search can be split into parts ({@link #begin}, {@link #search}), between which costs may change; expanded nodes are not revisited. In one part or many, it expands the same nodes in the same order.
+ * <p>A search can be split into parts ({@link #begin}, {@link #search}), between which costs may
+ * change; expanded nodes are not revisited. In one part or many, it expands the same nodes in the
+ * same order.
  *
  * <p>Not thread-safe; memory is reused for successive searches.
  */
@@ -28,11 +32,15 @@ public final class HybridAStar {
   private static final int HEADINGS = 72;
   private static final double STEP_CELLS = 2.0;
 
-  /** Turn limits enter the heuristic within this many radii of the goal; farther away they matter little. */
+  /**
+   * Turn limits enter the heuristic within this many radii of the goal; farther away they matter
+   * little.
+   */
   private static final double TURNING_MATTERS = 6.0;
 
   /**
-   * Heuristic weight: paths cost slightly more, but are found much sooner (Pohl: Heuristic Search Viewed as Path Finding in a Graph, Artificial Intelligence 1, 1970).
+   * Heuristic weight: paths cost slightly more, but are found much sooner (Pohl: Heuristic Search
+   * Viewed as Path Finding in a Graph, Artificial Intelligence 1, 1970).
    */
   private static final double GREED = 1.3;
 
@@ -102,7 +110,8 @@ public final class HybridAStar {
   /**
    * Starts a search and discards the previous one.
    *
-   * @param within clearance of the vehicle's discs to obstacles [m]; if it is already nearer, its current distance
+   * @param within clearance of the vehicle's discs to obstacles [m]; if it is already nearer, its
+   *     current distance
    */
   public void begin(
       CostGrid costs, BodyDiscs discs, double within, Motion can, Pose from, Goal to) {
@@ -160,7 +169,10 @@ public final class HybridAStar {
     return found;
   }
 
-  /** Whether the search has reached its node limit, so that a path may exist although none was found. */
+  /**
+   * Whether the search has reached its node limit, so that a path may exist although none was
+   * found.
+   */
   public boolean isExhausted() {
     return looked >= motion.expansions();
   }

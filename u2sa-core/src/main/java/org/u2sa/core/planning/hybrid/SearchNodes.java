@@ -4,7 +4,8 @@ import java.util.Arrays;
 import org.u2sa.core.planning.curve.Pose;
 
 /**
- * Nodes of a search over poses, looked up by key, and their priority queue. Not thread-safe; memory is reused for successive searches.
+ * Nodes of a search over poses, looked up by key, and their priority queue. Not thread-safe; memory
+ * is reused for successive searches.
  */
 final class SearchNodes {
   static final int NONE = -1;

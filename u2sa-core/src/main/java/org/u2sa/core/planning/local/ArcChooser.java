@@ -8,7 +8,9 @@ import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.seen.Mover;
 
 /**
- * Chooses the arc to drive or fly next: the one that leads back to the route if it is free, otherwise the best of the motions from which the vehicle can stop in time ({@link Evasion}). Not thread-safe.
+ * Chooses the arc to drive or fly next: the one that leads back to the route if it is free,
+ * otherwise the best of the motions from which the vehicle can stop in time ({@link Evasion}). Not
+ * thread-safe.
  */
 public final class ArcChooser {
   private static final int FAN = 10; // arcs to each side
@@ -108,9 +110,7 @@ public final class ArcChooser {
     return roomiest == null ? evade(track) : roomiest;
   }
 
-  /**
-   * Speed to follow a route closely, with the usual look-ahead time [m/s].
-   */
+  /** Speed to follow a route closely, with the usual look-ahead time [m/s]. */
   private double closeMps(double aheadM) {
     return limits.preferredM() == 0.0
         ? limits.speedMps()
@@ -139,7 +139,8 @@ public final class ArcChooser {
   }
 
   /**
-   * Clearance for turning in place at the stopping point, including the corners [m]; negative if insufficient.
+   * Clearance for turning in place at the stopping point, including the corners [m]; negative if
+   * insufficient.
    */
   private double spareM() {
     double stopping = Math.copySign(limits.stoppingM(Math.abs(speedMps)), speedMps);
@@ -153,7 +154,8 @@ public final class ArcChooser {
   }
 
   /**
-   * Maximum speed from which it can still stop straight ahead [m/s], because a new route may demand a turn in place at any time.
+   * Maximum speed from which it can still stop straight ahead [m/s], because a new route may demand
+   * a turn in place at any time.
    */
   private double straightMps() {
     if (!limits.turnsOnTheSpot()) {
@@ -204,7 +206,8 @@ public final class ArcChooser {
   }
 
   /**
-   * Chooses the longest free path in reverse or, if necessary, forward, to leave a corner; if none, as {@link #withoutRoute()}, because traffic may come while it waits.
+   * Chooses the longest free path in reverse or, if necessary, forward, to leave a corner; if none,
+   * as {@link #withoutRoute()}, because traffic may come while it waits.
    */
   public ArcChoice backOut(double wayM) {
     ArcChoice best = null;

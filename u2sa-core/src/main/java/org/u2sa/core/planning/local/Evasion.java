@@ -4,8 +4,10 @@ import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.core.planning.local.MotionForecast.Outcome;
 
 /**
- * Chooses among evasive motions off the route: arcs to both sides, forward and reverse, at several speeds, and turns in place (Fox, Burgard, Thrun: The Dynamic Window Approach to
- * Collision Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs instead of velocities, which are equivalent at a given speed). Not thread-safe.
+ * Chooses among evasive motions off the route: arcs to both sides, forward and reverse, at several
+ * speeds, and turns in place (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision
+ * Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs instead of velocities, which
+ * are equivalent at a given speed). Not thread-safe.
  */
 final class Evasion {
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -56,7 +58,10 @@ final class Evasion {
     consider(onRoute, outcome);
   }
 
-  /** Chooses the best motion toward a place, or waiting; if all come too near to something, the one that stays farthest. */
+  /**
+   * Chooses the best motion toward a place, or waiting; if all come too near to something, the one
+   * that stays farthest.
+   */
   ArcChoice choose(double northM, double eastM, ArcChoice stand) {
     goalNorthM = northM;
     goalEastM = eastM;
@@ -88,7 +93,10 @@ final class Evasion {
     return lastResort(standing, stand);
   }
 
-  /** Considers turns to directions of the plane, not of the vehicle, so that they are stable while it turns. */
+  /**
+   * Considers turns to directions of the plane, not of the vehicle, so that they are stable while
+   * it turns.
+   */
   private void turns() {
     for (int k = 0; k < DIRECTIONS; k++) {
       double turn = Pose.wrapped(2.0 * Math.PI * k / DIRECTIONS - pose.headingRad());

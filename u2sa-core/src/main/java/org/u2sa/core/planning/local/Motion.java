@@ -1,7 +1,8 @@
 package org.u2sa.core.planning.local;
 
 /**
- * Candidate motion of a vehicle: an optional turn in place, then an arc, then along its route or straight on.
+ * Candidate motion of a vehicle: an optional turn in place, then an arc, then along its route or
+ * straight on.
  *
  * @param turnRad initial turn in place, right positive [rad]; 0 for none
  * @param curvature curvature of the arc [1/m], right positive

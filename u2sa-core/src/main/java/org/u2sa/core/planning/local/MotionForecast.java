@@ -5,7 +5,9 @@ import org.u2sa.core.planning.search.BodyDiscs;
 import org.u2sa.core.planning.search.CostGrid;
 
 /**
- * Simulates motions: how far they are free of static obstacles, and when they meet traffic. A vehicle that can stop is assumed to stop before obstacles, and is checked while stopped, too. Not thread-safe.
+ * Simulates motions: how far they are free of static obstacles, and when they meet traffic. A
+ * vehicle that can stop is assumed to stop before obstacles, and is checked while stopped, too. Not
+ * thread-safe.
  */
 final class MotionForecast {
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -92,7 +94,8 @@ final class MotionForecast {
 
   /**
    * @param stopM distance at which it stops [m]; infinite if it does not
-   * @param amongTraffic whether to check traffic up to the horizon, or only static obstacles; these, too, up to the horizon if there is traffic
+   * @param amongTraffic whether to check traffic up to the horizon, or only static obstacles;
+   *     these, too, up to the horizon if there is traffic
    */
   private Outcome play(Motion motion, double stopM, boolean amongTraffic) {
     double sign = motion.sign();
@@ -154,9 +157,7 @@ final class MotionForecast {
     return tally.outcome(freeM);
   }
 
-  /**
-   * Factor on the speed in an arc: if the vehicle turns in place, its outer side is no faster.
-   */
+  /** Factor on the speed in an arc: if the vehicle turns in place, its outer side is no faster. */
   private double turning(Motion motion) {
     double across = Math.abs(motion.curvature()) * body.radiusM();
     return limits.turnsOnTheSpot() ? 1.0 / (1.0 + across) : 1.0;

@@ -47,8 +47,8 @@ public record MotionLimits(
   }
 
   /**
-   * Curvature of the arc to a point, tangent to the heading [1/m], right positive, and no tighter than
-   * {@link #tightest()} (Coulter, CMU-RI-TR-92-01: 2 y / L²).
+   * Curvature of the arc to a point, tangent to the heading [1/m], right positive, and no tighter
+   * than {@link #tightest()} (Coulter, CMU-RI-TR-92-01: 2 y / L²).
    */
   double curvatureTo(Pose from, double north, double east, boolean backwards) {
     double dn = north - from.northM();
@@ -86,7 +86,8 @@ public record MotionLimits(
   }
 
   /**
-   * Sideways drift if it turns at its rate w while braking: the integral of (v − b t) w t, w v³/6b², here over the whole stopping distance [m].
+   * Sideways drift if it turns at its rate w while braking: the integral of (v − b t) w t, w
+   * v³/6b², here over the whole stopping distance [m].
    */
   double slipM(double fromMps) {
     return stoppingM(fromMps) * turnRateRadPerS * fromMps / brakingMps2 / 3.0;

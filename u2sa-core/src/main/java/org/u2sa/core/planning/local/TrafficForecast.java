@@ -7,8 +7,9 @@ import org.u2sa.core.planning.search.BodyDiscs;
 import org.u2sa.core.planning.seen.Mover;
 
 /**
- * Predicts traffic from its velocity or trajectory, and its distance to the vehicle. A motion that meets it lies in its velocity obstacle (Fiorini, Shiller: Motion Planning in
- * Dynamic Environments Using Velocity Obstacles, International Journal of Robotics Research 17, 1998). Not thread-safe.
+ * Predicts traffic from its velocity or trajectory, and its distance to the vehicle. A motion that
+ * meets it lies in its velocity obstacle (Fiorini, Shiller: Motion Planning in Dynamic Environments
+ * Using Velocity Obstacles, International Journal of Robotics Research 17, 1998). Not thread-safe.
  */
 final class TrafficForecast {
   private static final double GROWTH = 0.08; // uncertainty per distance travelled by traffic
@@ -50,7 +51,10 @@ final class TrafficForecast {
     return movers.isEmpty();
   }
 
-  /** Minimum distance between the vehicle at a pose and traffic at a time [m]; negative if they overlap. */
+  /**
+   * Minimum distance between the vehicle at a pose and traffic at a time [m]; negative if they
+   * overlap.
+   */
   double gapM(Pose at, double seconds) {
     double gap = Double.POSITIVE_INFINITY;
     for (Mover mover : movers) {

@@ -7,7 +7,9 @@ import org.u2sa.core.planning.air.TangentGraph;
 import org.u2sa.core.planning.curve.Curve;
 
 /**
- * The planner AIR: the shortest path around cylinders and keep-out zones and inside corridors, by arcs and tangents ({@link TangentGraph}). If it finds none, or an obstacle known only from the grid is in the way, it plans like HYBRID.
+ * The planner AIR: the shortest path around cylinders and keep-out zones and inside corridors, by
+ * arcs and tangents ({@link TangentGraph}). If it finds none, or an obstacle known only from the
+ * grid is in the way, it plans like HYBRID.
  */
 final class AirRoutes implements RoutePlanner {
   private static final double LEAST_RADIUS_M = 0.1;

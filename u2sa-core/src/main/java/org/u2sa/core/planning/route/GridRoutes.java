@@ -11,7 +11,9 @@ import org.u2sa.core.planning.search.GridPath;
 import org.u2sa.core.planning.search.ThetaStar;
 
 /**
- * The planners GRID and THETA, for vehicles that turn in place or need little room to turn: paths through the cost grid. GRID repairs the previous path ({@link DStarLite}), THETA searches any-angle paths from scratch ({@link ThetaStar}).
+ * The planners GRID and THETA, for vehicles that turn in place or need little room to turn: paths
+ * through the cost grid. GRID repairs the previous path ({@link DStarLite}), THETA searches
+ * any-angle paths from scratch ({@link ThetaStar}).
  */
 final class GridRoutes implements RoutePlanner {
   /** Searches a grid from a cell to a place. */

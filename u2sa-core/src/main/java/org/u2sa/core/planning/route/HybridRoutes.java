@@ -10,7 +10,9 @@ import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 
 /**
- * The planner HYBRID, for ground vehicles and aircraft with a turning circle: drivable paths through the cost grid ({@link HybridAStar}). A search that exceeds the effort of one request continues with the next one, as long as vehicle and goal do not move.
+ * The planner HYBRID, for ground vehicles and aircraft with a turning circle: drivable paths
+ * through the cost grid ({@link HybridAStar}). A search that exceeds the effort of one request
+ * continues with the next one, as long as vehicle and goal do not move.
  */
 final class HybridRoutes implements RoutePlanner {
   /** Turn radius assumed for vehicles that turn in place [cells]. */

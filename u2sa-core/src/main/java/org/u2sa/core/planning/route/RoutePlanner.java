@@ -1,7 +1,8 @@
 package org.u2sa.core.planning.route;
 
 /**
- * Finds a path around obstacles. Extensions supply their own through a {@link RoutePlannerProvider}. Not thread-safe.
+ * Finds a path around obstacles. Extensions supply their own through a {@link
+ * RoutePlannerProvider}. Not thread-safe.
  */
 public interface RoutePlanner {
   /** Plans a path to the goal, or gives the reason why there is none. */

@@ -19,7 +19,8 @@ import org.u2sa.core.planning.seen.PlanarShape;
  * @param costs cost grid around the vehicle; the goal may lie outside
  * @param shapes obstacles as shapes, without those known only from the grid
  * @param corridors areas, one of which must always contain the vehicle; empty if unrestricted
- * @param effort maximum number of nodes to search now, above 0; a planner that needs more returns {@link Route#sought} and continues when asked for the same path again
+ * @param effort maximum number of nodes to search now, above 0; a planner that needs more returns
+ *     {@link Route#sought} and continues when asked for the same path again
  */
 public record RouteRequest(
     Pose start,

@@ -1,7 +1,8 @@
 package org.u2sa.core.planning.search;
 
 /**
- * A rectangular vehicle, covered by discs along its axis, so that a few distances suffice for collision checking (Ziegler, Stiller: Fast Collision Checking for Intelligent Vehicle Motion
+ * A rectangular vehicle, covered by discs along its axis, so that a few distances suffice for
+ * collision checking (Ziegler, Stiller: Fast Collision Checking for Intelligent Vehicle Motion
  * Planning, IV 2010). Immutable.
  */
 public final class BodyDiscs {
@@ -32,7 +33,8 @@ public final class BodyDiscs {
   }
 
   /**
-   * Creates a cover that is exact to a few centimetres near obstacles, for passages hardly wider than the vehicle.
+   * Creates a cover that is exact to a few centimetres near obstacles, for passages hardly wider
+   * than the vehicle.
    *
    * @param spacingM spacing of the small discs that cover it [m]
    */
@@ -62,7 +64,8 @@ public final class BodyDiscs {
   }
 
   /**
-   * Distance between the discs and the nearest occupied cell [m], possibly underestimated if more than a cell; negative if they touch.
+   * Distance between the discs and the nearest occupied cell [m], possibly underestimated if more
+   * than a cell; negative if they touch.
    */
   public double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
     return clearanceM(grid, northM, eastM, headingRad, grid.frame().cellM());

@@ -3,7 +3,8 @@ package org.u2sa.core.planning.search;
 import java.util.Arrays;
 
 /**
- * A binary min-heap of cells with mutable keys. The order of equal keys is deterministic. Not thread-safe.
+ * A binary min-heap of cells with mutable keys. The order of equal keys is deterministic. Not
+ * thread-safe.
  */
 final class CellHeap {
   private int[] heap = new int[1024];

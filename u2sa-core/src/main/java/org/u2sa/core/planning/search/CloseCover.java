@@ -1,7 +1,8 @@
 package org.u2sa.core.planning.search;
 
 /**
- * A rectangular vehicle, covered closely by small discs: collision checking to a few centimetres on all four sides. Immutable.
+ * A rectangular vehicle, covered closely by small discs: collision checking to a few centimetres on
+ * all four sides. Immutable.
  */
 final class CloseCover {
   private final double[] ahead; // of the reference point [m]

@@ -5,7 +5,8 @@ import java.util.Arrays;
 import java.util.function.IntPredicate;
 
 /**
- * Traversal cost of each cell: 1 per metre in the open, more near obstacles, infinite where the vehicle would collide. Outside the grid, space is assumed free.
+ * Traversal cost of each cell: 1 per metre in the open, more near obstacles, infinite where the
+ * vehicle would collide. Outside the grid, space is assumed free.
  *
  * <p>Not thread-safe.
  */
@@ -104,7 +105,8 @@ public final class CostGrid {
   }
 
   /**
-   * The cells whose state has changed. Distances are recomputed only around cells that became occupied or free: most changes are cells seen for the first time.
+   * The cells whose state has changed. Distances are recomputed only around cells that became
+   * occupied or free: most changes are cells seen for the first time.
    */
   private final class Changes {
     private final int[] first = new int[frame.rows()]; // column from which costs may have changed
@@ -235,7 +237,8 @@ public final class CostGrid {
   }
 
   /**
-   * Cost of a straight path: its length in metres weighted by the local cost; infinite if impassable.
+   * Cost of a straight path: its length in metres weighted by the local cost; infinite if
+   * impassable.
    */
   public double straightCost(double north, double east, double toNorth, double toEast) {
     double length =

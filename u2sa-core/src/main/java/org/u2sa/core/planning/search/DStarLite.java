@@ -8,10 +8,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Cheapest path through a {@link CostGrid} that changes while the vehicle moves: D* Lite
- * (Koenig, Likhachev: D* Lite, AAAI 2002, figure 4). It searches from the goal, keeps its results, and repairs only what a change affects. Legs connect neighbouring cells; the path is then straightened where that costs no more.
+ * Cheapest path through a {@link CostGrid} that changes while the vehicle moves: D* Lite (Koenig,
+ * Likhachev: D* Lite, AAAI 2002, figure 4). It searches from the goal, keeps its results, and
+ * repairs only what a change affects. Legs connect neighbouring cells; the path is then
+ * straightened where that costs no more.
  *
- * <p>If the goal lies outside the grid, every edge cell is a goal, at the cost of the straight-line remainder. Not thread-safe.
+ * <p>If the goal lies outside the grid, every edge cell is a goal, at the cost of the straight-line
+ * remainder. Not thread-safe.
  */
 public final class DStarLite {
   private static final double DIAGONAL = Math.sqrt(2.0);

@@ -3,7 +3,8 @@ package org.u2sa.core.planning.search;
 import java.util.Arrays;
 
 /**
- * A binary min-heap of cells by two keys in lexicographic order. The order of equal pairs is deterministic. Not thread-safe.
+ * A binary min-heap of cells by two keys in lexicographic order. The order of equal pairs is
+ * deterministic. Not thread-safe.
  */
 final class PairHeap {
   private int[] heap = new int[1024];

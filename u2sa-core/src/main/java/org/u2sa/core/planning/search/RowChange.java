@@ -3,7 +3,8 @@ package org.u2sa.core.planning.search;
 import java.nio.ByteBuffer;
 
 /**
- * Finds the range in which a row of bytes has changed. Equal bytes, which are most, are cheap: many are compared at a time, from both ends.
+ * Finds the range in which a row of bytes has changed. Equal bytes, which are most, are cheap: many
+ * are compared at a time, from both ends.
  */
 public final class RowChange {
   private static final int BLOCK = 64; // bytes compared at a time

@@ -6,10 +6,11 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Cheapest any-angle path through a {@link CostGrid}: Lazy Theta* (Nash,
- * Koenig, Tovey: Lazy Theta*: Any-Angle Path Planning and Path Length Analysis in 3D, AAAI 2010;
- * Daniel, Nash, Koenig, Felner: Theta*: Any-Angle Path Planning on Grids, JAIR 39, 2010), with
- * costs. If a goal lies outside the grid, the path ends at the edge cell from which the straight-line remainder is cheapest.
+ * Cheapest any-angle path through a {@link CostGrid}: Lazy Theta* (Nash, Koenig, Tovey: Lazy
+ * Theta*: Any-Angle Path Planning and Path Length Analysis in 3D, AAAI 2010; Daniel, Nash, Koenig,
+ * Felner: Theta*: Any-Angle Path Planning on Grids, JAIR 39, 2010), with costs. If a goal lies
+ * outside the grid, the path ends at the edge cell from which the straight-line remainder is
+ * cheapest.
  *
  * <p>Not thread-safe; memory is reused for successive searches.
  */
@@ -34,14 +35,15 @@ public final class ThetaStar {
   }
 
   /**
-   * @param anyAngle false for legs between neighbouring cells, plain A* (Hart, Nilsson,
-   *     Raphael 1968)
+   * @param anyAngle false for legs between neighbouring cells, plain A* (Hart, Nilsson, Raphael
+   *     1968)
    */
   ThetaStar(boolean anyAngle) {
     this.anyAngle = anyAngle;
   }
 
-  /** Finds the cheapest path.
+  /**
+   * Finds the cheapest path.
    *
    * @param start index of a free cell
    * @param goalNorthM the goal, in a free cell or outside the grid

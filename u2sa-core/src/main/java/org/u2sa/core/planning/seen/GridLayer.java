@@ -7,7 +7,8 @@ import org.u2sa.core.planning.search.RowChange;
 import org.u2sa.messages.OccupancyGrid;
 
 /**
- * State of the planner's cells by the World Modeler's grid: free, occupied or unknown. Not thread-safe.
+ * State of the planner's cells by the World Modeler's grid: free, occupied or unknown. Not
+ * thread-safe.
  */
 final class GridLayer {
   private static final byte FREE = 0;
@@ -67,7 +68,8 @@ final class GridLayer {
   }
 
   /**
-   * Draws runs of equal cells as one; skips cells outside the plan, of which a grid from elsewhere may have millions.
+   * Draws runs of equal cells as one; skips cells outside the plan, of which a grid from elsewhere
+   * may have millions.
    */
   private void draw() {
     Spans northward = placement.northward();

@@ -1,7 +1,8 @@
 package org.u2sa.core.planning.seen;
 
 /**
- * Static obstacle on the planning plane: everything within a radius of points, of a chain of lines, or of an area. Immutable.
+ * Static obstacle on the planning plane: everything within a radius of points, of a chain of lines,
+ * or of an area. Immutable.
  */
 public final class PlanarShape {
   /** What the points mean. */

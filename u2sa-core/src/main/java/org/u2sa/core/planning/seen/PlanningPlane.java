@@ -6,7 +6,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Plane on which paths are planned: north, east, down [m] from an origin on the earth, or from that of the local frames. Immutable.
+ * Plane on which paths are planned: north, east, down [m] from an origin on the earth, or from that
+ * of the local frames. Immutable.
  *
  * <p>Down is the difference of altitudes, without the earth's curvature.
  */
@@ -18,7 +19,8 @@ public final class PlanningPlane {
   }
 
   /**
-   * Plane for a vehicle: that of the local frames if its state is in one, otherwise tangent to the earth at its position.
+   * Plane for a vehicle: that of the local frames if its state is in one, otherwise tangent to the
+   * earth at its position.
    */
   public static PlanningPlane at(StateInformation state) {
     if (state.referenceFrame().isLocal()) {

@@ -15,9 +15,11 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The World Modeler's newest objects and grid on one plane: static obstacles, traffic, and the cost grid. Confined to the planner's thread.
+ * The World Modeler's newest objects and grid on one plane: static obstacles, traffic, and the cost
+ * grid. Confined to the planner's thread.
  *
- * <p>The cost window stays in place until the vehicle comes near its edge, so that changes are known per cell.
+ * <p>The cost window stays in place until the vehicle comes near its edge, so that changes are
+ * known per cell.
  */
 public final class SeenWorld {
   /** The window moves when the vehicle is nearer to its edge than this share of its span. */
@@ -75,7 +77,10 @@ public final class SeenWorld {
     overlooks = guesses;
   }
 
-  /** Sets the shapes that the planner itself considers closed, until {@link #overlook} or the next call. */
+  /**
+   * Sets the shapes that the planner itself considers closed, until {@link #overlook} or the next
+   * call.
+   */
   public void guess(List<PlanarShape> closed) {
     changed |= !closed.equals(guessed);
     guessed = List.copyOf(closed);

@@ -6,7 +6,8 @@ import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Remembers moving objects: one that has stopped may start again, onward or back. Confined to the planner's thread.
+ * Remembers moving objects: one that has stopped may start again, onward or back. Confined to the
+ * planner's thread.
  */
 final class TrafficMemory {
   /** Objects stationary for longer count as parked [µs]. */
@@ -30,7 +31,8 @@ final class TrafficMemory {
   private final Map<String, Motion> moved = new HashMap<>();
 
   /**
-   * Records a moving object. The fastest velocity of the last seconds counts, because the estimate decays while an object stops.
+   * Records a moving object. The fastest velocity of the last seconds counts, because the estimate
+   * decays while an object stops.
    */
   void moves(Mover mover) {
     long seen = mover.seenMicros();
