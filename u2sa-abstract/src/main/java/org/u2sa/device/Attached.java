@@ -1,13 +1,16 @@
 package org.u2sa.device;
 
-/** Something that may be lost and found again; {@link DeviceWatch} reports it in log and health. */
+/**
+ * Something that can be disconnected and reconnected; {@link DeviceWatch} reports it in log and
+ * health.
+ */
 public interface Attached {
-  /** Whether the device is there. */
+  /** Whether the device is connected. */
   boolean isConnected();
 
   /**
-   * How often the device has been found so far: a parser that sees another number than before
-   * starts anew, and a device that needs a setup is set up again.
+   * Number of connections so far: on a change, parsers reset and the device is set up again if
+   * necessary.
    */
   int connections();
 

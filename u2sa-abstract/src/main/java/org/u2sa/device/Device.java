@@ -3,13 +3,13 @@ package org.u2sa.device;
 import java.util.Optional;
 
 /**
- * A port: all that a service knows of one kind of device. Devices on a serial line or a network,
- * the phone's, simulated and replayed ones look alike through it. Belongs to one thread.
+ * Port of one kind of device: serial, network, phone, simulated and replayed devices look alike to
+ * a service. Not thread-safe.
  *
- * @param <R> what it reads
+ * @param <R> type of its readings
  */
 public interface Device<R extends Device.Reading> extends Attached, AutoCloseable {
-  /** What a device measured at one moment. */
+  /** A timestamped measurement. */
   interface Reading {
     /** Time of the measurement, or of the arrival of its bytes [µs of the run's clock]. */
     long measuredAtMicros();
@@ -24,12 +24,12 @@ public interface Device<R extends Device.Reading> extends Attached, AutoCloseabl
    */
   Optional<R> read(long nowMicros);
 
-  /** Number of messages so far that could not be read, and of answers that did not come. */
+  /** Number of malformed messages and missing replies so far. */
   default long malformed() {
     return 0;
   }
 
-  /** Why the last of {@link #malformed} could not be read; empty if that is not known. */
+  /** Why the last of {@link #malformed} was rejected; empty if unknown. */
   default String lastRefusal() {
     return "";
   }

@@ -18,12 +18,11 @@ import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.EmergencyStop;
 
 /**
- * What stands between the actuation channel and the actuators of one service: commands that must
- * not be obeyed are refused, counted and logged, and nothing moves while an emergency stop holds
- * or, if REQUIRES ARMING, while the vehicle is not armed. In: actuation, emergency-stop,
- * arming-state.
+ * Gate between the actuation channel and the actuators of one service: invalid commands are
+ * refused, counted and logged, and nothing moves while an emergency stop is active or, if REQUIRES
+ * ARMING, while the vehicle is not armed. In: actuation, emergency-stop, arming-state.
  *
- * <p>{@link Actuator} has it built in; services that own several actuators make one in their
+ * <p>{@link Actuator} has it built in; services that own several actuators create one in their
  * constructor. Belongs to its service's thread.
  */
 public final class CommandedActuators {
@@ -68,8 +67,8 @@ public final class CommandedActuators {
   /**
    * Declares its variables with the service and subscribes for it.
    *
-   * @param names to which commands are addressed
-   * @param stopped called when a stop or a disarming comes, so that it does not wait for a step
+   * @param names actuator names to which commands are addressed
+   * @param stopped called immediately on a stop or disarming, without waiting for the next step
    */
   public CommandedActuators(U2SAService service, Set<String> names, Runnable stopped) {
     this(service, names, () -> {}, stopped);
@@ -115,9 +114,9 @@ public final class CommandedActuators {
   }
 
   /**
-   * Announces the actuators to control systems, now and as often as the first of them is to be
-   * renewed: over a broker, a late subscriber receives the last announcement only. From now on
-   * refuses what they do not take.
+   * Announces the actuators to control systems, now and at the shortest renewal period of any of
+   * them: over a broker, a late subscriber receives the last announcement only. Further commands
+   * they did not announce are refused.
    */
   public void announce(List<ActuatorAnnouncement> actuators) {
     announcements.clear();
@@ -131,7 +130,7 @@ public final class CommandedActuators {
     announceNow();
   }
 
-  /** Renews the announcement if it is due; to be called in the service's step. */
+  /** Renews the announcement if due; call it in the service's step. */
   public void step(double nowS) {
     if (nowS >= announceDueS) {
       announceDueS = nowS + announceEveryS;
@@ -145,10 +144,10 @@ public final class CommandedActuators {
   }
 
   /**
-   * Announces at once which share of its effect an actuator has left; the same as before is not
-   * said again.
+   * Immediately announces the remaining effectiveness of an actuator; an unchanged value is not
+   * repeated.
    *
-   * @param percent 0 for one that is lost, 100 for a sound one
+   * @param percent 0 for a lost actuator, 100 for a healthy one
    * @throws IllegalArgumentException if no such actuator was announced
    */
   public void available(String actuator, double percent) {
@@ -174,7 +173,7 @@ public final class CommandedActuators {
     }
   }
 
-  /** Says that the actuators are there no more; to be called in the service's release. */
+  /** Announces that the actuators are gone; call it in the service's release. */
   public void withdraw() {
     available(0.0);
   }
@@ -192,7 +191,7 @@ public final class CommandedActuators {
   private void refuse(ActuatorCommand command, CommandRefusal reason) {
     long count = refusals.merge(reason, 1L, Long::sum);
     if (reason == CommandRefusal.NOT_ADDRESSED) {
-      return; // the channel is every actuator's
+      return; // all actuators share the channel
     }
     service.health.refused();
     if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
@@ -227,7 +226,10 @@ public final class CommandedActuators {
     }
   }
 
-  /** A clear is retained: a late subscriber must not take it for the end of a stop that it left. */
+  /**
+   * A clear is retained: a late subscriber must not mistake it for the end of a stop that it does
+   * not cover.
+   */
   private void repeatWhatHolds(EmergencyStop clear) {
     Optional<EmergencyStop> holding = emergency.stop();
     if (holding.isPresent()) {
@@ -249,14 +251,16 @@ public final class CommandedActuators {
     stopUnlessItMayMove();
   }
 
-  /** Whether actuators may move: no emergency stop holds, and it is armed if it must be. */
+  /**
+   * Whether actuators may move: no emergency stop is active, and the vehicle is armed if required.
+   */
   public boolean mayMove() {
     return !emergency.isStopped() && (armed || !limits.get().requiresArming());
   }
 
   /**
-   * The percentage that an actuator should hold now, −100…100; empty if it is to be neutral:
-   * without a command in time, stopped, or not armed.
+   * Current command of an actuator [%], −100…100; empty for neutral: command expired, stopped, or
+   * not armed.
    */
   public OptionalDouble percentage(String actuator) {
     return mayMove() ? commands.percentage(actuator) : OptionalDouble.empty();
@@ -270,14 +274,14 @@ public final class CommandedActuators {
     return mayMove() ? commands.command(actuator) : Optional.empty();
   }
 
-  /** Whether some actuator here has a command that holds. */
+  /** Whether any of these actuators has an unexpired command. */
   public boolean isCommanded() {
     return mayMove() && !commands.standing().isEmpty();
   }
 
   /**
-   * Writes down the commands that hold, with the time that is left of them, the stops, and whether
-   * it is armed; to be called in the service's {@link U2SAService#handOver}.
+   * Saves the unexpired commands with their remaining lifetimes, the stops and the arming state;
+   * call it in the service's {@link U2SAService#handOver}.
    */
   public void handOver(HandOver state) {
     emergency.handOver(state);
@@ -285,9 +289,9 @@ public final class CommandedActuators {
   }
 
   /**
-   * Goes on from what {@link #handOver} wrote, so that no actuator moves because of the swap; to be
-   * called in the service's {@link U2SAService#takeOver}. What this service would refuse it does
-   * not take over.
+   * Restores the state saved by {@link #handOver}, so that no actuator moves because of the swap;
+   * call it in the service's {@link U2SAService#takeOver}. Commands this service would refuse are
+   * dropped.
    */
   public void takeOver(HandOver state) {
     armed = state.flag(ARMED);

@@ -4,9 +4,9 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 
 /**
- * How an actuator's effect depends on its command: nothing inside the deadband, beyond it share =
- * ((|u| − deadband) / (100 − deadband))^exponent of the full effect. Actuators and whoever commands
- * them go by the same curve.
+ * Thrust curve of an actuator: no effect inside the dead band, beyond it share = ((|u| − deadband)
+ * / (100 − deadband))^exponent of the full effect. Shared by actuators and the services that
+ * command them.
  *
  * @param deadband command below which nothing moves [%, 0…99]
  * @param exponent of the growth beyond it; 1 is linear, propellers have about 2
@@ -14,7 +14,7 @@ import org.u2sa.messages.frame.Point;
  * @param reverseN force at −100 %, positive [N]; NaN if unknown
  */
 public record EffectCurve(double deadband, double exponent, double forwardN, double reverseN) {
-  /** An effect in proportion to the command, of unknown force. */
+  /** Linear curve of unknown force. */
   public static final EffectCurve LINEAR = new EffectCurve(0.0, 1.0, Double.NaN, Double.NaN);
 
   private static final double FULL_PERCENT = 100.0;
@@ -38,7 +38,7 @@ public record EffectCurve(double deadband, double exponent, double forwardN, dou
     return Math.copySign(deadband + (FULL_PERCENT - deadband) * grown, share);
   }
 
-  /** The share of the full effect, −1…1, that a percentage brings about, −100…100. */
+  /** The share of the full effect, −1…1, that results from a percentage, −100…100. */
   public double share(double percent) {
     double beyond = (Math.abs(percent) - deadband) / (FULL_PERCENT - deadband);
     if (beyond <= 0.0) {
@@ -48,7 +48,9 @@ public record EffectCurve(double deadband, double exponent, double forwardN, dou
     return Math.copySign(Math.min(1.0, grown), percent);
   }
 
-  /** The command for a force [N], as a percentage; beyond ±100 if it has not that much. */
+  /**
+   * The command for a force [N], as a percentage; beyond ±100 if it exceeds the actuator's maximum.
+   */
   public double percentOfForce(double forceN) {
     double share = forceN / (forceN < 0.0 ? reverseN : forwardN);
     return Math.abs(share) > 1.0 ? FULL_PERCENT * share : percent(share);

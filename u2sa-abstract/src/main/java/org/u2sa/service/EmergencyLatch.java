@@ -13,14 +13,17 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.EmergencyStop;
 
 /**
- * Whether an emergency stop holds. Each stop latches for itself; only a clear lifts it that names
- * it, or that names none and its timestamp or a later one. Whoever could be wrong is wrong on the
- * safe side: a stop of unknown origin or time latches too, a clear of another system lifts nothing.
+ * Latch for emergency stops. Each stop latches separately; it is lifted only by a clear that names
+ * it, or that names no stop and has the same or a later timestamp. Fail-safe: a stop of unknown
+ * origin or time latches too, and a clear from another system lifts nothing.
  *
- * <p>Not safe for several threads: it belongs to one service.
+ * <p>Not thread-safe: belongs to one service.
  */
 public final class EmergencyLatch {
-  /** Stops that are told apart; of more, as a flood makes them, only the newest is known. */
+  /**
+   * Maximum number of stops tracked individually; beyond it, as in a flood, only the newest is
+   * kept.
+   */
   private static final int TOLD_APART = 64;
 
   private static final String STANDING = "EMERGENCY STOPS";
@@ -30,11 +33,11 @@ public final class EmergencyLatch {
   private final String systemId;
   private final Map<String, EmergencyStop> standing = new LinkedHashMap<>(); // by identity
   private final Set<String> lifted = new LinkedHashSet<>(); // identities, the oldest first
-  private EmergencyStop beyond; // the newest of those that are not told apart; null if none stands
+  private EmergencyStop beyond; // newest untracked stop; null if none is active
 
   /**
-   * @param clock stands in for timestamps that stops lack
-   * @param systemId whose clears count
+   * @param clock replaces missing timestamps of stops
+   * @param systemId system whose clears are accepted
    */
   public EmergencyLatch(Clock clock, String systemId) {
     this.clock = clock;
@@ -42,10 +45,10 @@ public final class EmergencyLatch {
   }
 
   /**
-   * Takes note of a stop or a clear. A repetition of a stop that was lifted, as one says it who has
-   * not heard of the clear yet, changes nothing.
+   * Processes a stop or a clear. A repeat of a lifted stop, from a sender that has not received the
+   * clear yet, changes nothing.
    *
-   * @return whether the first stop came to hold or the last one ceased to
+   * @return whether the latch changed state: first stop set or last stop cleared
    */
   public boolean accept(EmergencyStop message) {
     boolean before = isStopped();
@@ -69,7 +72,7 @@ public final class EmergencyLatch {
     }
   }
 
-  /** So that a repetition, and the clear that names it, mean this one. */
+  /** Lets a repeat, and the clear that names it, match this stop. */
   private EmergencyStop stamped(EmergencyStop message) {
     EmergencyStop copy = (EmergencyStop) message.copy();
     copy.timestamp(clock.micros());
@@ -105,17 +108,17 @@ public final class EmergencyLatch {
     }
   }
 
-  /** Whether a stop holds. */
+  /** Whether a stop is active. */
   public boolean isStopped() {
     return !standing.isEmpty() || beyond != null;
   }
 
-  /** The newest stop that holds; empty if none does. */
+  /** The newest active stop; empty if none. */
   public Optional<EmergencyStop> stop() {
     return stops().stream().reduce((one, other) -> micros(other) >= micros(one) ? other : one);
   }
 
-  /** All stops that hold and are told apart, in the order in which they came. */
+  /** All active tracked stops, in order of arrival. */
   public List<EmergencyStop> stops() {
     List<EmergencyStop> stops = new ArrayList<>(standing.values());
     if (beyond != null) {
@@ -124,19 +127,19 @@ public final class EmergencyLatch {
     return stops;
   }
 
-  /** Which stops hold, by {@link EmergencyStop#identity()}. */
+  /** Active stops, by {@link EmergencyStop#identity()}. */
   public List<String> identities() {
     List<String> identities = new ArrayList<>();
     stops().forEach(stop -> identities.add(stop.identity()));
     return Collections.unmodifiableList(identities);
   }
 
-  /** Writes down what holds and what was lifted, for whoever takes the service's place. */
+  /** Saves the active and the lifted stops for the service's successor. */
   public void handOver(HandOver state) {
     state.messages(STANDING, stops()).texts(LIFTED, lifted);
   }
 
-  /** Goes on from what {@link #handOver} wrote; with nothing of that it begins without a stop. */
+  /** Restores the state saved by {@link #handOver}; without it, starts with no stop. */
   public void takeOver(HandOver state) {
     lifted.addAll(state.texts(LIFTED));
     state.messages(STANDING, EmergencyStop.class).forEach(this::latch);

@@ -3,8 +3,8 @@ package org.u2sa.service;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A service that acts only when a message comes in: its author writes one handler for each channel
- * that it {@linkplain #subscribe subscribes} to, or {@link #callback}, and nothing else.
+ * A service that acts only on messages: its author writes one handler per {@linkplain #subscribe
+ * subscribed} channel, or {@link #callback}.
  */
 public abstract class EventDrivenService extends U2SAService {
 

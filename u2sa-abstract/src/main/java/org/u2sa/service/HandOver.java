@@ -11,19 +11,19 @@ import java.util.Set;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * What a service knows at the moment at which another class takes its place, or at which it is
- * started anew: a few named values. A map rather than an object, so that two algorithms that know
- * nothing of each other may share as much as both understand.
+ * State of a service that is transferred to its successor or restored after a restart: a few named
+ * values. A map rather than an object, so that independent algorithms can share the values both
+ * understand.
  *
  * <p>The old service writes it in {@link U2SAService#handOver}, the new one reads it in {@link
- * U2SAService#takeOver}. A value that is not there is empty. Belongs to one thread.
+ * U2SAService#takeOver}. A missing value is empty. Not thread-safe.
  */
 public final class HandOver {
   private final String className;
   private final Map<String, Object> values = new LinkedHashMap<>();
 
   /**
-   * Begins an empty one.
+   * Creates an empty state.
    *
    * @param className the class of the service that hands over
    */
@@ -59,7 +59,7 @@ public final class HandOver {
     return get(name, String.class, "text");
   }
 
-  /** Sets a number, in SI units. NaN is left out: it says that there is no value. */
+  /** Sets a number, in SI units. NaN means no value and is omitted. */
   public HandOver number(String name, double value) {
     return Double.isNaN(value) ? this : set(name, value);
   }
@@ -70,7 +70,7 @@ public final class HandOver {
     return value.isPresent() ? OptionalDouble.of(value.get()) : OptionalDouble.empty();
   }
 
-  /** Sets whether something is so. */
+  /** Sets a flag. */
   public HandOver flag(String name, boolean value) {
     return set(name, value);
   }

@@ -6,12 +6,11 @@ import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A service that acts at a fixed rate: its author writes {@link #step}, and a handler for each
- * channel that it {@linkplain #subscribe subscribes} to.
+ * A service that runs at a fixed rate: its author writes {@link #step} and one handler per
+ * {@linkplain #subscribe subscribed} channel.
  *
- * <p>Steps are due on a fixed grid of time. Between them messages are handled. A step that comes
- * more than a period late is counted as an overrun in the health report, and what was missed is not
- * made up for.
+ * <p>Steps are due on a fixed time grid; messages are handled in between. A step more than one
+ * period late is counted as an overrun in the health report; missed steps are skipped.
  */
 public abstract class PeriodicService extends U2SAService {
   private static final double FASTEST_HZ = 10_000.0;
@@ -25,7 +24,7 @@ public abstract class PeriodicService extends U2SAService {
   /**
    * See {@link U2SAService#U2SAService}.
    *
-   * @param defaultRateHz steps a second, unless the variable RATE says another
+   * @param defaultRateHz default rate [Hz], overridden by the variable RATE
    */
   protected PeriodicService(
       ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {
@@ -42,15 +41,15 @@ public abstract class PeriodicService extends U2SAService {
   }
 
   /**
-   * Acts once, on the service's thread.
+   * Performs one step, on the service's thread.
    *
-   * @param nowS the time now [s] of the run's clock
+   * @param nowS current time of the run's clock [s]
    */
   protected abstract void step(double nowS);
 
   /**
-   * Lets messages wait for the next step, urgent ones aside: for a service that hears much and acts
-   * seldom. Called in the constructor.
+   * Defers all but urgent messages to the next step: for a service that receives many messages and
+   * acts rarely. Called in the constructor.
    */
   protected final void handleMessagesAtSteps() {
     handling.bePatient();
@@ -58,7 +57,7 @@ public abstract class PeriodicService extends U2SAService {
 
   /**
    * Ends the service as failed at the first step that throws, whatever MAX ERRORS IN A ROW says:
-   * for a service whose steps must not be missing, so that it is restarted at once. Called in the
+   * for a service that must not miss steps, so that it is restarted immediately. Called in the
    * constructor.
    */
   protected final void failAtFirstError() {
@@ -68,7 +67,7 @@ public abstract class PeriodicService extends U2SAService {
   @Override
   final void succeeds(U2SAService predecessor) {
     super.succeeds(predecessor);
-    if (predecessor instanceof PeriodicService before) { // neither a step too many nor a gap
+    if (predecessor instanceof PeriodicService before) { // neither an extra step nor a gap
       firstStepAt(Math.min(before.dueMicros, clock().micros() + periodMicros));
     }
   }
@@ -114,7 +113,7 @@ public abstract class PeriodicService extends U2SAService {
     return new Steps();
   }
 
-  /** A step at each time that is due, and messages between them. */
+  /** Runs each step when due and handles messages in between. */
   private final class Steps implements Clock.Turns {
     private Clock.Turns messages = handling.until(dueMicros);
 

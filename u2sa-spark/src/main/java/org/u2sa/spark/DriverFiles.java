@@ -11,12 +11,12 @@ import java.util.stream.Stream;
 import org.u2sa.scenarios.campaign.RunBackend;
 import org.u2sa.scenarios.campaign.WorkerProcess;
 
-/** What {@link SparkDriver} is started with, in a folder that lasts as long as it does. */
+/** The start-up files of {@link SparkDriver}, in a temporary folder with its lifetime. */
 final class DriverFiles implements AutoCloseable {
   private static final String OURS_FOR_SPARK = "-Dspark.";
 
   /**
-   * What Spark does by reflection on the JDK, {@code org.apache.spark.launcher.JavaModuleOptions}.
+   * The JVM options for Spark's reflective access to the JDK, as in {@code org.apache.spark.launcher.JavaModuleOptions}.
    */
   private static final List<String> OPENED =
       List.of(
@@ -42,9 +42,9 @@ final class DriverFiles implements AutoCloseable {
   }
 
   /**
-   * Writes them.
+   * Writes the files.
    *
-   * @param requests a line for each run
+   * @param requests one line per run
    */
   static DriverFiles prepare(List<String> requests) throws IOException {
     DriverFiles files = new DriverFiles(Files.createTempDirectory("u2sa-spark"));
@@ -59,7 +59,7 @@ final class DriverFiles implements AutoCloseable {
     return files;
   }
 
-  /** Whether an option means the same on another host. */
+  /** Whether a JVM option is valid on another host, too. */
   private static boolean isPortable(String option) {
     return !option.startsWith(OURS_FOR_SPARK)
         && !option.startsWith("-Du2sa.home=")
@@ -79,7 +79,7 @@ final class DriverFiles implements AutoCloseable {
     return folder.resolve("u2sa.zip");
   }
 
-  /** The command that starts it. */
+  /** The command line of the driver. */
   List<String> command(SparkHome home, SparkMaster master, String localAddress) throws IOException {
     List<String> ours = new ArrayList<>();
     for (Class<?> type : List.of(SparkDriver.class, RunBackend.class)) {
@@ -95,12 +95,12 @@ final class DriverFiles implements AutoCloseable {
     command.add("-Dspark.archives=" + program() + "#" + ExecutorWorkers.PROGRAM);
     command.add("-Dspark.driver.host=" + localAddress);
     command.add("-Dspark.driver.bindAddress=" + localAddress);
-    command.add("-Dspark.driver.maxResultSize=0"); // files of runs come as results
+    command.add("-Dspark.driver.maxResultSize=0"); // results contain the runs' files
     command.add("-Dspark.ui.enabled=false");
     command.add("-Dspark.log.level=WARN");
     WorkerProcess.javaOptions().stream()
         .filter(option -> option.startsWith(OURS_FOR_SPARK))
-        .forEach(command::add); // later ones count
+        .forEach(command::add); // later options win
     command.add("-cp");
     command.add(String.join(File.pathSeparator, ours) + File.pathSeparator + home.jars() + "/*");
     command.add(SparkDriver.class.getName());

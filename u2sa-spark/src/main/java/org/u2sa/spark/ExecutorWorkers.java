@@ -15,34 +15,32 @@ import org.apache.spark.api.java.function.Function;
 import org.u2sa.scenarios.campaign.WorkerProcess;
 
 /**
- * The processes of one executor of Spark's, in which runs are made: as many as it has cores, each
- * for one run after the other. Spark brings it there as a broadcast value, so that all tasks of an
- * executor share it. The processes end with the executor.
+ * The worker processes of one Spark executor: one per core, each executing runs sequentially. Distributed as a broadcast value, so all tasks of an executor share it. The processes end with the executor.
  */
 final class ExecutorWorkers implements Function<String, String> {
-  /** Answer to a run whose processes died: no line of a process is empty. */
+  /** Answer for a run whose processes died; real answers are never empty. */
   static final String LOST = "";
 
-  /** Name of the program's archive, as Spark unpacks it. */
+  /** Folder into which Spark unpacks the program's archive. */
   static final String PROGRAM = "u2sa";
 
   private static final long serialVersionUID = 1L;
   private static final int ATTEMPTS = 2;
 
   private final String[] javaOptions;
-  private transient Deque<WorkerProcess> idle; // made on the executor, at first use
+  private transient Deque<WorkerProcess> idle; // created lazily on the executor
 
   /**
-   * @param javaOptions for each process's virtual machine
+   * @param javaOptions JVM options of each process
    */
   ExecutorWorkers(List<String> javaOptions) {
     this.javaOptions = javaOptions.toArray(String[]::new);
   }
 
   /**
-   * Makes a run.
+   * Executes a run.
    *
-   * @param request a line for a process that makes runs
+   * @param request a request line for a worker process
    * @return its answer, or {@link #LOST}
    * @throws IOException if no process can be started
    */

@@ -6,7 +6,7 @@ import org.apache.spark.api.java.JavaSparkContext;
 import org.apache.spark.scheduler.SparkListener;
 import org.apache.spark.scheduler.SparkListenerExecutorAdded;
 
-/** Waits for the first executor: a cluster without a free one would keep a campaign waiting. */
+/** Waits for the first executor, because a cluster without a free one would block a campaign. */
 final class ExecutorsJoined extends SparkListener {
   private static final long WITHIN_S = 60;
 
@@ -15,9 +15,9 @@ final class ExecutorsJoined extends SparkListener {
   private ExecutorsJoined() {}
 
   /**
-   * Returns when the cluster has given a core.
+   * Blocks until the cluster has allocated a core.
    *
-   * @throws IllegalStateException if it gives none within a minute
+   * @throws IllegalStateException if none is allocated within a minute
    */
   static void await(JavaSparkContext spark) {
     if (spark.isLocal()) {
@@ -26,7 +26,7 @@ final class ExecutorsJoined extends SparkListener {
     ExecutorsJoined listener = new ExecutorsJoined();
     spark.sc().addSparkListener(listener);
     boolean isThereAlready =
-        spark.sc().statusTracker().getExecutorInfos().length > 1; // one is the driver
+        spark.sc().statusTracker().getExecutorInfos().length > 1; // the driver counts as one
     try {
       if (!isThereAlready && !listener.joined.await(WITHIN_S, TimeUnit.SECONDS)) {
         throw new IllegalStateException(

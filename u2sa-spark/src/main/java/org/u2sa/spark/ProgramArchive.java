@@ -14,11 +14,10 @@ import java.util.zip.ZipOutputStream;
 import org.u2sa.scenarios.campaign.FolderArchive;
 
 /**
- * This program for other hosts: every entry of its class path, numbered in its order, under {@value
- * #LIBRARIES}, and beside it the files that demos read.
+ * Archive of this program for other hosts: every class path entry, numbered in order, under {@value #LIBRARIES}, plus the files that demos read.
  */
 final class ProgramArchive {
-  /** Folder of the class path in it. */
+  /** Folder of the class path in the archive. */
   static final String LIBRARIES = "lib";
 
   private static final List<String> DATA = List.of("config", "missions");
@@ -26,11 +25,11 @@ final class ProgramArchive {
   private ProgramArchive() {}
 
   /**
-   * @param home folder that has config and missions; what it lacks is left out
+   * @param home folder containing config and missions; missing ones are skipped
    */
   static void write(Path archive, String classPath, Path home) throws IOException {
     try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive))) {
-      zip.setLevel(Deflater.BEST_SPEED); // the most of it are jars, which do not get smaller
+      zip.setLevel(Deflater.BEST_SPEED); // mostly jars, which are already compressed
       int number = 0;
       for (String text : classPath.split(File.pathSeparator)) {
         Path entry = Path.of(text);
@@ -53,9 +52,9 @@ final class ProgramArchive {
   }
 
   /**
-   * The jar that a class is in; where it is in a folder, as in an IDE or a test, one that is made.
+   * The jar containing a class, or a newly created jar if the class is in a folder, as in an IDE or a test.
    *
-   * @param scratch folder for that
+   * @param scratch temporary folder for the new jar
    */
   static Path jarOf(Class<?> type, Path scratch) throws IOException {
     Path source;

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import org.u2sa.scenarios.campaign.RunBackend;
 import org.u2sa.scenarios.campaign.RunBackendProvider;
 
-/** Makes runs with the Spark of {@code SPARK_HOME}. */
+/** Provides backends that use the Spark installation of {@code SPARK_HOME}. */
 public final class SparkBackends implements RunBackendProvider {
   @Override
   public RunBackend at(String master, Path directory) {

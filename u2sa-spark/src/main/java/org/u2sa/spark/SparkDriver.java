@@ -19,10 +19,7 @@ import scala.reflect.ClassTag;
 import scala.runtime.BoxedUnit;
 
 /**
- * Process with Spark's classes, for {@link SparkRuns}: one task for each line of a file of
- * requests. Each line of standard output is the number of a request, from 0, a blank and its
- * answer, as they come. The last line is {@value #ALL_DONE}, or {@value #TROUBLE} and what went
- * wrong.
+ * Spark driver process of {@link SparkRuns}, the only one with Spark's classes: one task per line of the request file. Each line of standard output is a request number, from 0, a blank and its answer, in order of completion. The last line is {@value #ALL_DONE}, or {@value #TROUBLE} and an error message.
  */
 final class SparkDriver {
   static final String ALL_DONE = "done";
@@ -31,14 +28,14 @@ final class SparkDriver {
   private SparkDriver() {}
 
   /**
-   * @param arguments file of requests, file of the workers' Java options, a line each
+   * @param arguments file of requests and file of the workers' JVM options, one per line
    */
   public static void main(String[] arguments) throws IOException {
     ProcessHandle.current()
         .parent()
         .ifPresent(parent -> parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
     PrintStream answers = new PrintStream(System.out, true, StandardCharsets.UTF_8);
-    System.setOut(System.err); // nothing but answers goes there
+    System.setOut(System.err); // stdout is for answers only
     List<String> requests = Files.readAllLines(Path.of(arguments[0]));
     List<String> javaOptions = Files.readAllLines(Path.of(arguments[1]));
     try (JavaSparkContext spark = new JavaSparkContext(new SparkConf())) {

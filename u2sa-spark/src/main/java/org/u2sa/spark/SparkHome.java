@@ -9,21 +9,21 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * An installed Spark.
+ * A Spark installation.
  *
- * @param jars folder of its libraries
+ * @param jars library folder
  * @param version such as 4.1.0
  */
 record SparkHome(Path jars, String version) {
-  /** Environment variable that names its folder. */
+  /** Environment variable with the installation folder. */
   static final String VARIABLE = "SPARK_HOME";
 
   private static final Pattern CORE = Pattern.compile("spark-core_(2\\.\\d+)-(\\d.*)\\.jar");
   private static final String SCALA = "2.13";
 
   /**
-   * @param folder what {@link #VARIABLE} says; null if it is not set
-   * @throws BadInputException if there is no Spark that we can work with
+   * @param folder value of {@link #VARIABLE}; null if not set
+   * @throws BadInputException if no supported Spark is found there
    */
   static SparkHome of(String folder) {
     if (folder == null || folder.isBlank()) {

@@ -10,10 +10,10 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Where Spark schedules runs.
+ * Address of the Spark master that schedules runs.
  *
- * @param text as Spark takes it
- * @param hosts of the cluster's masters, of which one leads; none: this machine's cores
+ * @param text master URL in Spark's syntax
+ * @param hosts the cluster's masters, one of which is the leader; empty for local cores
  */
 record SparkMaster(String text, List<InetSocketAddress> hosts) {
   private static final Pattern LOCAL = Pattern.compile("local(\\[(\\*|[1-9]\\d{0,3})])?");
@@ -24,10 +24,9 @@ record SparkMaster(String text, List<InetSocketAddress> hosts) {
   private static final int LAST_PORT = 65535;
 
   /**
-   * Reads {@code local}, {@code local[4]}, {@code local[*]}, {@code spark://HOST:PORT} or, for
-   * masters that stand in for each other, {@code spark://HOST:PORT,HOST:PORT}.
+   * Reads {@code local}, {@code local[4]}, {@code local[*]}, {@code spark://HOST:PORT} or, for standby masters, {@code spark://HOST:PORT,HOST:PORT}.
    *
-   * @throws BadInputException if it is none of them
+   * @throws BadInputException if the text has another form
    */
   static SparkMaster of(String text) {
     if (LOCAL.matcher(text).matches()) {
@@ -57,14 +56,13 @@ record SparkMaster(String text, List<InetSocketAddress> hosts) {
             + "; expected local[N], local[*] or spark://HOST:PORT (docs/campaigns.md)");
   }
 
-  /** Whether runs are made by other processes than the driver's. */
+  /** Whether runs are executed outside the driver's process. */
   boolean isCluster() {
     return !hosts.isEmpty();
   }
 
   /**
-   * The address of this machine at which the cluster reaches it: the one from which a master is
-   * reached.
+   * The address at which the cluster reaches this machine: the local address of a connection to a master.
    *
    * @throws BadInputException if no master answers
    */

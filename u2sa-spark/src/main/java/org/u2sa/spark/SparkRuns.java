@@ -14,22 +14,22 @@ import org.u2sa.scenarios.campaign.RunBackend;
 import org.u2sa.scenarios.campaign.RunLine;
 import org.u2sa.scenarios.campaign.RunRequest;
 
-/** Makes runs as tasks of Spark's, with a driver in a process of its own. */
+/** Executes runs as Spark tasks, with the driver in a separate process. */
 final class SparkRuns implements RunBackend {
   private static final String LOG = "workers.log";
-  private static final String SCRATCH = "runs"; // within the program's folder on each executor
+  private static final String SCRATCH = "runs"; // in the program's folder on each executor
 
   private final SparkHome home;
   private final SparkMaster master;
   private final String localAddress;
   private final Path directory;
-  private final Object lock = new Object(); // guards what follows
+  private final Object lock = new Object(); // guards the fields below
   private Process driver;
   private boolean stopped;
 
   /**
-   * @param localAddress of this machine, at which executors reach the driver
-   * @param directory the campaign's
+   * @param localAddress address of this machine at which executors reach the driver
+   * @param directory the campaign's folder
    */
   SparkRuns(SparkHome home, SparkMaster master, String localAddress, Path directory) {
     this.home = home;
@@ -52,7 +52,7 @@ final class SparkRuns implements RunBackend {
     try (DriverFiles files = DriverFiles.prepare(lines(requests))) {
       Process process = begin(files);
       if (process == null) {
-        return; // stopped before
+        return; // already stopped
       }
       try (BufferedReader answers = process.inputReader(StandardCharsets.UTF_8)) {
         take(answers, requests, done);
@@ -94,7 +94,7 @@ final class SparkRuns implements RunBackend {
       RunAnswer answer = answer(request, line.substring(blank + 1));
       synchronized (lock) {
         if (stopped) {
-          return; // broken off: as if it had not been begun
+          return; // aborted: treat the run as not started
         }
         done.accept(request, answer);
       }
@@ -113,7 +113,7 @@ final class SparkRuns implements RunBackend {
     }
   }
 
-  /** The next line; null when the driver has ended, or was ended. */
+  /** The next line, or null when the driver has exited or was stopped. */
   private String next(BufferedReader answers) throws IOException {
     try {
       return answers.readLine();

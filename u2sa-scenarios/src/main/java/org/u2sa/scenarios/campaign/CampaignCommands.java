@@ -3,7 +3,7 @@ package org.u2sa.scenarios.campaign;
 import java.util.List;
 import org.u2sa.gcs.command.CommandProvider;
 
-/** Adds {@code u2sa campaign} to the command line. */
+/** Registers {@code u2sa campaign} with the command line. */
 public final class CampaignCommands implements CommandProvider {
   @Override
   public List<Contribution> commands() {

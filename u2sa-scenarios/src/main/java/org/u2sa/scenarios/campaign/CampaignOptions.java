@@ -14,7 +14,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** The options of {@code u2sa campaign}, and the runs that they ask for. */
+/** The options of {@code u2sa campaign} and the runs they define. */
 final class CampaignOptions {
   private static final int MOST_RUNS = 1_000_000;
 
@@ -101,7 +101,7 @@ final class CampaignOptions {
         "Try each of the values of a demo's option (payload=0,5,10) or a service's variable (\"PathPlanner:LOOK AHEAD=0.8,1.2\").",
         "Several: all combinations."
       })
-  private void sweeps(List<String> texts) { // all so far, each time
+  private void sweeps(List<String> texts) { // called each time with all values so far
     sweeps.clear();
     for (String text : texts) {
       Sweep sweep = Sweep.of(text);
@@ -149,7 +149,7 @@ final class CampaignOptions {
     return base;
   }
 
-  /** What is run, in words: the same words, the same runs. */
+  /** Textual description of the runs; equal text means equal runs. */
   String inWords() {
     StringBuilder words = new StringBuilder(String.join(" ", base()));
     words.append(", seeds ").append(firstSeed).append(" to ").append(firstSeed + seeds - 1);
@@ -159,7 +159,7 @@ final class CampaignOptions {
     return words.toString();
   }
 
-  /** What makes the runs. */
+  /** Backend that executes the runs. */
   RunBackend backend() {
     if (master == null) {
       return new WorkerPool(
@@ -182,7 +182,7 @@ final class CampaignOptions {
         .at(master, directory());
   }
 
-  /** What makes one of the runs and prints its summary. */
+  /** Arguments that execute a single run and print its summary. */
   RunRequest request(Experiment experiment) {
     List<String> arguments = new ArrayList<>(experiment.arguments());
     arguments.addAll(List.of("--json", "--port", "0"));
@@ -213,7 +213,7 @@ final class CampaignOptions {
     return out == null ? Path.of("out", "campaign-" + demo) : out;
   }
 
-  /** Where messages for people go. */
+  /** Stream for human-readable messages. */
   Terminal terminal() {
     CommandLine line = command.commandLine();
     return Terminal.detect(json ? line.getErr() : line.getOut(), System.getenv());

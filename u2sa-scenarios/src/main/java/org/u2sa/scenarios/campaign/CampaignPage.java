@@ -10,7 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.u2sa.scenarios.report.FigureChart;
 
-/** The report of a campaign as one page that needs no network. */
+/** The report of a campaign as a self-contained HTML page. */
 final class CampaignPage {
   private static final String STYLE =
       """
@@ -30,9 +30,9 @@ final class CampaignPage {
   }
 
   /**
-   * @param campaign what was run, in words
+   * @param campaign textual description of the campaign
    * @param sweeps the parameters that were swept
-   * @param worst how many of the worst runs are listed
+   * @param worst number of worst runs to list
    */
   static String of(String campaign, Results results, List<Sweep> sweeps, int worst) {
     return new CampaignPage(results).whole(campaign, sweeps, worst);
@@ -105,7 +105,7 @@ final class CampaignPage {
         : "–";
   }
 
-  /** Success and the ranking figure by the values of a parameter. */
+  /** Success rate and ranking figure for each value of a parameter. */
   private void sweep(Sweep sweep) {
     page.append("<h2>By ")
         .append(text(sweep.name()))

@@ -4,18 +4,18 @@ import java.util.Arrays;
 import java.util.stream.DoubleStream;
 
 /**
- * How a figure is spread over runs. Quantiles lie between the two nearest values by linear
- * interpolation (type 7 of Hyndman and Fan, "Sample quantiles in statistical packages", 1996).
+ * Distribution of a metric over runs. Quantiles are interpolated linearly (type 7 of Hyndman and
+ * Fan, "Sample quantiles in statistical packages", 1996).
  *
  * @param values in ascending order, at least one
  */
 record Distribution(double[] values) {
-  /** Of values in any order, at least one. */
+  /** Distribution of at least one value, in any order. */
   static Distribution of(DoubleStream values) {
     return new Distribution(values.sorted().toArray());
   }
 
-  /** The value that a share of all [0…1] does not exceed. */
+  /** The quantile of a fraction [0…1]. */
   double quantile(double share) {
     double at = share * (values.length - 1);
     int below = (int) Math.floor(at);
@@ -23,7 +23,7 @@ record Distribution(double[] values) {
     return values[below] + (at - below) * (values[above] - values[below]);
   }
 
-  /** The middle. */
+  /** Median. */
   double median() {
     return quantile(0.5);
   }
@@ -33,17 +33,17 @@ record Distribution(double[] values) {
     return Arrays.stream(values).average().orElseThrow();
   }
 
-  /** The least. */
+  /** Minimum. */
   double least() {
     return values[0];
   }
 
-  /** The greatest. */
+  /** Maximum. */
   double greatest() {
     return values[values.length - 1];
   }
 
-  /** Whether all are the same. */
+  /** Whether all values are equal. */
   boolean isConstant() {
     return least() == greatest();
   }

@@ -10,17 +10,18 @@ import java.util.stream.Collectors;
  * One run of a campaign.
  *
  * @param number from 1
- * @param seed of everything random in it
- * @param factors the value of each parameter that is swept, as written
- * @param arguments what {@code u2sa} is told to make it, in words
+ * @param seed the seed of all random streams
+ * @param factors the value of each swept parameter, as written
+ * @param arguments command-line arguments of {@code u2sa} for this run
  */
 record Experiment(int number, long seed, Map<String, String> factors, List<String> arguments) {
   /**
-   * All runs: for each combination of the swept values, the first parameter slowest, as many seeds.
+   * All runs: every combination of the swept values (the first parameter varies slowest) with each
+   * seed.
    *
    * @param base the demo and its options
-   * @param firstSeed of each combination
-   * @param seeds how many, at least one
+   * @param firstSeed first seed of each combination
+   * @param seeds seeds per combination, at least one
    */
   static List<Experiment> all(List<String> base, long firstSeed, int seeds, List<Sweep> sweeps) {
     List<Experiment> all = new ArrayList<>();
@@ -53,7 +54,7 @@ record Experiment(int number, long seed, Map<String, String> factors, List<Strin
     }
   }
 
-  /** The line that makes the same run by itself, pictures included. */
+  /** The command line that repeats this run alone, including pictures. */
   String command() {
     return arguments.stream()
         .map(Experiment::quoted)

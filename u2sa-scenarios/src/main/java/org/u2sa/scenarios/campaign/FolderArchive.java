@@ -16,16 +16,16 @@ import java.util.zip.ZipException;
 import java.util.zip.ZipInputStream;
 import java.util.zip.ZipOutputStream;
 
-/** Folders as one piece: for the way between hosts. */
+/** Packs folders into archives for transfer between hosts. */
 public final class FolderArchive {
-  /** Limit on all files of an archive together: a small one can expand a thousandfold. */
+  /** Limit on the total unpacked size: a small archive can expand a thousandfold. */
   private static final long MAX_BYTES = 8L << 30;
 
   private static final int BLOCK_BYTES = 1 << 16;
 
   private FolderArchive() {}
 
-  /** All files of a folder; none if there is no such folder. */
+  /** Packs all files of a folder; none if the folder does not exist. */
   static byte[] pack(Path folder) throws IOException {
     if (!Files.isDirectory(folder)) {
       return new byte[0];
@@ -40,7 +40,7 @@ public final class FolderArchive {
   /**
    * Adds all files of a folder.
    *
-   * @param prefix goes before their names, such as "config/"; may be empty
+   * @param prefix prepended to their names, such as "config/"; may be empty
    */
   public static void add(ZipOutputStream zip, String prefix, Path folder) throws IOException {
     List<Path> files;
@@ -56,10 +56,10 @@ public final class FolderArchive {
   }
 
   /**
-   * Writes packed files into a folder, which is made if need be.
+   * Unpacks an archive into a folder, creating it if needed.
    *
-   * @throws ProtocolException if a file lies outside the folder, the files take more than 8 GiB, or
-   *     the bytes are not an archive
+   * @throws ProtocolException if a file lies outside the folder, the files exceed 8 GiB, or the
+   *     bytes are not an archive
    * @throws IOException if a file cannot be written
    */
   static void unpack(byte[] packed, Path folder) throws IOException {
@@ -67,7 +67,7 @@ public final class FolderArchive {
   }
 
   /**
-   * @param maxBytes limit on all files together
+   * @param maxBytes limit on the total size
    */
   static void unpack(byte[] packed, Path folder, long maxBytes) throws IOException {
     long left = maxBytes;
@@ -80,7 +80,7 @@ public final class FolderArchive {
         Files.createDirectories(file.getParent());
         left = copy(zip, file, left);
       }
-    } catch (ZipException | EOFException | IllegalArgumentException e) { // the last: a name
+    } catch (ZipException | EOFException | IllegalArgumentException e) { // the last: bad name
       throw new ProtocolException("the files of a run cannot be unpacked: " + e.getMessage());
     }
   }
@@ -101,7 +101,7 @@ public final class FolderArchive {
     return remaining;
   }
 
-  /** Deletes a folder and what is in it, if it exists. */
+  /** Deletes a folder recursively, if it exists. */
   static void delete(Path folder) throws IOException {
     if (!Files.isDirectory(folder)) {
       return;

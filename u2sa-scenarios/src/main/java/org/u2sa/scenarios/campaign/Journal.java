@@ -19,8 +19,8 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * Results of a campaign on disk, a line a run as they come, so that one that was broken off goes on
- * from there. The first line says which campaign it is.
+ * Results of a campaign on disk, one line per run in order of completion, so that an interrupted
+ * campaign can resume. The first line identifies the campaign.
  */
 final class Journal implements AutoCloseable {
   private static final JsonFactory FACTORY = new JsonFactory();
@@ -34,11 +34,11 @@ final class Journal implements AutoCloseable {
   }
 
   /**
-   * Opens the file to add to it, and begins it where there is none.
+   * Opens the file for appending, creating it if absent.
    *
-   * @param campaign what is run, in words
-   * @param done takes what was done before
-   * @throws BadInputException if another campaign is in it, or it cannot be written
+   * @param campaign textual description of the campaign
+   * @param done receives the outcomes of earlier runs
+   * @throws BadInputException if the file belongs to another campaign, or cannot be written
    */
   static Journal open(
       Path file, String campaign, List<Experiment> experiments, List<Outcome> done) {
@@ -104,13 +104,13 @@ final class Journal implements AutoCloseable {
         return value;
       }
     } catch (NumberFormatException e) {
-      // reported below, as a number out of range is
+      // reported below, like an out-of-range number
     }
     throw new BadInputException(
         where + ", field \"" + name + "\": \"" + text + "\", expected a number " + min + "…" + max);
   }
 
-  /** Its lines; cuts off one that was being written when the power went. */
+  /** Reads the lines; truncates an incomplete last line, e.g. after a power cut. */
   private static List<String> whole(Path file) throws IOException {
     String text = Files.readString(file, StandardCharsets.UTF_8);
     int end = text.lastIndexOf('\n') + 1;

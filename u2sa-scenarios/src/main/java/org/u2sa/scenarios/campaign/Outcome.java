@@ -7,12 +7,13 @@ import java.util.stream.Collectors;
 import org.u2sa.gcs.command.ExitCode;
 
 /**
- * What came of one run.
+ * Result of one run.
  *
- * @param experiment which
- * @param exit code of the demo, {@link ExitCode}; {@link RunAnswer#LOST}: its processes died
- * @param summary its {@code summary.json}; empty if there is none
- * @param trouble what the demo said went wrong; empty if nothing
+ * @param experiment the run
+ * @param exit exit code of the demo, {@link ExitCode}, or {@link RunAnswer#LOST} if its processes
+ *     died
+ * @param summary its {@code summary.json}, or empty
+ * @param trouble the demo's error message; empty if none
  */
 record Outcome(Experiment experiment, int exit, String summary, String trouble) {
   private static final List<String> OF_THE_MACHINE = List.of("wallSeconds", "simSecondsPerSecond");
@@ -30,25 +31,25 @@ record Outcome(Experiment experiment, int exit, String summary, String trouble) 
             : said.strip().replaceFirst("^u2sa: ", ""));
   }
 
-  /** Whether the run did all that was asked of it. */
+  /** Whether the run succeeded completely. */
   boolean success() {
     return exit == ExitCode.DONE;
   }
 
-  /** What the summary counts and measures, by name. */
+  /** The summary's metrics by name. */
   Map<String, Double> figures() {
     Map<String, Double> figures = SummaryFigures.of(summary);
     OF_THE_MACHINE.forEach(figures::remove);
     return figures;
   }
 
-  /** One figure; empty if the summary lacks it. */
+  /** One metric, or empty if the summary lacks it. */
   OptionalDouble figure(String name) {
     Double value = figures().get(name);
     return value == null ? OptionalDouble.empty() : OptionalDouble.of(value);
   }
 
-  /** All that does not depend on the machine, for comparison. */
+  /** All machine-independent results, for comparison. */
   String repeatable() {
     String lines =
         summary

@@ -5,7 +5,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import org.u2sa.gcs.terminal.Terminal;
 
-/** Shows how far a campaign has come: a bar redrawn in place, or a line now and then. */
+/** Displays the progress of a campaign: a bar redrawn in place, or periodic lines. */
 final class Progress {
   private static final int BAR_WIDTH = 24;
   private static final long LINE_EVERY_US = TimeUnit.SECONDS.toMicros(10);
@@ -21,8 +21,8 @@ final class Progress {
   private int failed;
 
   /**
-   * @param runs of the campaign
-   * @param before how many of them were done earlier
+   * @param runs number of runs of the campaign
+   * @param before number of runs completed earlier
    */
   Progress(Terminal terminal, LongSupplier nowMicros, int runs, int before) {
     this.terminal = terminal;
@@ -34,7 +34,7 @@ final class Progress {
     shownMicros = startMicros;
   }
 
-  /** One more run is done. */
+  /** Counts a completed run. */
   void done(Outcome outcome) {
     done++;
     failed += outcome.success() ? 0 : 1;

@@ -18,10 +18,10 @@ import java.util.TreeSet;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * What came of all runs of a campaign.
+ * Results of all runs of a campaign.
  *
  * @param outcomes in the order of their numbers, at least one
- * @param ranking figure by which runs are called bad: the greater, the worse
+ * @param ranking metric for ranking the runs; greater is worse
  */
 record Results(List<Outcome> outcomes, String ranking) {
   Results {
@@ -31,12 +31,12 @@ record Results(List<Outcome> outcomes, String ranking) {
             .toList();
   }
 
-  /** How many runs did all that was asked of them. */
+  /** Number of successful runs. */
   long succeeded() {
     return outcomes.stream().filter(Outcome::success).count();
   }
 
-  /** Figures that at least one run has, and their spread over those that do. */
+  /** Distributions of all metrics, over the runs that have them. */
   Map<String, Distribution> spreads() {
     Map<String, List<Double>> values = new TreeMap<>();
     for (Outcome outcome : outcomes) {
@@ -64,8 +64,7 @@ record Results(List<Outcome> outcomes, String ranking) {
   }
 
   /**
-   * SHA-256 of all that came of the runs but how fast they were: the same on any number of cores
-   * and machines.
+   * SHA-256 of all results except execution speed: identical for any number of cores and machines.
    */
   String hash() {
     try {
@@ -79,7 +78,7 @@ record Results(List<Outcome> outcomes, String ranking) {
     }
   }
 
-  /** A line a run, comma-separated: what was asked, and every figure. */
+  /** One line per run, comma-separated: its parameters and all metrics. */
   void writeCsv(Writer out) throws IOException {
     List<String> factors = List.copyOf(outcomes.get(0).experiment().factors().keySet());
     SortedSet<String> figures = new TreeSet<>(spreads().keySet());
@@ -113,7 +112,7 @@ record Results(List<Outcome> outcomes, String ranking) {
     out.write('\n');
   }
 
-  /** The whole as JSON, for programs. */
+  /** All results as JSON. */
   JsonText json(String campaign, int worst) {
     JsonText figures = new JsonText();
     spreads()
@@ -148,7 +147,7 @@ record Results(List<Outcome> outcomes, String ranking) {
         .put("worst", bad);
   }
 
-  /** Share of runs that succeeded, such as "98.5 %". */
+  /** Success rate, such as "98.5 %". */
   String share() {
     return String.format(Locale.ROOT, "%.1f %%", 100.0 * succeeded() / outcomes.size());
   }

@@ -4,26 +4,25 @@ import java.util.List;
 import java.util.function.BiConsumer;
 
 /**
- * Makes the runs of a campaign: on processes of this machine, on a cluster. Each run has a process
- * to itself while it lasts, with this program's classes; one whose process dies is made again, and
- * given up when that dies, too. Where a run is made does not change what comes of it.
+ * Executes the runs of a campaign, on processes of this machine or on a cluster. Each run has
+ * exclusive use of a process with this program's classes. If the process dies, the run is retried
+ * once and then abandoned. Results do not depend on where a run is executed.
  */
 public interface RunBackend {
-  /** On what the runs are made, such as "2 processes". */
+  /** Description of the backend, such as "2 processes". */
   String inWords();
 
   /**
-   * Makes all runs, and returns when they are done or it was stopped. Afterwards the files of those
-   * that failed, and of those that keep them, are in the campaign's folder; of others there are
-   * none.
+   * Executes all runs, and returns when they are done or it was stopped. Files of failed runs, and
+   * of runs that keep them, are then in the campaign's folder; those of other runs are deleted.
    *
-   * @param done is told of each run as it ends, in any order, by one thread at a time; if it
-   *     throws, no more runs are begun, and what it threw is thrown here
-   * @throws org.u2sa.gcs.command.RunFailedException if runs cannot be made at all
+   * @param done called for each finished run, in any order, by one thread at a time; if it throws,
+   *     no more runs are started and the exception is rethrown here
+   * @throws org.u2sa.gcs.command.RunFailedException if no run can be executed
    */
   void run(List<RunRequest> requests, BiConsumer<RunRequest, RunAnswer> done)
       throws InterruptedException;
 
-  /** Begins no more runs and breaks off those under way. For any thread, at any time. */
+  /** Starts no more runs and aborts the current ones. Thread-safe; may be called at any time. */
   void stop();
 }

@@ -16,11 +16,11 @@ import java.util.Map;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * What is said to a process that makes runs, and what it answers: a line of JSON each. Whoever only
- * carries the lines need not understand them.
+ * Protocol of worker processes: one line of JSON per request and per answer. Transports treat the
+ * lines as opaque.
  */
 public final class RunLine {
-  /** Files of a run may be larger than what Jackson takes from strangers. */
+  /** A run's files may exceed Jackson's default limits. */
   private static final JsonFactory FACTORY =
       JsonFactory.builder()
           .streamReadConstraints(
@@ -39,17 +39,17 @@ public final class RunLine {
   private RunLine() {}
 
   /**
-   * A request as the process understands it.
+   * A decoded request.
    *
-   * @param arguments what {@code u2sa} is told
-   * @param out folder of the run's files, as the process names it
-   * @param keepsFiles whether they stay when the run succeeds
-   * @param sendsFiles whether those that stay go into the answer, and none is left in the folder
+   * @param arguments command-line arguments of {@code u2sa}
+   * @param out output folder of the run, as seen by the process
+   * @param keepsFiles whether to keep the files of a successful run
+   * @param sendsFiles whether kept files are sent in the answer and removed from the folder
    */
   record Order(List<String> arguments, Path out, boolean keepsFiles, boolean sendsFiles) {}
 
   /**
-   * The line for a process that sees the campaign's folder: files stay where they are.
+   * Encodes a request for a process with access to the campaign's folder: files stay in place.
    *
    * @param directory the campaign's folder
    */
@@ -58,9 +58,9 @@ public final class RunLine {
   }
 
   /**
-   * The line for a process on any host: files come with the answer.
+   * Encodes a request for a process on any host: files are sent in the answer.
    *
-   * @param scratch folder within the process's current one that takes them meanwhile
+   * @param scratch temporary folder for them, relative to the process's working directory
    */
   public static String elsewhere(RunRequest request, String scratch) {
     return line(request, scratch + "/" + request.folder(), true);
@@ -76,7 +76,7 @@ public final class RunLine {
   }
 
   /**
-   * @throws IOException if the line is no request
+   * @throws IOException if the line is not a request
    */
   static Order order(String line) throws IOException {
     Map<String, List<String>> fields = fields(line);
@@ -88,7 +88,7 @@ public final class RunLine {
   }
 
   /**
-   * @param files the run's files as {@link FolderArchive} packs them; empty if none are sent
+   * @param files the run's files packed by {@link FolderArchive}; empty if none are sent
    */
   static String answered(RunAnswer answer, byte[] files) {
     return new JsonText()
@@ -100,7 +100,7 @@ public final class RunLine {
   }
 
   /**
-   * Reads an answer and unpacks the files that came with it.
+   * Decodes an answer and unpacks its files.
    *
    * @param folder receives the files
    * @throws ProtocolException if the line is not an answer

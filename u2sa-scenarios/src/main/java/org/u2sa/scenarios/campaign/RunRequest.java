@@ -3,12 +3,13 @@ package org.u2sa.scenarios.campaign;
 import java.util.List;
 
 /**
- * One run that a {@link RunBackend} is to make.
+ * A run for a {@link RunBackend} to execute.
  *
- * @param number from 1, no two alike
- * @param arguments what {@code u2sa} is told, without {@code --out}
- * @param folder name of the folder of its files, within the campaign's
- * @param keepsFiles whether they stay when the run succeeds; those of one that fails always do
+ * @param number unique number, from 1
+ * @param arguments command-line arguments of {@code u2sa}, without {@code --out}
+ * @param folder name of its output folder within the campaign's
+ * @param keepsFiles whether to keep the files of a successful run; those of a failed run are always
+ *     kept
  */
 public record RunRequest(int number, List<String> arguments, String folder, boolean keepsFiles) {
   public RunRequest {

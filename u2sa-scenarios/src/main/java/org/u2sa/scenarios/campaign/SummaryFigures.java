@@ -9,9 +9,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The numbers of a {@code summary.json}: those at its top by their names, and of what it lists the
- * one that matters: {@code worstMissM} of the waypoints and {@code leastDistanceM} of the
- * obstacles.
+ * The metrics of a {@code summary.json}: its top-level numbers by name, and one aggregate per list:
+ * {@code worstMissM} of the waypoints and {@code leastDistanceM} of the obstacles.
  */
 final class SummaryFigures {
   private static final JsonFactory FACTORY = new JsonFactory();
@@ -27,15 +26,15 @@ final class SummaryFigures {
     }
     try (JsonParser json = FACTORY.createParser(text)) {
       while (json.nextToken() != null) {
-        // reads to the end
+        // consumes all tokens
       }
       return true;
     } catch (IOException e) {
-      return false; // of a string, so only its syntax can be wrong
+      return false; // reading a string: only its syntax can be wrong
     }
   }
 
-  /** The figures of a summary; none of an empty text. */
+  /** The metrics of a summary; none for an empty text. */
   static Map<String, Double> of(String summary) {
     Map<String, Double> figures = new TreeMap<>();
     try (JsonParser json = FACTORY.createParser(summary)) {

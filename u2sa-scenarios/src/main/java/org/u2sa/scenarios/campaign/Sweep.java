@@ -4,17 +4,17 @@ import java.util.List;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A parameter and the values that a campaign gives it, one after the other.
+ * A parameter and the values that a campaign sweeps.
  *
- * @param name of a demo's option without its dashes, such as {@code payload}, or a service's
+ * @param name name of a demo's option without dashes, such as {@code payload}, or a service's
  *     variable, such as {@code Control:SPEED GAIN}
- * @param values as they are written, at least one, none twice
+ * @param values the distinct values as written, at least one
  */
 record Sweep(String name, List<String> values) {
   /**
    * Reads {@code NAME=VALUE,VALUE,…}.
    *
-   * @throws BadInputException if it does not say that
+   * @throws BadInputException if the text has another form
    */
   static Sweep of(String text) {
     int equals = text.indexOf('=');
@@ -36,7 +36,7 @@ record Sweep(String name, List<String> values) {
     return new Sweep(name, values.stream().map(String::strip).toList());
   }
 
-  /** What a demo is told for one of the values. */
+  /** Command-line arguments for one of the values. */
   List<String> arguments(String value) {
     return name.contains(":")
         ? List.of("--set", name + "=" + value)

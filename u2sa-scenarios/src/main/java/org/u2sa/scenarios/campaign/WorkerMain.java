@@ -14,9 +14,9 @@ import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.command.ReportFile;
 
 /**
- * Process that makes runs one after the other, for a {@link WorkerProcess}: each line of standard
- * input is a request of {@link RunLine}, each line of standard output its answer. It ends when its
- * input does, and at once when the process that started it does.
+ * Main class of a {@link WorkerProcess}, which executes runs sequentially: each line of standard
+ * input is a request of {@link RunLine}, each line of standard output its answer. It exits at the
+ * end of its input, and immediately when its parent process dies.
  */
 final class WorkerMain {
   private static final byte[] NO_FILES = {};
@@ -24,18 +24,18 @@ final class WorkerMain {
   private WorkerMain() {}
 
   public static void main(String[] none) throws IOException {
-    // Killed with its parent, it would work on for nobody.
+    // Exit with the parent; nobody else needs the result.
     ProcessHandle.current()
         .parent()
         .ifPresent(parent -> parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
     PrintStream answers = new PrintStream(System.out, true, StandardCharsets.UTF_8);
-    System.setOut(System.err); // nothing but answers goes there
+    System.setOut(System.err); // stdout is for answers only
     BufferedReader asked =
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
     for (String line = asked.readLine(); line != null; line = asked.readLine()) {
       answers.println(answer(RunLine.order(line)));
     }
-    System.exit(0); // whatever thread a demo left behind
+    System.exit(0); // even if a demo left threads running
   }
 
   private static String answer(RunLine.Order order) {
@@ -55,7 +55,7 @@ final class WorkerMain {
     }
   }
 
-  /** Leaves of the run's files what is to stay. Returns what is to be sent. */
+  /** Deletes the run's files that are not kept. Returns the files to send. */
   private static byte[] settled(RunLine.Order order, int exit) throws IOException {
     boolean stay = order.keepsFiles() || exit != ExitCode.DONE;
     byte[] sent = stay && order.sendsFiles() ? FolderArchive.pack(order.out()) : NO_FILES;

@@ -15,20 +15,20 @@ import java.util.function.BiConsumer;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.scenarios.run.HomeFolder;
 
-/** Makes runs on several processes of this machine. One that dies is replaced. */
+/** Executes runs on several local processes and replaces processes that die. */
 final class WorkerPool implements RunBackend {
   private static final int ATTEMPTS = 2;
 
   private final int jobs;
   private final Path directory;
-  private final Object lock = new Object(); // guards what follows
+  private final Object lock = new Object(); // guards the fields below
   private final Queue<RunRequest> left = new ArrayDeque<>();
   private final List<WorkerProcess> working = new ArrayList<>();
   private boolean stopped;
 
   /**
-   * @param jobs how many processes, at least one
-   * @param directory the campaign's; its workers.log takes what they say of themselves
+   * @param jobs number of processes, at least one
+   * @param directory the campaign's folder; workers.log in it receives the log of the processes
    */
   WorkerPool(int jobs, Path directory) {
     this.jobs = jobs;
@@ -108,7 +108,7 @@ final class WorkerPool implements RunBackend {
         tell(next, answer, done);
       }
     } catch (RuntimeException e) {
-      stop(); // the others shall not go on for nothing
+      stop(); // the other runs are no longer needed
       throw e;
     } finally {
       if (worker != null) {
@@ -119,7 +119,7 @@ final class WorkerPool implements RunBackend {
 
   private void tell(RunRequest request, RunAnswer answer, BiConsumer<RunRequest, RunAnswer> done) {
     synchronized (lock) {
-      if (answer != null && !stopped) { // broken off: as if it had not been begun
+      if (answer != null && !stopped) { // if aborted, treat the run as not started
         done.accept(request, answer);
       }
     }

@@ -10,9 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A Java of its own that makes runs: one that dies takes no other with it. Needs no class but the
- * JDK's and {@link WorkerMain}, so that it works where our libraries are not on the class path. For
- * one thread.
+ * A child JVM that executes runs, so a crash affects no other run. Depends only on the JDK and
+ * {@link WorkerMain}, so it works without our libraries on the class path. Not thread-safe.
  */
 public final class WorkerProcess implements AutoCloseable {
   private final Process process;
@@ -20,12 +19,12 @@ public final class WorkerProcess implements AutoCloseable {
   private final BufferedReader answers;
 
   /**
-   * Starts it.
+   * Starts the process.
    *
-   * @param options for the virtual machine, {@link #javaOptions()} among them
-   * @param classPath with this program
-   * @param directory its current one
-   * @param log takes what it says of itself
+   * @param options JVM options, including {@link #javaOptions()}
+   * @param classPath class path containing this program
+   * @param directory its working directory
+   * @param log receives its log
    */
   public WorkerProcess(
       List<String> options, String classPath, Path directory, ProcessBuilder.Redirect log)
@@ -39,18 +38,18 @@ public final class WorkerProcess implements AutoCloseable {
     answers = process.inputReader(StandardCharsets.UTF_8);
   }
 
-  /** The options that this virtual machine was started with. */
+  /** The options with which this JVM was started. */
   public static List<String> javaOptions() {
     return ManagementFactory.getRuntimeMXBean().getInputArguments();
   }
 
-  /** Number of the process, as the system has it. */
+  /** Process identifier. */
   long pid() {
     return process.pid();
   }
 
   /**
-   * Makes a run.
+   * Executes a run.
    *
    * @param line a request of {@link RunLine}
    * @return its answer, a line of {@link RunLine}
@@ -75,7 +74,7 @@ public final class WorkerProcess implements AutoCloseable {
     return "process " + process.pid() + " of the campaign has died";
   }
 
-  /** Ends the process, in the midst of a run if there is one. */
+  /** Terminates the process, aborting the current run. */
   @Override
   public void close() {
     process.destroy();

@@ -1,5 +1,5 @@
 /**
- * Many runs of one demo, over seeds and parameters, on all cores: what trust in a controller is
- * built on.
+ * Campaigns: many runs of one demo, over seeds and parameters, on all cores, to build confidence in
+ * a controller.
  */
 package org.u2sa.scenarios.campaign;
