@@ -16,7 +16,8 @@ final class DriverFiles implements AutoCloseable {
   private static final String OURS_FOR_SPARK = "-Dspark.";
 
   /**
-   * The JVM options for Spark's reflective access to the JDK, as in {@code org.apache.spark.launcher.JavaModuleOptions}.
+   * The JVM options for Spark's reflective access to the JDK, as in {@code
+   * org.apache.spark.launcher.JavaModuleOptions}.
    */
   private static final List<String> OPENED =
       List.of(

@@ -15,7 +15,9 @@ import org.apache.spark.api.java.function.Function;
 import org.u2sa.scenarios.campaign.WorkerProcess;
 
 /**
- * The worker processes of one Spark executor: one per core, each executing runs sequentially. Distributed as a broadcast value, so all tasks of an executor share it. The processes end with the executor.
+ * The worker processes of one Spark executor: one per core, each executing runs sequentially.
+ * Distributed as a broadcast value, so all tasks of an executor share it. The processes end with
+ * the executor.
  */
 final class ExecutorWorkers implements Function<String, String> {
   /** Answer for a run whose processes died; real answers are never empty. */

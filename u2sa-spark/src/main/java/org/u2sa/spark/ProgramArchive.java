@@ -14,7 +14,8 @@ import java.util.zip.ZipOutputStream;
 import org.u2sa.scenarios.campaign.FolderArchive;
 
 /**
- * Archive of this program for other hosts: every class path entry, numbered in order, under {@value #LIBRARIES}, plus the files that demos read.
+ * Archive of this program for other hosts: every class path entry, numbered in order, under {@value
+ * #LIBRARIES}, plus the files that demos read.
  */
 final class ProgramArchive {
   /** Folder of the class path in the archive. */
@@ -52,7 +53,8 @@ final class ProgramArchive {
   }
 
   /**
-   * The jar containing a class, or a newly created jar if the class is in a folder, as in an IDE or a test.
+   * The jar containing a class, or a newly created jar if the class is in a folder, as in an IDE or
+   * a test.
    *
    * @param scratch temporary folder for the new jar
    */

@@ -19,7 +19,10 @@ import scala.reflect.ClassTag;
 import scala.runtime.BoxedUnit;
 
 /**
- * Spark driver process of {@link SparkRuns}, the only one with Spark's classes: one task per line of the request file. Each line of standard output is a request number, from 0, a blank and its answer, in order of completion. The last line is {@value #ALL_DONE}, or {@value #TROUBLE} and an error message.
+ * Spark driver process of {@link SparkRuns}, the only one with Spark's classes: one task per line
+ * of the request file. Each line of standard output is a request number, from 0, a blank and its
+ * answer, in order of completion. The last line is {@value #ALL_DONE}, or {@value #TROUBLE} and an
+ * error message.
  */
 final class SparkDriver {
   static final String ALL_DONE = "done";

@@ -24,7 +24,8 @@ record SparkMaster(String text, List<InetSocketAddress> hosts) {
   private static final int LAST_PORT = 65535;
 
   /**
-   * Reads {@code local}, {@code local[4]}, {@code local[*]}, {@code spark://HOST:PORT} or, for standby masters, {@code spark://HOST:PORT,HOST:PORT}.
+   * Reads {@code local}, {@code local[4]}, {@code local[*]}, {@code spark://HOST:PORT} or, for
+   * standby masters, {@code spark://HOST:PORT,HOST:PORT}.
    *
    * @throws BadInputException if the text has another form
    */
@@ -62,7 +63,8 @@ record SparkMaster(String text, List<InetSocketAddress> hosts) {
   }
 
   /**
-   * The address at which the cluster reaches this machine: the local address of a connection to a master.
+   * The address at which the cluster reaches this machine: the local address of a connection to a
+   * master.
    *
    * @throws BadInputException if no master answers
    */
