@@ -81,21 +81,35 @@ final class RecordSearch {
     }
     Found found = at(position);
     if (found == null) {
-      trouble.accept(notARecord());
       found = searchFrom(position + 1);
+      trouble.accept(
+          found == null && breaksOffWithin(position)
+              ? breaksOffWithinRecord()
+              : "at byte " + position + " is no record, or a damaged one");
     }
     position = found == null ? end : found.end();
     hasChunks |= found != null && found.opcode == Opcode.CHUNK;
     if (found != null && found.isCut) {
-      trouble.accept("the file breaks off at byte " + file.size() + ", within a record");
+      trouble.accept(breaksOffWithinRecord());
     }
     return found;
   }
 
-  private String notARecord() throws IOException {
-    return isCut && end - position < Opcode.PREFIX
-        ? "the file breaks off at byte " + file.size()
-        : "at byte " + position + " is no record, or a damaged one";
+  private String breaksOffWithinRecord() {
+    return "the file breaks off at byte " + file.size() + ", within a record";
+  }
+
+  /** Whether the bytes from there on are the beginning of a record that the file's end cuts off. */
+  private boolean breaksOffWithin(long at) throws IOException {
+    if (!isCut || end - at < Opcode.PREFIX) {
+      return isCut;
+    }
+    int opcode = file.uint8(at);
+    long length = file.uint64(at + 1);
+    return (RecordLayout.isKnown(opcode) || opcode >= FIRST_PRIVATE)
+        && length > 0
+        && length <= ReadLimits.MAX_LENGTH
+        && !fits(at, length);
   }
 
   private Found at(long at) throws IOException {

@@ -19,6 +19,7 @@ class McapRecoveryTest {
   private static final int CHUNK_BYTES = 250;
 
   @TempDir Path folder;
+  private String trouble;
 
   /** What must be found of a file of uncompressed chunks that is cut: each message's last byte. */
   private static List<Long> endsOfMessages(Path file) throws IOException {
@@ -55,7 +56,7 @@ class McapRecoveryTest {
     for (int length = 0; length <= bytes.length; length++) {
       int cut = length;
       long expected = ends.stream().filter(end -> end <= cut).count();
-      assertThat(recovered(Arrays.copyOf(bytes, cut), cut < bytes.length))
+      assertThat(recoveredOfFirst(cut, bytes))
           .as("cut after %d of %d bytes", cut, bytes.length)
           .isEqualTo(written.subList(0, (int) expected));
     }
@@ -77,7 +78,7 @@ class McapRecoveryTest {
         expected =
             chunks.get(i).offset() + chunks.get(i).length() <= cut ? messagesBy.get(i) : expected;
       }
-      List<String> found = recovered(Arrays.copyOf(bytes, cut), cut < bytes.length);
+      List<String> found = recoveredOfFirst(cut, bytes);
       assertThat(found).as("cut after %d", cut).hasSizeGreaterThanOrEqualTo(expected);
       assertThat(written.subList(0, found.size())).isEqualTo(found);
     }
@@ -184,10 +185,18 @@ class McapRecoveryTest {
     for (int i = 0; i < 1000; i++) {
       int cut = random.nextInt(bytes.length);
       long expected = ends.stream().filter(end -> end <= cut).count();
-      assertThat(recovered(Arrays.copyOf(bytes, cut), true))
+      assertThat(recoveredOfFirst(cut, bytes))
           .as("cut after %d of %d bytes", cut, bytes.length)
           .isEqualTo(written.subList(0, (int) expected));
     }
+  }
+
+  private List<String> recoveredOfFirst(int cut, byte[] bytes) throws IOException {
+    List<String> messages = recovered(Arrays.copyOf(bytes, cut), cut < bytes.length);
+    if (cut >= Opcode.magic().length && cut < bytes.length) {
+      assertThat(trouble).startsWith("the file breaks off at byte " + cut);
+    }
+    return messages;
   }
 
   private List<String> recovered(byte[] bytes, boolean isBroken) throws IOException {
@@ -197,6 +206,7 @@ class McapRecoveryTest {
     Files.deleteIfExists(whole);
     McapRecovery.Result result = McapRecovery.recover(broken, whole, "test");
     assertThat(result.trouble().isPresent()).isEqualTo(isBroken);
+    trouble = result.trouble().orElse("");
     List<String> messages = SmallRecording.read(whole);
     assertThat((long) messages.size()).isEqualTo(result.messages());
     return messages;
