@@ -125,12 +125,20 @@ def fields_of(chain, message, where):
     present = [key for key in keys if key in names]
     require(newer or len(present) == len(keys), f"{where}keys that no table has: {set(keys) - set(names)}")
     require(present == [name for name in names if name in message], f"{where}keys are not in the table's order: {keys}")
-    for name, kind, presence, _default, least, most, choices, _since in fields:
+    for name, kind, presence, _default, least, most, choices, _since, longest, _shortens in fields:
         require(name in message or presence == "optional", f"{where}{name} is {presence} and missing")
         if name in message:
             value_of(kind, message[name], least, most, choices, f"{where}{name}: ")
+            texts_are_within(longest, message[name], f"{where}{name}: ")
     quantities(message, where)
     CHECKED.update(chain)
+
+
+def texts_are_within(longest, value, where):
+    """Names, identifiers and notes, counted in UTF-16 code units."""
+    for text in ([value] if isinstance(value, str) else value) if longest is not None else ():
+        length = len(text.encode("utf-16-le")) // 2
+        require(length <= longest, f"{where}{length} characters are more than {longest}")
 
 
 def quantities(message, where):

@@ -20,7 +20,7 @@ def channel(row):
 
 
 def message(row):
-    """(chain, abstract, fields); a field is (name, kind, presence, default, low, high, choices, since)."""
+    """(chain, abstract, fields); a field is (name, kind, presence, default, low, high, choices, since, longest, shortens)."""
     return tuple(row["chain"]), row["abstract"], [field(each) for each in row["fields"]]
 
 
@@ -28,7 +28,7 @@ def field(row):
     kind = row["kind"] + (":" + row["element"] if "element" in row else "")
     default = row.get("default")
     return (row["name"], kind, row["presence"], () if default == [] else default, row.get("min"), row.get("max"),
-            tuple(row.get("constants", ())), row["since"])
+            tuple(row.get("constants", ())), row["since"], row.get("maxLength"), row.get("shortens", False))
 
 
 def standard(rows):
@@ -42,7 +42,7 @@ def written():
     out += ["# name: (QoS, retained, field that names the source in the topic)", "CHANNELS = {"]
     out += [f"    {name!r}: ({qos}, {retained}, {source!r})," for name, qos, retained, source in map(channel, standard(whole["channels"]))]
     out += ["}", ""]
-    out += ["# (type chain, abstract, fields); a field: (name, kind, presence, default, least, most, constants, since)"]
+    out += ["# (type chain, abstract, fields); a field: (name, kind, presence, default, least, most, constants, since, longest, shortens)"]
     out += ["MESSAGES = ["]
     for chain, abstract, fields in map(message, standard(whole["messages"])):
         out += [f"    ({chain!r}, {abstract}, ["]

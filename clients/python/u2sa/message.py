@@ -5,6 +5,7 @@ import math
 import re
 from typing import Any, Dict, Iterator, Optional, Sequence, Tuple
 
+from . import texts
 from .schema import STANDARD, Field, Malformed, MessageType, Schema
 
 TEXT_BYTES = 1 << 16
@@ -125,13 +126,17 @@ def checked(field: Field, value: Any, where: str) -> Any:
         raise UnknownConstant(f"{where}: expected one of {', '.join(field.choices)}, not {value!r}")
     if kind == "frame" and not _FRAME.fullmatch(text(value, where)):
         raise Malformed(f"{where}: expected a reference frame, not {value!r}")
-    if kind in ("text", "enum", "frame"):
+    if kind in ("enum", "frame"):
         return text(value, where)
+    if kind == "text":
+        return bounded_text(field, value, where)
     if kind == "point":
         return point(value, where)
     items = sequence(value, where)
     if kind == "texts":
-        return tuple(text(item, where) for item in items)
+        if field.shortens:
+            return texts.shortened_list(field.longest, [string(item, where) for item in items])
+        return tuple(bounded_text(field, item, where) for item in items)
     if kind == "numbers":
         return tuple(number(item, where) for item in items)
     if kind == "flags":
@@ -171,10 +176,24 @@ def number(value: Any, where: str, least: Optional[float] = None, most: Optional
     return as_float
 
 
-def text(value: Any, where: str) -> str:
-    """Unicode text of at most 64 KiB of UTF-8."""
+def bounded_text(field: Field, value: Any, where: str) -> str:
+    """Text as the field takes it: a name or identifier that is not too long, a note shortened."""
+    if field.shortens:
+        return texts.shortened(field.longest, string(value, where))
+    whole = text(value, where)
+    return whole if field.longest is None else texts.refused_beyond(field.longest, whole, where)
+
+
+def string(value: Any, where: str) -> str:
+    """Text of any length."""
     if not isinstance(value, str):
         raise Malformed(f"{where}: expected text, not {value!r}")
+    return value
+
+
+def text(value: Any, where: str) -> str:
+    """Unicode text of at most 64 KiB of UTF-8."""
+    string(value, where)
     try:
         if len(value.encode("utf-8")) > TEXT_BYTES:
             raise Malformed(f"{where}: expected at most {TEXT_BYTES} bytes of text")

@@ -36,6 +36,8 @@ class Field:
     most: Optional[float]
     choices: Tuple[str, ...]
     since: int
+    longest: Optional[int] = None  # UTF-16 code units of a text, or of each in a list
+    shortens: bool = False  # longer texts are shortened, not refused
 
     @property
     def required(self) -> bool:

@@ -156,6 +156,10 @@ class SchemaFileTest {
         }
         json.writeEndObject();
       }
+      if (value.maxLength().isPresent()) {
+        json.writeNumberField("maxLength", value.maxLength().getAsInt());
+        json.writeBooleanField("shortens", value.shortens());
+      }
       if (value.elementType().isPresent()) {
         json.writeStringField("element", value.elementType().get().name());
       }

@@ -11,7 +11,7 @@ import org.u2sa.messages.schema.U2SAData;
  */
 final class DelayMeter implements Meter {
   static final List<String> COLUMNS =
-      List.of("MESSAGES", "SHORTEST", "MEDIAN", "P99", "LONGEST", "");
+      List.of("MESSAGES", "SHORTEST", "MEDIAN", "P99", "LONGEST", "REMARK");
   private static final double MICROS = 1e6;
   private static final double MILLIS = 1e3;
   private static final double OTHER_CLOCK_S = 86_400.0;

@@ -3,18 +3,13 @@ package org.u2sa.gcs.look;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.function.LongFunction;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.command.RunFailedException;
-import org.u2sa.gcs.message.MessageJson;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.gcs.terminal.TextTable;
-import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
@@ -44,7 +39,7 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
         "  ./u2sa hz state actuation --for 5 --json",
         "",
         "Exit code 1: nothing was heard. DEVIATION is the standard deviation of the intervals, of at most the newest 10,000. LAST: "
-            + "when the last message came; RATE is 0 after 2 s without one, or 5 mean intervals where these are longer."
+            + "how long ago the last message came; RATE is 0 after 2 s without one, or 5 mean intervals where these are longer."
       })
   public static final class Rate extends MeasureCommand {
     /** A command. */
@@ -63,7 +58,8 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
         "  ./u2sa delay sensed-state state navigation actuation --for 10",
         "",
         "A timestamp says when what the message tells was measured: the delay includes the work of its service. Both hosts' clocks must "
-            + "agree. Messages of a run in simulated time have no such delay; the table says so. Exit code 1: nothing was heard."
+            + "agree. Messages of a run in simulated time have no such delay; the table says so. LAST: how long ago the last message "
+            + "came. Exit code 1: nothing was heard."
       })
   public static final class Delay extends MeasureCommand {
     /** A command. */
@@ -81,7 +77,8 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
         "  ./u2sa bw                           all standard channels, until Ctrl-C",
         "  ./u2sa bw scans grid --for 5",
         "",
-        "Bytes are those of the encoded messages; topics and MQTT's own are left out. Exit code 1: nothing was heard."
+        "Bytes are those of the encoded messages; topics and MQTT's own are left out. BANDWIDTH is the mean since the command began; "
+            + "LAST: how long ago the last message came. Exit code 1: nothing was heard."
       })
   public static final class Bandwidth extends MeasureCommand {
     /** A command. */
@@ -90,9 +87,7 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
     }
   }
 
-  private final List<String> columns;
-  private final LongFunction<Meter> meterFrom;
-  private final Map<Key, Meter> meters = new TreeMap<>(); // guarded by itself
+  private final MeasuredSources sources; // guarded by itself
 
   @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
@@ -110,19 +105,8 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
       description = "Print JSON: one object a second, or one at the end with --for.")
   private boolean json;
 
-  /** A row. */
-  private record Key(String channel, String source, String type) implements Comparable<Key> {
-    @Override
-    public int compareTo(Key other) {
-      int byChannel = channel.compareTo(other.channel);
-      int bySource = byChannel == 0 ? source.compareTo(other.source) : byChannel;
-      return bySource == 0 ? type.compareTo(other.type) : bySource;
-    }
-  }
-
   private MeasureCommand(List<String> columns, LongFunction<Meter> meterFrom) {
-    this.columns = columns;
-    this.meterFrom = meterFrom;
+    sources = new MeasuredSources(columns, meterFrom);
   }
 
   @Override
@@ -135,8 +119,8 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
         link.listen(channel, message -> take(channel, message, link.clock().micros(), began));
       }
       show(link, began);
-      synchronized (meters) {
-        if (meters.isEmpty()) {
+      synchronized (sources) {
+        if (sources.isEmpty()) {
           throw new RunFailedException(
               "nothing heard of system \""
                   + link.systemId()
@@ -149,9 +133,8 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
   }
 
   private void take(Channel<?> channel, U2SAData message, long micros, long beganMicros) {
-    Key key = new Key(channel.name(), channel.sourceOf(message), MessageJson.typeName(message));
-    synchronized (meters) {
-      meters.computeIfAbsent(key, each -> meterFrom.apply(beganMicros)).take(micros, message);
+    synchronized (sources) {
+      sources.take(channel, message, micros, beganMicros);
     }
   }
 
@@ -184,40 +167,16 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
 
   private void print(Terminal terminal, long now) {
     PrintWriter out = terminal.out();
-    synchronized (meters) {
+    synchronized (sources) {
       if (json) {
-        out.println(json(now));
+        out.println(sources.json(now));
         return;
       }
-      List<String> heads = new ArrayList<>(List.of("CHANNEL", "SOURCE", "TYPE"));
-      heads.addAll(columns);
-      TextTable table = new TextTable(heads.toArray(String[]::new));
-      meters.forEach(
-          (key, meter) -> {
-            List<String> cells = new ArrayList<>(List.of(key.channel, key.source, key.type));
-            cells.addAll(meter.cells(now));
-            table.add(cells.toArray(String[]::new));
-          });
       if (terminal.redraws() && !time.isBounded()) {
         out.print(TO_TOP_AND_CLEAR);
       }
-      table.lines().forEach(out::println);
+      sources.table(now).lines().forEach(out::println);
       out.flush();
     }
-  }
-
-  private String json(long now) {
-    List<JsonText> rows = new ArrayList<>();
-    meters.forEach(
-        (key, meter) -> {
-          JsonText row =
-              new JsonText()
-                  .put("channel", key.channel)
-                  .put("source", key.source)
-                  .put("type", key.type);
-          meter.addTo(row, now);
-          rows.add(row);
-        });
-    return new JsonText().put("channels", rows).line();
   }
 }

@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.U2SAData;
 /** How often messages come, and how evenly. */
 final class RateMeter implements Meter {
   static final List<String> COLUMNS =
-      List.of("MESSAGES", "RATE", "SHORTEST", "MEAN", "LONGEST", "DEVIATION", "LAST");
+      List.of("MESSAGES", "RATE", "SHORTEST", "MEAN", "LONGEST", "DEVIATION");
   private static final double MICROS = 1e6;
   private static final double MILLIS = 1e3;
   private static final double SILENT_S = 2.0; // longer than a busy broker or network delays
@@ -34,20 +34,17 @@ final class RateMeter implements Meter {
    * silent for much longer than usual.
    */
   private double rate(long nowMicros) {
-    boolean isSilent = ageS(nowMicros) > Math.max(SILENT_S, SILENT_INTERVALS * gaps.mean());
+    double silenceS = (nowMicros - lastMicros) / MICROS;
+    boolean isSilent = silenceS > Math.max(SILENT_S, SILENT_INTERVALS * gaps.mean());
     return lastMicros > firstMicros && !isSilent
         ? (messages - 1) * MICROS / (lastMicros - firstMicros)
         : 0.0;
   }
 
-  private double ageS(long nowMicros) {
-    return (nowMicros - lastMicros) / MICROS;
-  }
-
   @Override
   public List<String> cells(long nowMicros) {
     if (gaps.count() == 0) {
-      return List.of(String.valueOf(messages), "", "", "", "", "", last(nowMicros));
+      return List.of(String.valueOf(messages), "", "", "", "", "");
     }
     return List.of(
         String.valueOf(messages),
@@ -55,12 +52,7 @@ final class RateMeter implements Meter {
         millis(gaps.quantile(0.0)),
         millis(gaps.mean()),
         millis(gaps.quantile(1.0)),
-        millis(gaps.deviation()),
-        last(nowMicros));
-  }
-
-  private String last(long nowMicros) {
-    return String.format(Locale.ROOT, "%.1f s ago", ageS(nowMicros));
+        millis(gaps.deviation()));
   }
 
   private static String millis(double seconds) {
@@ -69,7 +61,7 @@ final class RateMeter implements Meter {
 
   @Override
   public void addTo(JsonText json, long nowMicros) {
-    json.put("messages", messages).put("lastAgoS", ageS(nowMicros));
+    json.put("messages", messages);
     if (gaps.count() > 0) {
       json.put("rateHz", rate(nowMicros));
       json.put("shortestS", gaps.quantile(0.0)).put("meanS", gaps.mean());
