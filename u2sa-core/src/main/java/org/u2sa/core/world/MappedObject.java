@@ -66,39 +66,51 @@ final class MappedObject {
     }
   }
 
-  /** Takes a sighting of it. */
-  void hit(Detection detection, long micros, double detectionProbability) {
+  /**
+   * Takes a sighting of it, unless its name seems misread: it is farther away than the object can
+   * have gone since it was seen last. If such sightings come repeatedly, the object is there.
+   *
+   * @return whether it was taken
+   */
+  boolean hit(Detection detection, long micros, ObjectMapSettings settings) {
     if (!fromFile) {
-      filter.update(
-          detection.place(), detection.sigma(), detection.velocity(), detection.velocitySigma());
+      if (isNear(detection, Point.ORIGIN, settings)) {
+        filter.update(
+            detection.place(), detection.sigma(), detection.velocity(), detection.velocitySigma());
+      } else if (isNear(detection, reach(micros, settings), settings)
+          || ++implausible == BELIEVED_AFTER) {
+        replace(detection, settings);
+      } else {
+        return false;
+      }
+      implausible = 0;
       moved |= filter.isMoving();
     }
     see(detection, micros);
     occasion(1);
+    double probability = settings.detectionProbability();
     existence =
-        existence
-            * detectionProbability
-            / (existence * detectionProbability + (1.0 - existence) * FALSE_ALARM);
+        existence * probability / (existence * probability + (1.0 - existence) * FALSE_ALARM);
     existence = Math.min(SUREST, existence);
+    return true;
   }
 
-  /**
-   * Whether a sighting of this very name is far from where the object can be: a misread name. If it
-   * comes repeatedly, the object is there.
-   */
-  boolean isMisread(Detection detection, ObjectMapSettings settings) {
-    double gate = settings.gate();
-    if (fromFile || filter.distance(detection.place(), detection.sigma()) <= gate * gate) {
-      implausible = 0;
-      return false;
-    }
-    implausible++;
-    if (implausible < BELIEVED_AFTER) {
-      return true;
-    }
-    implausible = 0;
-    replace(detection, settings);
-    return false;
+  private boolean isNear(Detection detection, Point reach, ObjectMapSettings settings) {
+    Point sigma = detection.sigma();
+    Point wider =
+        Point.of(
+            Math.hypot(sigma.x(), reach.x()),
+            Math.hypot(sigma.y(), reach.y()),
+            Math.hypot(sigma.z(), reach.z()));
+    return filter.distance(detection.place(), wider) <= settings.gate() * settings.gate();
+  }
+
+  /** How far it can have gone since it was seen last, 1 sigma along each axis [m]. */
+  private Point reach(long micros, ObjectMapSettings settings) {
+    double reach =
+        settings.assumptions(template.objectType()).maxSpeed()
+            * Math.max(0.0, Clock.seconds(micros - seenMicros));
+    return Point.of(reach, reach, reach);
   }
 
   private void see(Detection detection, long micros) {

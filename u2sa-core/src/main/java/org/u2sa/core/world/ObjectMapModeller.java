@@ -65,11 +65,10 @@ final class ObjectMapModeller implements Modeller {
     for (int i = 0; i < match.length; i++) {
       if (match[i] != SightingMatch.NONE) {
         MappedObject track = tracks.get(match[i]);
-        if (track.isMisread(detections.get(i), tuning)) {
+        if (!track.hit(detections.get(i), sighting.micros(), tuning)) {
           misread++;
           continue;
         }
-        track.hit(detections.get(i), sighting.micros(), tuning.detectionProbability());
         track.judge(tuning.confirmHits(), tuning.confirmWindow());
         hit.add(track);
       }
