@@ -1,8 +1,10 @@
 package org.u2sa.messages;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
@@ -23,6 +25,7 @@ public final class GoalList extends U2SAData {
   private static final ValueField<GoalList, List<String>> FILE_FAULTS =
       SCHEMA.optionalNotes("fileFaults");
   private static final ValueField<GoalList, Boolean> PAUSED = SCHEMA.optionalFlag("paused");
+  private static final NumberField<GoalList> ELAPSED = SCHEMA.optionalNumber("elapsed", "s", 0.0);
 
   /** The schema. */
   public static final MessageType<GoalList> TYPE = SCHEMA.build();
@@ -91,5 +94,19 @@ public final class GoalList extends U2SAData {
   /** Sets {@link #paused()}. */
   public GoalList paused(boolean value) {
     return put(PAUSED, value);
+  }
+
+  /**
+   * How long the mission has been pursued when this was published [s]: while the vehicle was armed,
+   * without pauses and failsafes. It counts on while the mission is pursued. Empty from senders
+   * that do not know the field.
+   */
+  public OptionalDouble elapsed() {
+    return get(ELAPSED);
+  }
+
+  /** Sets {@link #elapsed()}; not negative. */
+  public GoalList elapsed(double seconds) {
+    return put(ELAPSED, seconds);
   }
 }

@@ -100,9 +100,16 @@ public final class VelocityControl extends ControlSystem {
     double speed = Math.min(wanted, now.approachGain() * distance);
     double perMetre = distance > 0.0 ? speed / distance : 0.0;
     double forward = now.sideways() ? toGo.x() : Math.max(0.0, toGo.x());
-    command(FORWARD, percent(forward * perMetre, now.fullSpeed()));
-    command(LEFT, now.sideways() ? percent(toGo.y() * perMetre, now.fullSpeed()) : 0.0);
-    command(CLIMB, percent(toGo.z() * perMetre, now.fullClimb()));
+    double left = now.sideways() ? toGo.y() : 0.0;
+    double forwardPercent = percent(forward * perMetre, now.fullSpeed());
+    double leftPercent = percent(left * perMetre, now.fullSpeed());
+    double climbPercent = percent(toGo.z() * perMetre, now.fullClimb());
+    double most = Math.max(Math.abs(forwardPercent), Math.abs(leftPercent));
+    most = Math.max(FULL_PERCENT, Math.max(most, Math.abs(climbPercent)));
+    double share = FULL_PERCENT / most; // slower in the same direction: clamped axes would turn it
+    command(FORWARD, share * forwardPercent);
+    command(LEFT, share * leftPercent);
+    command(CLIMB, share * climbPercent);
     boolean faces = Math.hypot(toGo.x(), toGo.y()) >= now.facingDistance();
     double turn = faces ? now.turnGain() * toGo.azimuth() : 0.0;
     command(TURN, percent(turn, now.fullTurn()));

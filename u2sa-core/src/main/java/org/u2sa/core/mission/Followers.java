@@ -66,6 +66,11 @@ final class Followers {
     return own.map(this::known).orElseGet(() -> otherwise(uid));
   }
 
+  /** Whether the mission says that it ends with this result of a goal. */
+  boolean end(String uid, GoalResult result) {
+    return own(book.goal(uid), result).filter(List::isEmpty).isPresent();
+  }
+
   private static Optional<List<String>> own(GoalInformation goal, GoalResult result) {
     switch (result) {
       case TIMED_OUT:

@@ -173,6 +173,7 @@ final class GoalSequence {
   private void move(Position from, String uid, GoalResult result) {
     from.current.remove(uid);
     from.finished.add(uid);
+    from.ends |= followers.end(uid, result);
     List<String> next = followers.after(uid, result, from.repeats);
     if (from.wanted > 0) {
       from.pending.addAll(next);
@@ -186,10 +187,10 @@ final class GoalSequence {
       if (from.current.isEmpty()) {
         openPending(from, uid);
       }
-    } else if (!next.isEmpty()) {
+    } else {
       open(from, next, uid);
     }
-    if (from.current.isEmpty() && loop) {
+    if (from.current.isEmpty() && loop && !from.ends) {
       open(from, Collections.singletonList(first), uid);
     }
   }
@@ -208,8 +209,9 @@ final class GoalSequence {
       from.finished.clear();
       from.current.addAll(names);
     }
+    from.ends &= from.current.isEmpty();
     long chosen = book.goal(after).choose().orElse(0);
-    from.wanted = chosen < from.current.size() ? chosen : 0;
+    from.wanted = from.current.size() > 1 ? Math.min(chosen, from.current.size()) : 0;
   }
 
   /**

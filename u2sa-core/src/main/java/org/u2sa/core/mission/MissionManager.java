@@ -211,7 +211,9 @@ public final class MissionManager extends PeriodicService {
 
   private void onArming(ArmingState state) {
     passTime(); // before, by what held until now
-    limits.count(state.armed());
+    if (limits.count(state.armed())) {
+      publish(Channels.GOALS, goalList()); // the mission's time counts again from here
+    }
   }
 
   private void passTime() {
@@ -361,7 +363,8 @@ public final class MissionManager extends PeriodicService {
         new GoalList()
             .goals(sequence.current())
             .upcoming(sequence.upcoming())
-            .landGoals(failsafes.landGoals());
+            .landGoals(failsafes.landGoals())
+            .elapsed(progress.elapsedS());
     if (progress.isHeld()) {
       list.paused(true);
     }

@@ -69,6 +69,7 @@ final class MissionProgress {
     beganElsewhere = OptionalLong.empty();
     elapsedMicros = 0;
     limitPassed = false;
+    commanded = "";
   }
 
   /** {@link GoalSequence#rules} of the mission. */

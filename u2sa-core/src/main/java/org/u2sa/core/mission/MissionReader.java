@@ -3,11 +3,13 @@ package org.u2sa.core.mission;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
@@ -116,12 +118,14 @@ final class MissionReader {
 
   private Map<String, GoalElement> goals(
       XmlElement root, Collection<String> taken, boolean complete) {
-    Map<String, GoalElement> goals = new LinkedHashMap<>();
+    List<GoalElement> read = new ArrayList<>();
     for (XmlElement child : root.children()) {
       if (!child.name().equals(MissionManager.HOME) && !child.name().equals(MissionLimit.ELEMENT)) {
-        add(goals, taken, child, complete);
+        read.add(GoalElement.read(child, classes.of(child)));
       }
     }
+    Map<String, GoalElement> goals = new LinkedHashMap<>();
+    read.forEach(goal -> add(goals, read, taken, goal, complete));
     if (goals.isEmpty()) {
       throw root.error(
           "holds no goals; expected at least one, such as <waypoint><x>…</x><y>…</y></waypoint>");
@@ -131,24 +135,21 @@ final class MissionReader {
 
   private void add(
       Map<String, GoalElement> goals,
+      List<GoalElement> read,
       Collection<String> taken,
-      XmlElement element,
+      GoalElement goal,
       boolean complete) {
-    GoalElement goal = GoalElement.read(element, classes.of(element));
     if (complete && lacksThreshold(goal)) {
       defaultThresholdM.ifPresent(((Waypoint) goal.message())::horizontalThreshold);
     }
     if (goal.field("uid").isEmpty()) {
-      int number = goals.size() + 1;
-      while (taken.contains(String.valueOf(number))) {
-        number += taken.size(); // no goal of the mission has a number like that
-      }
-      goal.message().uid(String.valueOf(number));
+      int number = read.indexOf(goal) + 1;
+      goal.message().uid(taken.isEmpty() ? String.valueOf(number) : freeNumber(goals, read, taken));
     }
     GoalElement other = goals.putIfAbsent(goal.message().uid(), goal);
     if (other != null) {
       throw goal.field("uid")
-          .orElse(element)
+          .orElse(goal.element())
           .error(
               "the goal in line "
                   + other.element().line()
@@ -156,6 +157,19 @@ final class MissionReader {
                   + goal.message().uid()
                   + "\" already; names must differ (without one, a goal's name is its number in the file)");
     }
+  }
+
+  /** The first number that names no goal, neither of the mission nor of those that are added. */
+  private static String freeNumber(
+      Map<String, GoalElement> named, List<GoalElement> added, Collection<String> taken) {
+    Set<String> names = new HashSet<>(taken);
+    names.addAll(named.keySet());
+    added.forEach(goal -> goal.field("uid").ifPresent(uid -> names.add(goal.message().uid())));
+    int number = 1;
+    while (names.contains(String.valueOf(number))) {
+      number++;
+    }
+    return String.valueOf(number);
   }
 
   private static boolean lacksThreshold(GoalElement goal) {

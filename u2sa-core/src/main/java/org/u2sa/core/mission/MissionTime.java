@@ -13,9 +13,15 @@ final class MissionTime {
   private long lastMicros = NEVER;
   private boolean stands;
 
-  /** Time counts, or it stands. */
-  void counts(boolean armed) {
+  /**
+   * Time counts, or it stands.
+   *
+   * @return whether it stood until now and counts again
+   */
+  boolean counts(boolean armed) {
+    boolean resumes = stands && armed;
     stands = !armed;
+    return resumes;
   }
 
   /** The time that counted since this was asked last [µs]. */

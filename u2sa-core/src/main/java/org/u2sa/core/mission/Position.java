@@ -25,6 +25,9 @@ final class Position {
   /** How many of the current goals are still to be completed, whichever; 0: as the options say. */
   long wanted;
 
+  /** Whether a goal that was current with these has ended the mission, if nothing is pending. */
+  boolean ends;
+
   Position() {}
 
   Position(Position other) {
@@ -33,6 +36,7 @@ final class Position {
     finished.addAll(other.finished);
     repeats.putAll(other.repeats);
     wanted = other.wanted;
+    ends = other.ends;
   }
 
   void handOver(HandOver state, String name) {
@@ -41,7 +45,8 @@ final class Position {
         .texts(name + " PENDING", pending)
         .texts(name + " FINISHED", finished)
         .texts(name + " REPEATS", texts(repeats))
-        .number(name + " WANTED", wanted);
+        .number(name + " WANTED", wanted)
+        .flag(name + " ENDS", ends);
   }
 
   static Position takenOver(HandOver state, String name) {
@@ -51,6 +56,7 @@ final class Position {
     position.finished.addAll(state.texts(name + " FINISHED"));
     position.repeats.putAll(numbers(state.texts(name + " REPEATS")));
     position.wanted = (long) state.number(name + " WANTED").orElse(0.0);
+    position.ends = state.flag(name + " ENDS");
     return position;
   }
 

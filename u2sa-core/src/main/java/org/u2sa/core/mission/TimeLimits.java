@@ -15,9 +15,13 @@ final class TimeLimits {
     this.manager = manager;
   }
 
-  /** Time counts from now on, or it stands. */
-  void count(boolean armed) {
-    time.counts(armed);
+  /**
+   * Time counts from now on, or it stands.
+   *
+   * @return whether it stood until now and counts again
+   */
+  boolean count(boolean armed) {
+    return time.counts(armed);
   }
 
   /**

@@ -44,7 +44,7 @@ public class PathPlanner extends EventDrivenService {
   private String foreseen = ""; // UID of the goal expected next
   private long reportedMicros;
   private long stateMicros = Long.MIN_VALUE; // arrival of the last state
-  private long missionMicros = Long.MIN_VALUE; // arrival of the first goals
+  private long missionMicros = Long.MIN_VALUE; // when it began, had its time always counted
   private String complaint = ""; // last one logged, to log it once
   private String threshold = ""; // last remark on the current goal's threshold
 
@@ -142,9 +142,7 @@ public class PathPlanner extends EventDrivenService {
       log(list.paused() ? "mission paused" : "mission goes on");
       changeHolding();
     }
-    if (missionMicros == Long.MIN_VALUE && !list.goals().isEmpty()) {
-      missionMicros = clock().micros();
-    }
+    missionMicros = missionBegan(list);
     if (goal.isPresent() && isFinished(goal.get().uid())) {
       goal = Optional.empty(); // if listed again, it must be reached again
     }
@@ -235,7 +233,20 @@ public class PathPlanner extends EventDrivenService {
     return new GoalChoice(goals.get()).goal(preferred, option -> distanceM(option, state));
   }
 
-  /** Time since the first goals arrived [s]. */
+  /** By what the list says; if it does not, the mission began with its first goals. */
+  private long missionBegan(GoalList list) {
+    long now = clock().micros();
+    if (list.elapsed().isPresent()) {
+      return Math.min(now, list.timestamp().orElse(now))
+          - Clock.micros(list.elapsed().getAsDouble());
+    }
+    if (list.goals().isEmpty()) {
+      return Long.MIN_VALUE;
+    }
+    return missionMicros == Long.MIN_VALUE ? now : missionMicros;
+  }
+
+  /** For how long the mission has been pursued [s]. */
   private double missionS() {
     return missionMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(clock().micros() - missionMicros);
   }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -84,6 +86,17 @@ class VelocityControlTest {
     start();
     go(0.0, NavigationPoint.at(Point.of(-30.0, 30.0, 0.0)), 0.0);
     assertPercents(0.0, 0.0, 0.0, 100.0);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"100, 40, 0, 100, 40, 0", "100, 0, 100, 40, 0, 100", "0, -30, -90, 0, -13.33, -100"})
+  void control_fasterThanAnAxisCan_goesSlowerInTheSameDirection(
+      double forwardM, double leftM, double upM, double forward, double left, double climb) {
+    start();
+    go(0.0, NavigationPoint.at(Point.of(forwardM, leftM, -upM)).speed(10.0), 0.0);
+    assertThat(kit.percent("FORWARD SPEED")).isCloseTo(forward, within(0.1));
+    assertThat(kit.percent("LEFT SPEED")).isCloseTo(left, within(0.1));
+    assertThat(kit.percent("CLIMB SPEED")).isCloseTo(climb, within(0.1));
   }
 
   @Test

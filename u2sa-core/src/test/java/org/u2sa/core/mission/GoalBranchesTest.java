@@ -6,9 +6,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.core.mission.GoalSequence.Options;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalResult;
+import org.u2sa.service.HandOver;
 
 /** Which goals come next, by what came of the ones before. */
 class GoalBranchesTest {
@@ -81,6 +84,74 @@ class GoalBranchesTest {
     assertThat(sequence.isOver()).isTrue();
   }
 
+  @ParameterizedTest
+  @EnumSource(Options.class)
+  void finish_endIfTimedOutWithLoop_endsTheMissionForGood(Options options) {
+    GoalSequence sequence =
+        sequence(
+            goal("a", "")
+                + goal("b", "<timeLimit>3</timeLimit><end if='timed out'/>")
+                + goal("c", ""));
+    sequence.rules(true, options);
+    after(sequence, "a", GoalResult.DONE);
+
+    assertThat(after(sequence, "b", GoalResult.TIMED_OUT)).isEmpty();
+  }
+
+  @Test
+  void finish_endOfOneOfSeveralAny_endsTheMission() {
+    GoalSequence sequence =
+        sequence(
+            goal("a", "<next>b, c</next>")
+                + goal("b", "<timeLimit>3</timeLimit><next>d</next><end if='timed out'/>")
+                + goal("c", "<next>d</next>")
+                + goal("d", ""));
+    sequence.rules(true, Options.ANY);
+    after(sequence, "a", GoalResult.DONE);
+
+    assertThat(after(sequence, "b", GoalResult.TIMED_OUT)).isEmpty();
+  }
+
+  @Test
+  void finish_endOfOneOfSeveralAll_endsOnceAllAreFinishedUnlessAnotherNamesWhatFollows() {
+    String mission =
+        goal("a", "<next>b, c</next>") + goal("b", "<end if='failed'/>") + goal("c", "%s");
+    GoalSequence ends = sequence(mission.replace("%s", ""));
+    ends.rules(true, Options.ALL);
+    after(ends, "a", GoalResult.DONE);
+    assertThat(after(ends, "b", GoalResult.FAILED)).isEqualTo("c");
+    GoalSequence handedOver = handedOver(ends, true, Options.ALL);
+    assertThat(after(ends, "c", GoalResult.DONE)).isEmpty();
+    assertThat(after(handedOver, "c", GoalResult.DONE)).isEmpty();
+
+    GoalSequence goesOn = sequence(mission.replace("%s", "<next>d</next>") + goal("d", ""));
+    goesOn.rules(true, Options.ALL);
+    after(goesOn, "a", GoalResult.DONE);
+    after(goesOn, "b", GoalResult.FAILED);
+    assertThat(after(goesOn, "c", GoalResult.DONE)).isEqualTo("d");
+    assertThat(after(goesOn, "d", GoalResult.DONE)).as("a new lap").isEqualTo("a");
+  }
+
+  @Test
+  void finish_anyWithoutNext_endsTheMissionOrBeginsAnotherLap() {
+    String mission = goal("a", "<next>b, c</next>") + goal("b", "") + goal("c", "");
+    GoalSequence once = sequence(mission);
+    once.rules(false, Options.ANY);
+    after(once, "a", GoalResult.DONE);
+    assertThat(after(once, "b", GoalResult.DONE)).isEmpty();
+
+    GoalSequence laps = sequence(mission);
+    laps.rules(true, Options.ANY);
+    after(laps, "a", GoalResult.DONE);
+    assertThat(after(laps, "c", GoalResult.DONE)).isEqualTo("a");
+  }
+
+  private static GoalSequence handedOver(GoalSequence from, boolean loop, Options options) {
+    HandOver state = new HandOver("MissionManager");
+    from.handOver(state, "MISSION");
+    return GoalSequence.takenOver(state, "MISSION", loop, options).orElseThrow();
+  }
+
   @Test
   void finish_repeat_goesBackThatOftenAndThenOn() {
     GoalSequence sequence =
@@ -136,6 +207,22 @@ class GoalBranchesTest {
     assertThat(after(sequence, "d", GoalResult.FAILED)).isEqualTo("b");
     assertThat(after(sequence, "b", GoalResult.DONE)).isEqualTo("e");
     assertThat(after(sequence, "e", GoalResult.DONE)).isEmpty();
+  }
+
+  @ParameterizedTest
+  @EnumSource(Options.class)
+  void finish_chooseAsManyAsThereAre_allAreDone(Options options) {
+    GoalSequence sequence =
+        sequence(
+            goal("a", "<next>b, c</next><choose>2</choose>")
+                + goal("b", "<next>e</next>")
+                + goal("c", "<next>e</next>")
+                + goal("e", ""));
+    sequence.rules(false, options);
+
+    assertThat(after(sequence, "a", GoalResult.DONE)).isEqualTo("b,c");
+    assertThat(after(sequence, "b", GoalResult.DONE)).isEqualTo("c");
+    assertThat(after(sequence, "c", GoalResult.DONE)).isEqualTo("e");
   }
 
   @Test

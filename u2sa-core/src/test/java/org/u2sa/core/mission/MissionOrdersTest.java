@@ -163,9 +163,9 @@ class MissionOrdersTest extends ThreeWaypoints {
         goals(
             MissionAction.INSERT,
             "<waypoint><name>a</name><x>5</x></waypoint><waypoint><x>6</x></waypoint>"),
-        "inserted \"a\", \"5\" after \"1\"");
+        "inserted \"a\", \"4\" after \"1\"");
     assertThat(goals().upcoming()).extracting(GoalInformation::uid).containsExactly("a");
-    run("1", "a", "5", "2", "3");
+    run("1", "a", "4", "2", "3");
     assertThat(current()).isEmpty();
   }
 
@@ -235,6 +235,17 @@ class MissionOrdersTest extends ThreeWaypoints {
     refused(
         goals(MissionAction.INSERT, "<waypoint><x>5</x></waypoint>").uid("1"),
         "goal \"1\" does not follow what is pursued, so nothing after it would be reached; current: 2; expected one of what follows, or insertion now");
+  }
+
+  @Test
+  void insert_unnamedGoalsAmongNamedOnes_getTheNextFreeNumbers() {
+    kit.start(MissionManager::new);
+    accepted(
+        goals(
+            MissionAction.INSERT,
+            "<waypoint><x>5</x></waypoint><waypoint><name>5</name><x>5</x></waypoint>"
+                + "<waypoint><x>5</x></waypoint><waypoint><x>5</x></waypoint>"),
+        "inserted \"4\", \"5\", \"6\", \"7\" after \"1\"");
   }
 
   @Test

@@ -64,6 +64,23 @@ class MissionPauseTest extends ThreeWaypoints {
   }
 
   @Test
+  void goals_tellHowLongTheMissionHasBeenPursued_alsoWhenItsTimeCountsAgain() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(false));
+    kit.advance(90.0);
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
+    assertThat(goals().elapsed()).hasValue(0.0);
+    assertThat(goals().timestamp()).hasValue(kit.clock().micros());
+    kit.advance(8.0);
+    complete("1");
+    assertThat(goals().elapsed()).hasValue(8.0);
+    accepted(order(MissionAction.PAUSE), "paused at 2");
+    kit.advance(60.0);
+    accepted(order(MissionAction.RESUME), "resumed at [2]");
+    assertThat(goals().elapsed()).hasValue(8.0);
+  }
+
+  @Test
   void pause_thenResume_goesOnWithTheSameGoal() {
     kit.start(MissionManager::new);
     complete("1");

@@ -338,6 +338,27 @@ class PlannerSeesTest extends PlannedVehicle {
     assertThat(speed).isCloseTo(2.0, within(0.05)); // 10 m in 5 s
   }
 
+  @Test
+  void state_waypointWithTimeInALaterMission_countsFromThatMissionsBeginning() {
+    kit.with("PLANNER", "GRID").with("MOST SPEED", 3.0).start(PathPlanner::new);
+    goals(waypoint("0", 1, 0));
+    kit.advance(60.0);
+    kit.publish(Channels.GOALS, new GoalList());
+    goals(waypoint("1", 10, 0).time(5.1));
+    assertThat(speedAfter(0.1)).as("a new list of goals").isCloseTo(2.0, within(0.05));
+
+    kit.advance(60.0); // not armed yet, say
+    kit.publish(
+        Channels.GOALS, new GoalList().goals(List.of(waypoint("1", 10, 0).time(8.0))).elapsed(2.9));
+    assertThat(speedAfter(0.1)).as("by the mission's clock").isCloseTo(2.0, within(0.05));
+  }
+
+  private double speedAfter(double seconds) {
+    kit.advance(seconds);
+    kit.publish(Channels.STATE, state(0, 0, 0));
+    return kit.latest(Channels.NAVIGATION).orElseThrow().speed().orElseThrow();
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"GRID", "THETA"})
   void state_atWaypointWithHeading_turnsBeforeItIsReached(String planner) {

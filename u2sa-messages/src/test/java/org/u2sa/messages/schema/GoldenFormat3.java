@@ -157,6 +157,7 @@ final class GoldenFormat3 {
             .accepted(true)
             .outcome("goal \"2\" inserted after \"gate\""));
     golden.add("GoalList-paused", new GoalList().paused(true));
+    golden.add("GoalList-elapsed", new GoalList().elapsed(62.5));
     golden.add(
         "MissionReport-paused",
         new MissionReport().requestId("q2").serviceName("MissionManager").paused(true));
