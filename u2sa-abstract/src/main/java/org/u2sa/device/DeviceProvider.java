@@ -41,9 +41,9 @@ public abstract class DeviceProvider<D extends Device<?>> {
   }
 
   /**
-   * Makes the device. Returns at once: the device need not be there yet.
+   * Creates the device. Returns immediately: the device need not be connected yet.
    *
-   * @param name the one of the names that the configuration has
+   * @param name configured name
    * @param context of the service: its configuration, its clock
    * @throws org.u2sa.interfaces.BadInputException if a variable does not fit the device
    */

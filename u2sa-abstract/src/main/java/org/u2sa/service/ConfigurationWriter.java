@@ -9,12 +9,9 @@ import org.u2sa.interfaces.configuration.WrittenChange;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Checks and writes the changes that others ask for, one after the other, on a thread of its own
- * that lives as long as there is something to write: the service's thread never waits for a disk.
- * What is written waits here until the service takes it, between two messages.
+ * Validates and writes requested changes sequentially on a separate thread that lives only while there is something to write, so that the service's thread never blocks on a disk. Written changes are queued until the service applies them between two messages.
  *
- * <p>The thread takes its turn on the run's clock as services do. So in a simulation the time
- * stands still until a change is written, and a run repeats whatever the disk does.
+ * <p>The thread takes its turn on the run's clock as services do. So in a simulation time stands still until a change is written, and a run is repeatable however slow the disk is.
  */
 final class ConfigurationWriter {
   private static final int CAPACITY = 32;
@@ -39,7 +36,7 @@ final class ConfigurationWriter {
     this.service = service;
   }
 
-  /** Has the change written soon. Returns false if too many wait already. */
+  /** Queues the change for writing. Returns false if the queue is full. */
   synchronized boolean order(Order order) {
     if (closed || orders.size() >= CAPACITY) {
       return false;
@@ -103,7 +100,7 @@ final class ConfigurationWriter {
     next.answer().accept(next.change());
   }
 
-  /** Begins nothing any more: the service ends. */
+  /** Accepts no further changes, because the service ends. */
   synchronized void close() {
     closed = true;
     orders.clear();

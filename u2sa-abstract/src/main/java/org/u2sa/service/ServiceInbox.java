@@ -14,10 +14,7 @@ import org.u2sa.messages.schema.U2SAData;
 /**
  * A service's bounded queue of messages. Any thread puts, the service's thread takes.
  *
- * <p>On channels where the newest counts, a message replaces the waiting one of the same source and
- * takes its place in the queue, so a slow service sees fresh data and a flood costs no memory. A
- * full queue refuses the newest. Each is counted, as the former is no loss and the latter is. What
- * is urgent, an emergency stop, has a queue of its own, which comes first. Arming and failsafes
+ * <p>On latest-value channels, a message replaces the queued one of the same source in its position, so a slow service sees fresh data and a flood costs no memory. A full queue rejects the newest. Both are counted separately, because only the latter is a loss. Urgent messages (emergency stops) have a separate queue with priority. Arming and failsafes
  * wait among the others, but the others cannot take their room. Questions that anybody may ask,
  * which the service contract answers, fill a quarter of the rest at most.
  *
@@ -235,7 +232,7 @@ final class ServiceInbox {
     return urgent.size() + queue.size();
   }
 
-  /** Messages that were lost so far: the queue was full, or they were of one source too many. */
+  /** Messages lost so far, because the queue was full or the source limit was exceeded. */
   synchronized long dropped() {
     return dropped;
   }

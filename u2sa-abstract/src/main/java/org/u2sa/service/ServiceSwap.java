@@ -8,8 +8,7 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Puts one service in the place of another that runs (thesis 5.1, user story 8), so that no message
- * is lost and none is handled twice.
+ * Replaces a running service by another one (thesis 5.1, user story 8) without losing a message or handling one twice.
  *
  * <pre>
  *   caller's thread          new service made, not connected ── subscriptions that only it has
@@ -19,8 +18,7 @@ import org.u2sa.interfaces.time.Clock;
  *
  * <p>The new service is made with a context {@link ServiceContext.Builder#inPlaceOf in place of}
  * the old one. It gets the old one's name, log, connection and waiting messages, and the last
- * message of each retained channel. Whatever goes wrong until {@link U2SAService#takeOver} has
- * returned leaves the old one running as if nothing had happened.
+ * message of each retained channel. Any failure before {@link U2SAService#takeOver} has returned leaves the old one running unaffected.
  */
 public final class ServiceSwap {
   private enum Stage {
@@ -53,8 +51,7 @@ public final class ServiceSwap {
   }
 
   /**
-   * Orders the swap, which happens when the old service has handled its present message. The caller
-   * goes on at once.
+   * Requests the swap, which happens after the old service has handled its current message. Returns immediately.
    *
    * @return this
    */
@@ -107,7 +104,7 @@ public final class ServiceSwap {
    * Waits until the swap is done or refused. On a service's own thread that is a wait on the run's
    * clock, so that a simulation goes on meanwhile.
    *
-   * @param withinS time after which the order is withdrawn [s], as the old service may hang
+   * @param withinS timeout after which the request is withdrawn [s], because the old service may hang
    * @return empty if the successor runs; otherwise why not, and the old one is as it was
    * @throws InterruptedException if the calling thread was interrupted; the order stands
    */
