@@ -4,8 +4,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.HandOver;
 
 /**
- * The time that limits count: while the vehicle is armed, or always if nobody says whether it is.
- * Belongs to one thread.
+ * The clock of time limits: runs while the vehicle is armed, or always if the arming state is unknown. Not thread-safe.
  */
 final class MissionTime {
   private static final long NEVER = -1;
@@ -13,12 +12,12 @@ final class MissionTime {
   private long lastMicros = NEVER;
   private boolean stands;
 
-  /** Time counts, or it stands. */
+  /** Starts or stops the clock. */
   void counts(boolean armed) {
     stands = !armed;
   }
 
-  /** The time that counted since this was asked last [µs]. */
+  /** Counted time since the last call [µs]. */
   long sinceLast(long nowMicros) {
     long counted = lastMicros == NEVER || stands ? 0 : Math.max(0, nowMicros - lastMicros);
     lastMicros = nowMicros;
@@ -32,7 +31,7 @@ final class MissionTime {
     }
   }
 
-  /** What passes between one Mission Manager and the next counts. */
+  /** Restores the clock; the time between two Mission Managers counts. */
   void takeOver(HandOver state) {
     stands = state.flag("TIME STANDS");
     state.number("TIME").ifPresent(seconds -> lastMicros = Clock.micros(seconds));

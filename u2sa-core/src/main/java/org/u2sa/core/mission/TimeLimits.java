@@ -15,15 +15,15 @@ final class TimeLimits {
     this.manager = manager;
   }
 
-  /** Time counts from now on, or it stands. */
+  /** Starts or stops counting. */
   void count(boolean armed) {
     time.counts(armed);
   }
 
   /**
-   * Lets time pass until now.
+   * Advances to the current time.
    *
-   * @return whether other goals are current now
+   * @return whether the current goals changed
    */
   boolean pass() {
     MissionProgress progress = manager.progress();
