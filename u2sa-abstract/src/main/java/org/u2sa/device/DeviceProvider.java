@@ -16,7 +16,7 @@ public abstract class DeviceProvider<D extends Device<?>> {
 
   /**
    * @param port such as {@code Imu.class}
-   * @param names in a configuration, such as {@code VECTORNAV}; unique among the port's providers
+   * @param names names in a configuration, such as {@code VECTORNAV}; unique among the port's providers
    */
   protected DeviceProvider(Class<D> port, String... names) {
     this.port = port;
