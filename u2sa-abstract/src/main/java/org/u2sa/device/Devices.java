@@ -21,7 +21,7 @@ public final class Devices {
   /**
    * Defaults of a service's device configuration.
    *
-   * @param noun what the device is called in descriptions: {@code compass}
+   * @param noun name of the device in descriptions: {@code compass}
    * @param variable that names the device's driver: {@code COMPASS}
    * @param driver its default
    * @param connection default of the variable CONNECTION
@@ -32,8 +32,8 @@ public final class Devices {
    * The device of a service. Declares CONNECTION, the variable that names the driver, and the
    * variables of all the port's drivers.
    *
-   * @param device provided by the host, such as a phone or a simulation; overrides the configuration
-   * @throws BadInputException if no driver has the name, or two have it
+   * @param made device provided by the host, such as a phone or a simulation; overrides the configuration
+   * @throws BadInputException if there is no such driver, or more than one
    */
   public static <D extends Device<?>> D open(
       Class<D> port, Usual usual, ServiceContext context, Optional<D> made) {

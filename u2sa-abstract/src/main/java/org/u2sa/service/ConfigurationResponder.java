@@ -76,7 +76,7 @@ final class ConfigurationResponder {
             && request.serviceName().equals(service.getServiceName());
   }
 
-  /** Answers a request that concerns this service, now or when what it asks for is written. */
+  /** Answers a request that concerns this service, now or when the change has been written. */
   void answer(U2SAData request) {
     if (request instanceof ConfigurationChange change) {
       change(change);

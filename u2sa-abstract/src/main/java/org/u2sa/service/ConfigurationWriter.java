@@ -17,10 +17,10 @@ final class ConfigurationWriter {
   private static final int CAPACITY = 32;
 
   /**
-   * A change that is to be written.
+   * A change to write.
    *
    * @param write waits for the disk; on the writer's thread
-   * @param answer what the service does with what came of it, on the service's thread
+   * @param answer handles the result, on the service's thread
    */
   record Order(Supplier<WrittenChange> write, Consumer<WrittenChange> answer) {}
 

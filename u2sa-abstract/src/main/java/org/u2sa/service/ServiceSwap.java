@@ -16,7 +16,7 @@ import org.u2sa.interfaces.time.Clock;
  *   new service's thread                                                  starts │ begin, message …
  * </pre>
  *
- * <p>The new service is made with a context {@link ServiceContext.Builder#inPlaceOf in place of}
+ * <p>The new service is created with a context {@link ServiceContext.Builder#inPlaceOf in place of}
  * the old one. It gets the old one's name, log, connection and waiting messages, and the last
  * message of each retained channel. Any failure before {@link U2SAService#takeOver} has returned leaves the old one running unaffected.
  */
@@ -40,9 +40,9 @@ public final class ServiceSwap {
       waiting; // the service on whose thread the outcome is awaited, or null
 
   /**
-   * @param successor made with a context in place of the old service, and not started
+   * @param successor created with a context in place of the old service, and not started
    * @param agreement called on the old service's thread when the successor is about to run; false
-   *     if it is to end at once, because all services are ending
+   *     if it must end immediately, because all services are ending
    */
   public ServiceSwap(U2SAService old, U2SAService successor, BooleanSupplier agreement) {
     this.old = old;
@@ -102,7 +102,7 @@ public final class ServiceSwap {
 
   /**
    * Waits until the swap is done or refused. On a service's own thread that is a wait on the run's
-   * clock, so that a simulation goes on meanwhile.
+   * clock, so that a simulation continues meanwhile.
    *
    * @param withinS timeout after which the request is withdrawn [s], because the old service may hang
    * @return empty if the successor runs; otherwise why not, and the old one is as it was

@@ -22,7 +22,7 @@ import org.u2sa.service.U2SAService;
  *
  * <p>A swap replaces a running service by another class ({@link ServiceSwap}) with the same
  * configuration. A restart after it starts the class that ran last; the next run of the system
- * starts what the system file says.
+ * uses the system file again.
  */
 final class HostedServices implements ServiceHost {
   /** Longest wait for a service's thread to end. */

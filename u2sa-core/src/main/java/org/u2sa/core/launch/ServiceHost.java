@@ -15,14 +15,14 @@ public interface ServiceHost {
   /**
    * Starts a service that is not running.
    *
-   * @return why it was refused or could not be done; empty if it runs now
+   * @return reason for rejection or failure; empty if it runs now
    */
   Optional<String> start(String serviceName);
 
   /**
    * Restarts a service, whatever its state, and reloads its configuration.
    *
-   * @return why it was refused or could not be done; empty if it runs now
+   * @return reason for rejection or failure; empty if it runs now
    */
   Optional<String> restart(String serviceName);
 
@@ -30,7 +30,7 @@ public interface ServiceHost {
    * Replaces a running service by another class.
    *
    * @param className full name of the class
-   * @return why it was refused or could not be done; empty if the new one runs now
+   * @return reason for rejection or failure; empty if the new one runs now
    */
   Optional<String> swap(String serviceName, String className);
 }

@@ -75,7 +75,7 @@ final class ServiceMaker {
   /**
    * Recreates a service that already ran in this run, of a class that need not be in the system file.
    *
-   * @throws RuntimeException if the class is no service or its constructor refuses
+   * @throws RuntimeException if the class is not a service or its constructor throws
    */
   U2SAService makeAnew(String className, XmlConfiguration configuration) {
     ServiceContext context = builder(configuration).restart(true).build();
@@ -85,7 +85,7 @@ final class ServiceMaker {
   /**
    * Creates a replacement for a running service, without connecting it.
    *
-   * @throws RuntimeException if the class is no service or its constructor refuses
+   * @throws RuntimeException if the class is not a service or its constructor throws
    */
   U2SAService makeInPlaceOf(U2SAService running, String className, XmlConfiguration configuration) {
     ServiceContext context = builder(configuration).inPlaceOf(running).build();

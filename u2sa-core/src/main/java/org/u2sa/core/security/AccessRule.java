@@ -12,7 +12,7 @@ import org.u2sa.messages.schema.MessageType;
  * @param type message type; the rule includes its subclasses
  * @param roles roles that may publish it
  * @param kind class of message, which limits its rate per client
- * @param mayBeWill whether it may be a client's MQTT will, which the broker publishes for it
+ * @param mayBeWill whether it may be a client's MQTT will message
  */
 public record AccessRule(
     Channel<?> channel, MessageType<?> type, Set<AccessRole> roles, Kind kind, boolean mayBeWill) {

@@ -132,7 +132,7 @@ public final class AccessTable {
    * Rule for a message: that of its type, or of the nearest ancestor with a rule.
    *
    * @param channel a standard channel's name
-   * @param known what the message will be read as, {@link
+   * @param known type as which the message will be read, {@link
    *     org.u2sa.messages.schema.MessageTypes#nearest(List)}
    */
   public static Optional<AccessRule> rule(String channel, MessageType<?> known) {

@@ -38,7 +38,7 @@ final class CompositionOfRunning {
     directory = new ServiceDirectory(link.clock(), link::publish);
   }
 
-  /** Listens for {@link #LISTEN_S}.
+  /** Listens for a fixed time.
    *
    * @param stated autonomy stated in the vehicle's file
    */

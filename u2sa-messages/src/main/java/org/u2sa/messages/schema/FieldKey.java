@@ -9,7 +9,7 @@ final class FieldKey {
   private final int length;
   private final long[] words; // the bytes, big-endian; the last word is zero-padded
   private final long first; // first word: most names fit into two
-  private final long second; // 0 if there is none
+  private final long second; // 0 if none
   private final long firstMask; // bits of the first word used by the key
 
   private FieldKey(CborOutput encoded) {

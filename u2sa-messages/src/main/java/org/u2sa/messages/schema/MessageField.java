@@ -45,7 +45,7 @@ public abstract class MessageField<T extends U2SAData> {
   }
 
   /**
-   * "m", "rad", "m/s", …; empty if it has none. For the coordinates x and y see {@link #unitIn}.
+   * Unit: "m", "rad", "m/s", …; empty if none. For the coordinates x and y see {@link #unitIn}.
    */
   public final String unit() {
     return unit;
