@@ -26,7 +26,7 @@ public final class DeviceReader<R extends Device.Reading> {
   /**
    * The new reading since the last call, if any; call it at each step.
    *
-   * @param nowMicros the time now [µs of the run's clock]
+   * @param nowMicros current time [µs of the run's clock]
    */
   public Optional<R> next(long nowMicros) {
     watch.look(nowMicros);

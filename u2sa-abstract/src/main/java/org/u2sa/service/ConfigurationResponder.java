@@ -49,10 +49,10 @@ final class ConfigurationResponder {
         }
       };
 
-  private final Set<String> waiting = new HashSet<>(); // requests that are being written
+  private final Set<String> waiting = new HashSet<>(); // requests being written
   private final ConfigurationWriter writer;
   private final ChangeRate rate = new ChangeRate();
-  private long refused; // requests beyond the rate
+  private long refused; // requests above the rate limit
 
   ConfigurationResponder(U2SAService service) {
     this.service = service;
@@ -184,7 +184,7 @@ final class ConfigurationResponder {
   private WrittenChange write(Supplier<WrittenChange> change) {
     try {
       return change.get();
-    } catch (RuntimeException e) { // of the service's own check
+    } catch (RuntimeException e) { // thrown by the service's own check
       service.trouble("a change of the configuration could not be judged: " + e);
       return configuration.refuse("the service could not judge it: " + e);
     }
@@ -234,7 +234,7 @@ final class ConfigurationResponder {
    * Rate limit of configuration changes: a burst, then a fixed rate, per author and in total. The total matters because author names are not authenticated.
    */
   private static final class ChangeRate {
-    private static final int AUTHORS = 64; // that are told apart
+    private static final int AUTHORS = 64; // tracked individually
     private static final double EACH_AT_ONCE = 40;
     private static final double EACH_PER_S = 10;
     private static final double ALL_AT_ONCE = 80;
@@ -272,7 +272,7 @@ final class ConfigurationResponder {
     }
 
     /**
-     * Whether the author may ask for one more change; counts it if so.
+     * Whether the author may request another change; counts it if so.
      *
      * @param nowMicros time of the run's clock [µs]
      */

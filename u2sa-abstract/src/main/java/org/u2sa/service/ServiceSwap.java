@@ -33,11 +33,11 @@ public final class ServiceSwap {
   private final U2SAService successor;
   private final BooleanSupplier agreement;
   private final CountDownLatch decided = new CountDownLatch(1);
-  private volatile Stage stage = Stage.PREPARING; // written under this
+  private volatile Stage stage = Stage.PREPARING; // writes guarded by this
   private volatile String refusal = "";
-  private boolean prepared; // touched by the thread that orders, and later by one that refuses
+  private boolean prepared; // accessed by the ordering thread, later by one that refuses
   private volatile U2SAService
-      waiting; // the service on whose thread the outcome is awaited, or null
+      waiting; // service whose thread awaits the outcome; null if none
 
   /**
    * @param successor created with a context in place of the old service, and not started
@@ -77,7 +77,7 @@ public final class ServiceSwap {
     }
     move(Stage.PREPARING, Stage.ORDERED);
     old.life.wake();
-    if (!old.isRunning()) { // if it ended before it could know of the order
+    if (!old.isRunning()) { // ended before it saw the order
       refuse("it ended before");
     }
   }
@@ -105,7 +105,7 @@ public final class ServiceSwap {
    * clock, so that a simulation continues meanwhile.
    *
    * @param withinS timeout after which the request is withdrawn [s], because the old service may hang
-   * @return empty if the successor runs; otherwise why not, and the old one is as it was
+   * @return empty if the successor runs; otherwise the reason, and the old one is unaffected
    * @throws InterruptedException if the calling thread was interrupted; the order stands
    */
   public Optional<String> await(double withinS) throws InterruptedException {
@@ -117,7 +117,7 @@ public final class ServiceSwap {
     }
     if (!isDecided()) {
       refuse("it did not come to a pause between two messages within " + withinS + " s");
-      decided.await(); // if the swap has begun meanwhile, it ends soon
+      decided.await(); // a swap in progress ends soon
     }
     return outcome();
   }
@@ -127,7 +127,7 @@ public final class ServiceSwap {
     return decided.getCount() == 0;
   }
 
-  /** As {@link #await} says, of a swap that {@link #isDecided}. */
+  /** Result of {@link #await} once {@link #isDecided}. */
   public Optional<String> outcome() {
     return stage == Stage.REFUSED ? Optional.of(refusal) : Optional.empty();
   }
@@ -173,7 +173,7 @@ public final class ServiceSwap {
   }
 
   /**
-   * On the old service's thread between two messages. Returns whether the successor has taken over.
+   * Executes the swap on the old service's thread between two messages. Returns whether the successor has taken over.
    */
   boolean carryOut() {
     if (old.handling.contract().configurationWriter().isBusy()) {
@@ -213,7 +213,7 @@ public final class ServiceSwap {
     } else {
       successor.shutDown();
     }
-    if (old.life.isAskedToStop()) { // while it handed over
+    if (old.life.isAskedToStop()) { // told to stop during the hand-over
       successor.life.askToStop();
     }
     move(Stage.UNDER_WAY, Stage.DONE);
@@ -228,14 +228,14 @@ public final class ServiceSwap {
         successor.wiring.instance().orElse(""));
   }
 
-  /** Returns what was handed over; empty if that failed. */
+  /** Returns the state handed over; empty on failure. */
   private Optional<HandOver> handOver() {
     try {
       HandOver values = new HandOver(old.getClass().getName());
       old.handOver(values);
       successor.succession.takeOver(values);
       return Optional.of(values);
-    } catch (Exception | Error e) { // of code that was written for another moment
+    } catch (Exception | Error e) { // thrown by the author's code
       old.logFile().log(LogLevelEnum.ERROR, "handing over failed", e);
       refuse(Stage.UNDER_WAY, "handing over failed: " + e);
       return Optional.empty();

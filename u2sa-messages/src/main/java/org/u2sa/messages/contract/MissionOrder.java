@@ -79,7 +79,7 @@ public final class MissionOrder extends U2SAData {
     return put(FILE, value);
   }
 
-  /** INSERT: whether the goals are pursued at once, before the currently pursued goals. */
+  /** INSERT: whether to pursue the goals at once, and the current goals after them. */
   public boolean now() {
     return require(NOW);
   }
