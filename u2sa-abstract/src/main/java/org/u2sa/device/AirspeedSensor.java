@@ -12,10 +12,7 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the true airspeed that a pitot tube's pressure means, as the vehicle's speed through
- * the fluid along its forward axis, once for each reading. In: state, whose altitude says the
- * standard atmosphere's pressure and temperature where the device does not measure them. Out:
- * sensed-state.
+ * Publishes the true airspeed from a pitot tube's pressure, as the vehicle's forward speed through the fluid, once per reading. In: state, whose altitude gives the standard atmosphere's pressure and temperature if the device does not measure them. Out: sensed-state.
  */
 public final class AirspeedSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
@@ -59,14 +56,14 @@ public final class AirspeedSensor extends ProprioceptiveSensor {
   private final PitotTube tube;
   private final DeviceReader<PitotTube.Impact> reader;
   private final Settings<Tuning> tuning;
-  private double altitudeM; // newest known; sea level before
+  private double altitudeM; // latest; sea level until known
 
-  /** Called by the launcher: the pitot tube is the one that the configuration names. */
+  /** Launcher constructor: opens the configured pitot tube. */
   public AirspeedSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a pitot tube that the host made: a simulated one. */
+  /** Uses the given pitot tube, e.g. a simulated one. */
   public AirspeedSensor(ServiceContext context, PitotTube tube) {
     this(context, Optional.of(tube));
   }
@@ -105,7 +102,7 @@ public final class AirspeedSensor extends ProprioceptiveSensor {
     double impactPa = now.pressureFactor() * (impact.differentialPa() - now.zeroPressure());
     double speedMps = trueAirspeedMps(Math.max(0.0, impactPa), staticPa, temperatureK);
     double densityKgPerM3 = staticPa / (GAS_CONSTANT * temperatureK);
-    // q = ½ρV²: σ_V = σ_q / (ρV); towards rest no more than the speed that σ_q itself means
+    // q = ½ρV²: σ_V = σ_q / (ρV); near rest bounded by the speed that corresponds to σ_q
     double sigmaPa = now.pressureFactor() * now.pressureSigma();
     double noiseMps = Math.sqrt(2.0 * sigmaPa / densityKgPerM3);
     double sigmaMps = sigmaPa / (densityKgPerM3 * Math.max(speedMps, noiseMps));
@@ -126,8 +123,7 @@ public final class AirspeedSensor extends ProprioceptiveSensor {
   }
 
   /**
-   * Speed through subsonic air that makes that impact pressure (Gracey, NASA RP-1046, chapter 3),
-   * in air of that temperature.
+   * Subsonic true airspeed for an impact pressure (Gracey, NASA RP-1046, chapter 3) at the given temperature.
    */
   private static double trueAirspeedMps(double impactPa, double staticPa, double temperatureK) {
     double ratio = Math.pow(impactPa / staticPa + 1.0, (HEAT_RATIO - 1.0) / HEAT_RATIO);

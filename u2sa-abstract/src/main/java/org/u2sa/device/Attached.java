@@ -1,8 +1,7 @@
 package org.u2sa.device;
 
 /**
- * Something that can be disconnected and reconnected; {@link DeviceWatch} reports it in log and
- * health.
+ * A device that can be disconnected and reconnected; {@link DeviceWatch} reports both in log and health.
  */
 public interface Attached {
   /** Whether the device is connected. */
@@ -14,6 +13,6 @@ public interface Attached {
    */
   int connections();
 
-  /** What is wrong, for the log and the health report; empty if nothing is. */
+  /** Current fault, for the log and the health report; empty if none. */
   String trouble();
 }

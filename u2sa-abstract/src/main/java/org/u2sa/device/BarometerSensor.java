@@ -10,12 +10,11 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the altitude above mean sea level that a barometer's pressure means, in GLOBAL, once
- * for each reading. QNH and both sigmas may be changed in flight. Out: sensed-state.
+ * Publishes the altitude above mean sea level from a barometer's pressure, in GLOBAL, once per reading. QNH and both sigmas may be changed in flight. Out: sensed-state.
  */
 public final class BarometerSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
-  private static final double LEAST_PA = 5_000.0; // 20 km; what is beyond is no air
+  private static final double LEAST_PA = 5_000.0; // 20 km; lower pressures are implausible
   private static final double MOST_PA = 120_000.0;
 
   private static final Devices.Usual USUAL =
@@ -51,12 +50,12 @@ public final class BarometerSensor extends ProprioceptiveSensor {
   private final Settings<Tuning> tuning;
   private long refused;
 
-  /** Called by the launcher: the barometer is the one that the configuration names. */
+  /** Launcher constructor: opens the configured barometer. */
   public BarometerSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a barometer that the host made: a simulated one. */
+  /** Uses the given barometer, e.g. a simulated one. */
   public BarometerSensor(ServiceContext context, Barometer barometer) {
     this(context, Optional.of(barometer));
   }
@@ -75,7 +74,7 @@ public final class BarometerSensor extends ProprioceptiveSensor {
 
   private void use(Pressure pressure) {
     if (!(pressure.pascals() >= LEAST_PA && pressure.pascals() <= MOST_PA)) {
-      if (Long.bitCount(++refused) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      if (Long.bitCount(++refused) == 1) { // 1, 2, 4, 8…: limits the log
         trouble(
             ("the barometer says " + pressure.pascals() + " Pa, which is outside ")
                 + (LEAST_PA + "…" + MOST_PA + " Pa (" + refused + " times so far)"));

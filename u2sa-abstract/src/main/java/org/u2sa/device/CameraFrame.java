@@ -3,16 +3,14 @@ package org.u2sa.device;
 import java.util.Optional;
 
 /**
- * One picture of a camera. Pixels stay in the process that took them: a channel carries only what
- * is compressed, as {@link org.u2sa.messages.CameraImage}. Equal only to itself, so that no pixels
- * are compared.
+ * One frame of a camera. Pixels stay in the capturing process: channels only carry compressed images, as {@link org.u2sa.messages.CameraImage}. Compared by identity, to avoid comparing pixels.
  */
 public final class CameraFrame implements Device.Reading {
-  /** What the bytes of a frame are. */
+  /** Pixel format of a frame. */
   public enum PixelFormat {
-    /** One byte a pixel, row by row from the top: 0 black to 255 white. */
+    /** One byte per pixel, row-major from the top: 0 black to 255 white. */
     GREY8(1),
-    /** Three bytes a pixel, red, green and blue, row by row from the top. */
+    /** Three bytes per pixel, red, green and blue, row-major from the top. */
     RGB24(3),
     /** A JPEG file (ITU-T T.81). */
     JPEG(0);
@@ -23,7 +21,7 @@ public final class CameraFrame implements Device.Reading {
       this.bytesPerPixel = bytesPerPixel;
     }
 
-    /** Bytes of each pixel; 0 for a compressed format. */
+    /** Bytes per pixel; 0 for a compressed format. */
     public int bytesPerPixel() {
       return bytesPerPixel;
     }
@@ -31,13 +29,13 @@ public final class CameraFrame implements Device.Reading {
 
   /**
    * A pinhole camera's geometry (Hartley and Zisserman, Multiple View Geometry, 2nd ed., chapter
-   * 6): a point at x right, y down, z ahead of the lens is seen at column {@code focalX · x/z +
-   * centreX}, row {@code focalY · y/z + centreY}. Lens distortion is not part of it.
+   * 6): a point at x right, y down, z ahead of the lens is imaged at column {@code focalX · x/z +
+   * centreX}, row {@code focalY · y/z + centreY}. Without lens distortion.
    *
-   * @param focalX focal length in widths of a pixel, positive
-   * @param focalY focal length in heights of a pixel, positive
-   * @param centreX column of the optical axis; 0 is the middle of the leftmost pixels
-   * @param centreY row of the optical axis; 0 is the middle of the topmost pixels
+   * @param focalX focal length in pixel widths, positive
+   * @param focalY focal length in pixel heights, positive
+   * @param centreX column of the optical axis; 0 is the centre of the leftmost pixels
+   * @param centreY row of the optical axis; 0 is the centre of the topmost pixels
    */
   public record Intrinsics(double focalX, double focalY, double centreX, double centreY) {
     /**
@@ -59,11 +57,11 @@ public final class CameraFrame implements Device.Reading {
   private final Optional<Intrinsics> intrinsics;
 
   /**
-   * @param measuredAtMicros when its exposure began, or its bytes arrived [µs of the run's clock]
-   * @param width pixels of a row, positive
-   * @param height rows, positive
-   * @param pixels not to be changed any more: they are not copied
-   * @throws IllegalArgumentException if the bytes are not as many as size and format say
+   * @param measuredAtMicros start of exposure, or arrival of its bytes [µs of the run's clock]
+   * @param width width [px], positive
+   * @param height height [px], positive
+   * @param pixels bytes, not copied; the caller must not modify them afterwards
+   * @throws IllegalArgumentException if the number of bytes does not match size and format
    */
   public CameraFrame(
       long measuredAtMicros,
@@ -86,7 +84,7 @@ public final class CameraFrame implements Device.Reading {
     this.intrinsics = intrinsics;
   }
 
-  /** A frame in shades of grey, of a camera whose geometry is unknown. */
+  /** Creates a greyscale frame of a camera with unknown geometry. */
   public static CameraFrame grey(long measuredAtMicros, int width, int height, byte[] pixels) {
     return new CameraFrame(
         measuredAtMicros, width, height, PixelFormat.GREY8, pixels, Optional.empty());
@@ -97,27 +95,27 @@ public final class CameraFrame implements Device.Reading {
     return measuredAtMicros;
   }
 
-  /** Pixels of a row. */
+  /** Width [px]. */
   public int width() {
     return width;
   }
 
-  /** Number of rows. */
+  /** Height [px]. */
   public int height() {
     return height;
   }
 
-  /** What {@link #pixels} are. */
+  /** Format of {@link #pixels}. */
   public PixelFormat format() {
     return format;
   }
 
-  /** The picture itself; not to be changed. */
+  /** The image data; not to be modified. */
   public byte[] pixels() {
     return pixels;
   }
 
-  /** The camera's geometry; empty if it is unknown. */
+  /** The camera's geometry; empty if unknown. */
   public Optional<Intrinsics> intrinsics() {
     return intrinsics;
   }

@@ -6,13 +6,9 @@ import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A service that looks through a camera (thesis 3.2.2.3, 4.1.2): its author writes {@link #look}
- * and publishes what it finds. Out: sensed-objects; pixels only compressed, on images, for people
- * to look at.
+ * Base class of camera services (thesis 3.2.2.3, 4.1.2): subclasses implement {@link #look} and publish their detections. Out: sensed-objects; images, compressed and for people only.
  *
- * <p>A class of a system file has a public constructor (ServiceContext) for the camera that its
- * configuration names. With a further one (ServiceContext, Camera) the Android application passes
- * it the phone's camera.
+ * <p>A class in a system file needs a public constructor (ServiceContext), which uses the configured camera. With another constructor (ServiceContext, Camera) the Android application can pass the phone's camera.
  */
 public abstract class CameraSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 30.0;
@@ -32,21 +28,20 @@ public abstract class CameraSensor extends ExteroceptiveSensor {
   private final Camera camera;
   private final DeviceReader<CameraFrame> reader;
 
-  /** With the camera that the configuration names. */
+  /** Opens the configured camera. */
   protected CameraSensor(ServiceContext context, String serviceName) {
     this(context, serviceName, Optional.empty());
   }
 
-  /** With a camera that the host made: the phone's, a simulated one. Closed with the service. */
+  /** Uses the given camera, e.g. the phone's or a simulated one; it is closed with the service. */
   protected CameraSensor(ServiceContext context, String serviceName, Camera camera) {
     this(context, serviceName, Optional.of(camera));
   }
 
   /**
-   * The camera that a configuration names, opened without a service, for a command; the caller
-   * closes it.
+   * Opens the configured camera without a service, for commands; the caller closes it.
    *
-   * @throws org.u2sa.interfaces.BadInputException if no driver has the name
+   * @throws org.u2sa.interfaces.BadInputException if there is no such driver
    */
   public static Camera open(ServiceContext context) {
     return Devices.open(Camera.class, USUAL, context, Optional.empty());
@@ -59,7 +54,7 @@ public abstract class CameraSensor extends ExteroceptiveSensor {
     reader = new DeviceReader<>(this, "the camera", camera, silentAfterS);
   }
 
-  /** Looks at a frame, each at most once and the newest only, on the service's thread. */
+  /** Processes the latest frame, each frame at most once, on the service's thread. */
   protected abstract void look(CameraFrame frame);
 
   @Override

@@ -10,7 +10,7 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Publishes a compass's heading, clockwise from true north, in GLOBAL (thesis 4.6.3). In: state,
- * for the magnetic declination where the vehicle is. Out: sensed-state, once for each heading.
+ * for the magnetic declination at the vehicle's position. Out: sensed-state, once per heading.
  */
 public final class CompassSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
@@ -53,12 +53,12 @@ public final class CompassSensor extends ProprioceptiveSensor {
   private final HeadingReader reader;
   private boolean isWaitReported;
 
-  /** Called by the launcher: the compass is the one that the configuration names. */
+  /** Launcher constructor: opens the configured compass. */
   public CompassSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a compass that the host made: the phone's, a simulated one. */
+  /** Uses the given compass, e.g. the phone's or a simulated one. */
   public CompassSensor(ServiceContext context, Compass compass) {
     this(context, Optional.of(compass));
   }

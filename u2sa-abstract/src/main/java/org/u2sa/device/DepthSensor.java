@@ -11,8 +11,7 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes how deep a vehicle is, once for each reading of a pressure sensor under water: as
- * altitude in GLOBAL, or as z of a local frame. Out: sensed-state.
+ * Publishes the depth of a vehicle, once per reading of an underwater pressure sensor: as altitude in GLOBAL, or as z of a local frame. Out: sensed-state.
  */
 public final class DepthSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
@@ -24,7 +23,7 @@ public final class DepthSensor extends ProprioceptiveSensor {
           "IIO",
           "/sys/bus/iio/devices/iio:device0/in_pressure_input");
 
-  /** In which frame the depth is published. */
+  /** Frame of the published depth. */
   enum DepthFrame {
     GLOBAL,
     LOCAL_ENU,
@@ -85,12 +84,12 @@ public final class DepthSensor extends ProprioceptiveSensor {
   private final DeviceReader<Pressure> reader;
   private final Settings<Tuning> tuning;
 
-  /** Called by the launcher: the gauge is the one that the configuration names. */
+  /** Launcher constructor: opens the configured gauge. */
   public DepthSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a gauge that the host made: a simulated one. */
+  /** Uses the given gauge, e.g. a simulated one. */
   public DepthSensor(ServiceContext context, DepthGauge gauge) {
     this(context, Optional.of(gauge));
   }
@@ -112,7 +111,7 @@ public final class DepthSensor extends ProprioceptiveSensor {
   private StateInformation state(Pressure pressure) {
     Tuning now = tuning.get();
     double gaugePa = pressure.pascals() - now.surfacePressure();
-    // p = ρ g h (White, Fluid Mechanics, chapter 2); level: roll and pitch are not known
+    // p = ρ g h (White, Fluid Mechanics, chapter 2); assumes level: roll and pitch are unknown
     double depthM = gaugePa / (now.waterDensity() * Gravity.STANDARD_MPS2) - now.mountedZ();
     StateInformation state =
         new StateInformation().sensorName(sensorName()).zSigma(now.depthSigma());

@@ -4,9 +4,7 @@ import java.util.List;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Offers devices of one kind by name. A public class with a public constructor without parameters,
- * named in {@code META-INF/services/org.u2sa.device.DeviceProvider}: then every service of that
- * port accepts the names in its configuration.
+ * Offers devices of one kind by name. A public class with a public no-argument constructor, listed in {@code META-INF/services/org.u2sa.device.DeviceProvider}; every service of that port then accepts the names in its configuration.
  *
  * @param <D> the port
  */
@@ -16,7 +14,7 @@ public abstract class DeviceProvider<D extends Device<?>> {
 
   /**
    * @param port such as {@code Imu.class}
-   * @param names in a configuration, such as {@code VECTORNAV}; unique among the port's providers
+   * @param names names in a configuration, such as {@code VECTORNAV}; unique among the port's providers
    */
   protected DeviceProvider(Class<D> port, String... names) {
     this.port = port;
@@ -32,19 +30,17 @@ public abstract class DeviceProvider<D extends Device<?>> {
   }
 
   /**
-   * Records of {@link org.u2sa.interfaces.configuration.Variable}s of these devices beside the
-   * service's own. Any configuration of the port's services may set them, whichever device it
-   * names.
+   * Records of the {@link org.u2sa.interfaces.configuration.Variable}s of these devices, in addition to the service's own. Configurations of the port's services may set them regardless of the selected device.
    */
   protected List<Class<?>> variables() {
     return List.of();
   }
 
   /**
-   * Makes the device. Returns at once: the device need not be there yet.
+   * Creates the device. Returns immediately: the device need not be connected yet.
    *
-   * @param name the one of the names that the configuration has
-   * @param context of the service: its configuration, its clock
+   * @param name configured name
+   * @param context context of the service: configuration, clock
    * @throws org.u2sa.interfaces.BadInputException if a variable does not fit the device
    */
   protected abstract D open(String name, ServiceContext context);

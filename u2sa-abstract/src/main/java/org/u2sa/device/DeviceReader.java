@@ -4,8 +4,7 @@ import java.util.Optional;
 import org.u2sa.service.U2SAService;
 
 /**
- * Reads a device for the service that owns it: hands out each reading once, and reports in log and
- * health what is wrong with the device. Belongs to the service's thread.
+ * Reads a device for the service that owns it: returns each reading once, and reports device faults in log and health. Belongs to the service's thread.
  */
 public final class DeviceReader<R extends Device.Reading> {
   private final U2SAService service;
@@ -15,7 +14,7 @@ public final class DeviceReader<R extends Device.Reading> {
   private String said = "";
 
   /**
-   * @param name what the device is called in log and health
+   * @param name name of the device in log and health
    * @param silentAfterS time without a reading after which a connected device counts as silent [s]
    */
   public DeviceReader(U2SAService service, String name, Device<R> device, double silentAfterS) {
@@ -25,9 +24,9 @@ public final class DeviceReader<R extends Device.Reading> {
   }
 
   /**
-   * The reading that has come since the last call; at each step.
+   * The new reading since the last call, if any; call it at each step.
    *
-   * @param nowMicros the time now [µs of the run's clock]
+   * @param nowMicros current time [µs of the run's clock]
    */
   public Optional<R> next(long nowMicros) {
     watch.look(nowMicros);
@@ -43,12 +42,12 @@ public final class DeviceReader<R extends Device.Reading> {
     return newest;
   }
 
-  /** What the device said at the last call of {@link #next}, new or not. */
+  /** The reading at the last call of {@link #next}, new or not. */
   public Optional<R> latest() {
     return last;
   }
 
-  /** Trouble of a connected device, such as a refused setup; of a lost one the watch reports it. */
+  /** Reports faults of a connected device, such as a refused setup; the watch reports those of a lost one. */
   private void reportTrouble() {
     String trouble = device.isConnected() ? device.trouble() : "";
     if (!trouble.equals(said)) {

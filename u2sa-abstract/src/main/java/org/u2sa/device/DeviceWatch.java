@@ -5,19 +5,18 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.U2SAService;
 
 /**
- * Reports in a service's log and health when its device is lost, falls silent, sends what cannot be
- * read, and comes back. Belongs to the service's thread.
+ * Reports in a service's log and health when its device is lost, falls silent, sends malformed data, or recovers. Belongs to the service's thread.
  */
 public final class DeviceWatch {
   private static final long NEVER_HEARD = Long.MIN_VALUE;
-  private static final long GRACE_MICROS = Clock.micros(2.0); // to be found at the start
+  private static final long GRACE_MICROS = Clock.micros(2.0); // to connect at the start
 
   private final U2SAService service;
   private final String device;
   private final Attached link;
   private final long silentMicros;
   private int connections;
-  private Optional<Boolean> told = Optional.empty(); // whether it was said to be there or lost
+  private Optional<Boolean> told = Optional.empty(); // last reported state: connected or lost
   private long firstMicros = NEVER_HEARD;
   private boolean wasHeard = true;
   private long sinceMicros = NEVER_HEARD;
@@ -25,10 +24,9 @@ public final class DeviceWatch {
   private long malformed;
 
   /**
-   * @param service whose log and health
-   * @param device what it is called there
-   * @param silentAfterS time without anything readable after which a device that is there counts as
-   *     silent [s]
+   * @param service service whose log and health are used
+   * @param device name of the device there
+   * @param silentAfterS time without a readable message after which a connected device counts as silent [s]
    */
   public DeviceWatch(U2SAService service, String device, Attached link, double silentAfterS) {
     this.service = service;
@@ -40,7 +38,7 @@ public final class DeviceWatch {
   /**
    * Checks the device; at each step, before reading.
    *
-   * @return whether it was found anew since the last call: parsers begin anew, and it is set up
+   * @return whether it has reconnected since the last call: parsers reset, and it is set up
    */
   public boolean look(long nowMicros) {
     boolean isConnected = link.isConnected();
@@ -87,7 +85,7 @@ public final class DeviceWatch {
     return Math.max(sinceMicros, heardMicros);
   }
 
-  /** Takes note that the device said something readable. */
+  /** Records that the device sent a readable message. */
   public void heard(long nowMicros) {
     heardMicros = nowMicros;
     if (!wasHeard) {
@@ -96,7 +94,7 @@ public final class DeviceWatch {
     }
   }
 
-  /** Whether the device is there and said something readable lately. */
+  /** Whether the device is connected and has recently sent a readable message. */
   public boolean isHeard(long nowMicros) {
     return heardMicros != NEVER_HEARD
         && nowMicros - heardMicros <= silentMicros
@@ -104,11 +102,10 @@ public final class DeviceWatch {
   }
 
   /**
-   * Takes note of what could not be read; said at the 1st, 2nd, 4th, 8th, …: a flood does not fill
-   * the log.
+   * Records malformed data; logged at the 1st, 2nd, 4th, 8th, … so that a flood does not fill the log.
    *
    * @param total since the start
-   * @param why the last one could not be read; empty if that is not known
+   * @param why the last one was malformed; empty if unknown
    */
   public void malformed(long total, String why) {
     if (Long.highestOneBit(total) > Long.highestOneBit(malformed)) {

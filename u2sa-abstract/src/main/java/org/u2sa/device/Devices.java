@@ -13,15 +13,15 @@ import org.u2sa.service.ServiceContext;
 
 /** Finds the device that a service's configuration names among all {@link DeviceProvider}s. */
 public final class Devices {
-  /** What a configuration may name the device that the host made. */
+  /** Name in a configuration for a device that the host provides. */
   public static final String SIMULATED = "SIMULATED";
 
   private Devices() {}
 
   /**
-   * What a service's configuration says of its device, if it says nothing.
+   * Defaults of a service's device configuration.
    *
-   * @param noun what the device is called in descriptions: {@code compass}
+   * @param noun name of the device in descriptions: {@code compass}
    * @param variable that names the device's driver: {@code COMPASS}
    * @param driver its default
    * @param connection default of the variable CONNECTION
@@ -32,8 +32,8 @@ public final class Devices {
    * The device of a service. Declares CONNECTION, the variable that names the driver, and the
    * variables of all the port's drivers.
    *
-   * @param made by the host, such as a phone or a simulation: used whatever the configuration says
-   * @throws BadInputException if no driver has the name, or two have it
+   * @param made device provided by the host, such as a phone or a simulation; overrides the configuration
+   * @throws BadInputException if there is no such driver, or more than one
    */
   public static <D extends Device<?>> D open(
       Class<D> port, Usual usual, ServiceContext context, Optional<D> made) {

@@ -5,18 +5,18 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.U2SAService;
 
-/** Reads a satellite receiver for a service, and reports when it loses or finds its fix. */
+/** Reads a GNSS receiver for a service, and reports loss and recovery of the fix. */
 public final class FixReader {
   private final U2SAService service;
   private final String sensorName;
   private final DeviceReader<GpsFix> reader;
   private final long delayMicros;
-  private boolean hasFix = true; // so that a receiver without a fix from the start is reported, too
+  private boolean hasFix = true; // so that a receiver without an initial fix is reported too
 
   /**
-   * @param sensorName in messages
+   * @param sensorName sensor name for messages
    * @param silentAfterS time without a reading after which the receiver counts as silent [s]
-   * @param delayS from the moment that a fix is of to its reading's time [s]
+   * @param delayS latency from a fix's validity to its reading's timestamp [s]
    */
   public FixReader(
       U2SAService service,
@@ -31,8 +31,7 @@ public final class FixReader {
   }
 
   /**
-   * The state of a new valid fix, in GLOBAL, at the moment that the fix is of, to be published; at
-   * each step.
+   * Returns the state from a new valid fix, in GLOBAL, timestamped with its validity, for publishing; call it at each step.
    */
   public Optional<StateInformation> next(long nowMicros) {
     Optional<GpsFix> fix = reader.next(nowMicros);

@@ -5,19 +5,19 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Where a receiver was at one moment. What the receiver does not say is empty.
+ * A receiver's position and velocity at one time. Values not provided by the receiver are empty.
  *
- * @param measuredAtMicros when it was measured, or its first byte arrived [µs of the run's clock]
+ * @param measuredAtMicros time of measurement, or arrival of its first byte [µs of the run's clock]
  * @param latitudeDeg WGS 84 [deg], north positive, −90…90; 0 if not {@code valid}
  * @param longitudeDeg WGS 84 [deg], east positive, −180…180; 0 if not {@code valid}
  * @param altitudeM above mean sea level [m], up positive
- * @param eastMps velocity over ground [m/s]
- * @param northMps velocity over ground [m/s]
- * @param upMps velocity upwards [m/s]
+ * @param eastMps east velocity over ground [m/s]
+ * @param northMps north velocity over ground [m/s]
+ * @param upMps up velocity [m/s]
  * @param horizontalSigmaM standard deviation of the position along each horizontal axis [m]
  * @param verticalSigmaM standard deviation of the altitude [m]
- * @param satellites how many were used; 0 if unknown
- * @param valid whether the receiver stands by its position; if not, no other number counts
+ * @param satellites number of satellites used; 0 if unknown
+ * @param valid whether the receiver marks the position as valid; if not, all other numbers are meaningless
  */
 public record GpsFix(
     long measuredAtMicros,
@@ -50,7 +50,7 @@ public record GpsFix(
         false);
   }
 
-  /** A valid fix as a new State Information in GLOBAL, at its own time; without a sensor's name. */
+  /** Converts a valid fix to a new State Information in GLOBAL with the fix's time, without a sensor name. */
   public StateInformation toState() {
     StateInformation state =
         new StateInformation().referenceFrame(ReferenceFrame.GLOBAL).x(longitudeDeg).y(latitudeDeg);

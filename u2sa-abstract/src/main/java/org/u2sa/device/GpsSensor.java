@@ -7,11 +7,10 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes where a satellite receiver is and how it moves over ground, in GLOBAL, once for each
- * fix (thesis 4.6.3). Out: sensed-state. Nothing while the receiver has no fix, or nothing new.
+ * Publishes position and velocity over ground of a GNSS receiver, in GLOBAL, once per fix (thesis 4.6.3). Out: sensed-state, only for new fixes.
  */
 public final class GpsSensor extends ProprioceptiveSensor {
-  private static final double STEPS_PER_S = 50.0; // a fix waits for its step 10 ms on average
+  private static final double STEPS_PER_S = 50.0; // average latency of a fix: 10 ms
 
   private static final Devices.Usual USUAL =
       new Devices.Usual("receiver", "RECEIVER", "NMEA", "serial:/dev/ttyUSB0?baud=9600");
@@ -36,12 +35,12 @@ public final class GpsSensor extends ProprioceptiveSensor {
   private final GpsReceiver receiver;
   private final FixReader reader;
 
-  /** Called by the launcher: the receiver is the one that the configuration names. */
+  /** Launcher constructor: opens the configured receiver. */
   public GpsSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a receiver that the host made: the phone's, a simulated one. */
+  /** Uses the given receiver, e.g. the phone's or a simulated one. */
   public GpsSensor(ServiceContext context, GpsReceiver receiver) {
     this(context, Optional.of(receiver));
   }

@@ -7,7 +7,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.U2SAService;
 
-/** Reads a compass for a service, and turns its headings into the vehicle's true ones. */
+/** Reads a compass for a service, and converts its headings to true headings of the vehicle. */
 public final class HeadingReader {
   private final String sensorName;
   private final DeviceReader<Heading> reader;
@@ -18,12 +18,12 @@ public final class HeadingReader {
   private boolean waits;
 
   /**
-   * @param sensorName in messages
+   * @param sensorName sensor name for messages
    * @param silentAfterS time without a reading after which the compass counts as silent [s]
-   * @param north turns its headings into true ones
-   * @param mountingRad where the compass's front points, clockwise from the vehicle's [rad]
+   * @param north converts its headings to true ones
+   * @param mountingRad direction of the compass's front, clockwise from the vehicle's [rad]
    * @param sigmaRad standard deviation of a heading [rad]
-   * @param delayS from the moment that a heading is of to its reading's time [s]
+   * @param delayS latency from a heading's validity to its reading's timestamp [s]
    */
   public HeadingReader(
       U2SAService service,
@@ -42,14 +42,13 @@ public final class HeadingReader {
     delayMicros = Clock.micros(delayS);
   }
 
-  /** Takes the vehicle's position for the declination, as {@link TrueNorth#at}. */
+  /** Sets the vehicle's position for the declination, like {@link TrueNorth#at}. */
   public void at(StateInformation state, long nowMicros) {
     north.at(state, nowMicros);
   }
 
   /**
-   * The state of a new heading, in GLOBAL, at the moment that the heading is of, to be published;
-   * at each step.
+   * Returns the state from a new heading, in GLOBAL, timestamped with its validity, for publishing; call it at each step.
    */
   public Optional<StateInformation> next(long nowMicros) {
     Optional<Heading> heading = reader.next(nowMicros);
@@ -58,7 +57,7 @@ public final class HeadingReader {
     return state;
   }
 
-  /** Whether the last call of {@link #next} dropped a heading, as true north is not known yet. */
+  /** Whether the last call of {@link #next} dropped a heading because true north is not known yet. */
   public boolean waitsForPosition() {
     return waits;
   }

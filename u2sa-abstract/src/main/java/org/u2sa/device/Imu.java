@@ -1,4 +1,4 @@
 package org.u2sa.device;
 
-/** An inertial measurement unit that knows its attitude: {@link Orientation}. */
+/** An inertial measurement unit with attitude estimation: {@link Orientation}. */
 public interface Imu extends Device<Orientation> {}

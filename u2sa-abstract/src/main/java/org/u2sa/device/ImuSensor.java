@@ -13,14 +13,11 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes an IMU's attitude and its rates, in GLOBAL, once for each reading (thesis 4.1.1), and
- * what its gyroscopes and accelerometers measured, in BODY_FRD, as a source "… inertial" of its
- * own. Heading is left out while true north is not known. In: state, for the magnetic declination
- * where the vehicle is. Out: sensed-state.
+ * Publishes an IMU's attitude and attitude rates, in GLOBAL, once per reading (thesis 4.1.1), and its gyroscope and accelerometer measurements, in BODY_FRD, as a separate source "… inertial". Heading is omitted while true north is unknown. In: state, for the magnetic declination at the vehicle's position. Out: sensed-state.
  */
 public final class ImuSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
-  private static final String INERTIAL = " inertial"; // of the sensor's name
+  private static final String INERTIAL = " inertial"; // suffix of the sensor's name
 
   private static final Devices.Usual USUAL =
       new Devices.Usual("IMU", "IMU", "VECTORNAV", "serial:/dev/ttyUSB2?baud=115200");
@@ -72,12 +69,12 @@ public final class ImuSensor extends ProprioceptiveSensor {
   private final TrueNorth north;
   private final Settings<Tuning> tuning;
 
-  /** Called by the launcher: the IMU is the one that the configuration names. */
+  /** Launcher constructor: opens the configured IMU. */
   public ImuSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With an IMU that the host made: the phone's, a simulated one. */
+  /** Uses the given IMU, e.g. the phone's or a simulated one. */
   public ImuSensor(ServiceContext context, Imu imu) {
     this(context, Optional.of(imu));
   }

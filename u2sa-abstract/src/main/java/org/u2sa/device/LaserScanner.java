@@ -4,12 +4,10 @@ import org.u2sa.messages.RangeScan;
 
 /** A scanning range finder. Closing it stops its motor and its laser. */
 public interface LaserScanner extends Device<LaserScanner.Scan> {
-  /**
-   * One whole scan.
+  /** One complete scan.
    *
    * @param measuredAtMicros time of its last beam
-   * @param beams all beams, with the time of the first [µs], along the scanner's own axes: x ahead,
-   *     y left; without the sensor's name and place
+   * @param beams all beams, with the time of the first [µs], in the scanner's own axes: x ahead, y left; without the sensor's name and mounting
    */
   record Scan(long measuredAtMicros, RangeScan beams) implements Reading {}
 }

@@ -9,14 +9,14 @@ import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the scans of a laser, beams without an echo included, with its place on the vehicle
+ * Publishes the scans of a lidar, including beams without an echo, with its mounting on the vehicle
  * (thesis 3.2.3.6, 4.1.1.1). Out: scans.
  */
 public final class LidarSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
   private static final double SILENT_AFTER_S = 1.0;
 
-  private static final Devices.Usual USUAL = // an RPLIDAR A1's USB adapter runs its motor so
+  private static final Devices.Usual USUAL = // works for an RPLIDAR A1 with USB adapter
       new Devices.Usual("laser", "LIDAR", "rplidar", "serial:/dev/ttyUSB0?baud=115200&dtr=off");
 
   private record Tuning(
@@ -43,12 +43,12 @@ public final class LidarSensor extends ExteroceptiveSensor {
   private final Settings<Tuning> tuning;
   private long scans;
 
-  /** Called by the launcher: the laser is the one that the configuration names. */
+  /** Launcher constructor: opens the configured lidar. */
   public LidarSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a laser that the host made: a simulated one. */
+  /** Uses the given lidar, e.g. a simulated one. */
   public LidarSensor(ServiceContext context, LaserScanner scanner) {
     this(context, Optional.of(scanner));
   }

@@ -1,38 +1,35 @@
 package org.u2sa.device;
 
 /**
- * Where magnetic north lies: the World Magnetic Model 2025 of NOAA's National Centers for
- * Environmental Information and the British Geological Survey, which holds from 2025.0 to 2030.0.
+ * Magnetic declination by the World Magnetic Model 2025 of NOAA's National Centers for
+ * Environmental Information and the British Geological Survey, valid from 2025.0 to 2030.0.
  *
- * <p>It knows the earth's core, not the iron of a vehicle, a bridge or the ground under it.
+ * <p>Models the core field only, not the iron of vehicles, bridges or the ground.
  */
 public final class MagneticModel {
-  /** The first moment for which the model was made [decimal year]. */
+  /** Start of the model's validity [decimal year]. */
   public static final double FIRST_YEAR = 2025.0;
 
-  /** The last moment for which the model was made [decimal year]. */
+  /** End of the model's validity [decimal year]. */
   public static final double LAST_YEAR = 2030.0;
 
   // World Geodetic System 1984
   private static final double EQUATOR_KM = 6378.137;
   private static final double FLATTENING = 1.0 / 298.257223563;
   private static final double ECCENTRICITY_2 = FLATTENING * (2.0 - FLATTENING);
-  private static final double LEAST_COSINE = 1e-10; // at a pole every direction is the same
+  private static final double LEAST_COSINE = 1e-10; // directions are undefined at the poles
   private static final double METRES_PER_KM = 1000.0;
 
   private MagneticModel() {}
 
   /**
-   * How far magnetic north lies clockwise (east) of true north [rad], −π…π: true heading = magnetic
-   * heading + declination. Within 2000 km of a magnetic pole it says little: compasses do not work
-   * there.
+   * Declination: angle of magnetic north clockwise (east) of true north [rad], −π…π; true heading = magnetic heading + declination. Of little use within 2000 km of a magnetic pole, where compasses do not work.
    *
    * @param latitudeDeg WGS 84 [deg], −90…90
    * @param longitudeDeg WGS 84 [deg], east positive; any number of turns
-   * @param altitudeM above the ellipsoid [m]; above mean sea level does as well
-   * @param decimalYear for example 2027.5; taken as {@link #FIRST_YEAR} or {@link #LAST_YEAR} if
-   *     outside, as for a vehicle whose clock was never set
-   * @throws IllegalArgumentException if one of them is not a number, or the latitude is outside
+   * @param altitudeM height above the ellipsoid [m]; altitude above mean sea level is accurate enough
+   * @param decimalYear for example 2027.5; clamped to {@link #FIRST_YEAR} and {@link #LAST_YEAR}, for example for a vehicle whose clock was never set
+   * @throws IllegalArgumentException if an argument is NaN, or the latitude is out of range
    */
   public static double declinationRad(
       double latitudeDeg, double longitudeDeg, double altitudeM, double decimalYear) {

@@ -4,30 +4,28 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * A controller of two motors with encoders. Both motors are off until it is told to drive, and when
- * it has not been told anything for its own time-out.
+ * A controller of two motors with encoders. Both motors are off until it is commanded, and after its own command time-out.
  */
 public interface MotorController extends Device<MotorController.Counts> {
   /**
-   * What it counted.
+   * Encoder counts.
    *
-   * @param measuredAtMicros time at which the counts were asked for
-   * @param first counts of the first motor's encoder, 32 bits that wrap
-   * @param second counts of the second motor's encoder, 32 bits that wrap
+   * @param measuredAtMicros time of the request
+   * @param first counts of the first motor's encoder, wrapping at 32 bits
+   * @param second counts of the second motor's encoder, wrapping at 32 bits
    * @param batteryV voltage of the motors' battery [V]; empty while unknown
    */
   record Counts(long measuredAtMicros, int first, int second, OptionalDouble batteryV)
       implements Reading {}
 
   /**
-   * {@inheritDoc} Unlike other ports: empty also after a loss, until the controller answers and is
-   * set up again. It drives only then.
+   * {@inheritDoc} Unlike other ports, also empty after a loss until the controller answers and is set up again, before which it does not drive.
    */
   @Override
   Optional<Counts> read(long nowMicros);
 
   /**
-   * Sets what the motors do from now on.
+   * Sets the power of both motors.
    *
    * @param first share of full power [%], −100…100
    * @param second share of full power [%], −100…100
@@ -35,23 +33,23 @@ public interface MotorController extends Device<MotorController.Counts> {
   void drive(double first, double second);
 
   /**
-   * Sets the speeds that the controller holds by its own loops from now on, until {@link #drive}.
+   * Sets the speeds that the controller's own loops hold until {@link #drive}.
    *
    * @param first counts of its encoder per second
    * @param second counts of its encoder per second
-   * @return false if the controller has no such loops: then nothing changes
+   * @return false, without effect, if the controller has no such loops
    */
   default boolean turn(double first, double second) {
     return false;
   }
 
-  /** Switches both motors off at once, whatever else is under way. */
+  /** Switches both motors off immediately, with priority over pending commands. */
   void stop(long nowMicros);
 
-  /** Lets go of the controller and leaves the motors as they are, for a successor. */
+  /** Releases the controller without changing the motors, for a successor. */
   void leave();
 
-  /** Switches both motors off and lets go of the controller. */
+  /** Switches both motors off and releases the controller. */
   @Override
   void close();
 }

@@ -5,8 +5,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * Where on the vehicle a sensor is, and how it is turned (thesis 4.1.2), in BODY: x forward, y
- * left, z down. The sensor's own axes are alike: x ahead of it, y to its left, z below.
+ * Position and orientation of a sensor on the vehicle (thesis 4.1.2), in BODY: x forward, y left, z down. The sensor's own axes follow the same convention: x ahead, y left, z down.
  */
 public record MountingPose(
     @Variable(
@@ -57,10 +56,10 @@ public record MountingPose(
             ifAbsent = 0,
             text = "Yaw of the sensor, to the left positive.")
         double yaw) {
-  /** What turns the sensor's vectors into the vehicle's; worth keeping for many points. */
+  /** Rotation from the sensor's axes to the vehicle's; reuse it for many points. */
   Turn turn() {
-    // BODY is left-handed: rotations are done in FRD axes, where y, roll and yaw have the other
-    // sign.
+    // BODY is left-handed: rotations are done in FRD axes, where y, roll and yaw have opposite
+    // signs.
     Rotation frd = Rotation.nedFromFrd(-roll, pitch, -yaw);
     return seen -> mirrored(frd.times(mirrored(seen))).plus(Point.of(x, y, z));
   }
@@ -69,10 +68,10 @@ public record MountingPose(
     return Point.of(point.x(), -point.y(), point.z());
   }
 
-  /** From the sensor's axes to BODY [m]. */
+  /** Converts from the sensor's axes to BODY [m]. */
   @FunctionalInterface
   interface Turn {
-    /** The same point in BODY. */
+    /** Converts a point to BODY. */
     Point toBody(Point seen);
   }
 }

@@ -2,7 +2,7 @@ package org.u2sa.device;
 
 import org.u2sa.interfaces.configuration.Variable;
 
-/** The configuration variables of whoever counts the turns of a left and a right wheel. */
+/** Configuration variables of wheel odometry. */
 record OdometryVariables(
     @Variable(
             min = 1,

@@ -5,17 +5,16 @@ import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Attitude and rates of an IMU at one moment. Axes: x forward, y right, z down.
+ * Attitude and rates of an IMU at one time. Axes: x forward, y right, z down.
  *
- * @param measuredAtMicros when it was measured, or its bytes arrived [µs of the run's clock]
- * @param rollRad right side down positive [rad], −π…π
- * @param pitchRad front up positive [rad], −π/2…π/2
- * @param heading clockwise from north
- * @param xRateRadPerS turning about its x axis [rad/s]
- * @param yRateRadPerS turning about its y axis [rad/s]
- * @param zRateRadPerS turning about its z axis [rad/s]
- * @param specificForce what the accelerometers felt along these axes [m/s²], about -9.8 along z at
- *     rest; empty if the unit does not say
+ * @param measuredAtMicros time of measurement, or arrival of its bytes [µs of the run's clock]
+ * @param rollRad roll, right side down positive [rad], −π…π
+ * @param pitchRad pitch, front up positive [rad], −π/2…π/2
+ * @param heading heading, clockwise from north
+ * @param xRateRadPerS angular rate about its x axis [rad/s]
+ * @param yRateRadPerS angular rate about its y axis [rad/s]
+ * @param zRateRadPerS angular rate about its z axis [rad/s]
+ * @param specificForce specific force along these axes [m/s²], about -9.8 along z at rest; empty if not provided
  */
 public record Orientation(
     long measuredAtMicros,
@@ -29,7 +28,7 @@ public record Orientation(
     implements Device.Reading {
   private static final double NEARLY_VERTICAL_RAD = Math.toRadians(89.0);
 
-  /** Of a unit that does not say what its accelerometers felt. */
+  /** Creates an orientation without specific force. */
   public Orientation(
       long measuredAtMicros,
       double rollRad,
@@ -50,8 +49,7 @@ public record Orientation(
   }
 
   /**
-   * Rates of roll, pitch and heading [rad/s]; empty where the front points nearly straight up or
-   * down, as roll and heading then are one and the same.
+   * Euler angle rates of roll, pitch and heading [rad/s]; empty near gimbal lock, with the front nearly straight up or down.
    */
   public Optional<Point> eulerRates() {
     return Math.abs(pitchRad) < NEARLY_VERTICAL_RAD

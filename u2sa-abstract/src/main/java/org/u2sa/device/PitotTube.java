@@ -4,12 +4,11 @@ import java.util.OptionalDouble;
 
 /** A pitot tube with a static port, and the pressure sensor between the two. */
 public interface PitotTube extends Device<PitotTube.Impact> {
-  /**
-   * What the air does to it.
+  /** Pressures and temperature of the air.
    *
-   * @param differentialPa total less static pressure [Pa]; a little below 0 at rest by noise
-   * @param staticPa static pressure [Pa]; empty if it is not measured
-   * @param temperatureK of the outside air [K]; empty if it is not measured
+   * @param differentialPa total minus static pressure [Pa]; may be slightly negative at rest because of noise
+   * @param staticPa static pressure [Pa]; empty if not measured
+   * @param temperatureK temperature of the outside air [K]; empty if not measured
    */
   record Impact(
       long measuredAtMicros,

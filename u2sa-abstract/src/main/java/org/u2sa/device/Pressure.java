@@ -3,11 +3,11 @@ package org.u2sa.device;
 import java.util.OptionalDouble;
 
 /**
- * Pressure of the air or water around a device at one moment.
+ * Pressure of the surrounding air or water at one time.
  *
- * @param measuredAtMicros when it was measured, or its bytes arrived [µs of the run's clock]
- * @param pascals against vacuum [Pa]; against the air at the surface for a gauge that says so
- * @param temperatureK of the fluid [K]; empty if it is not measured
+ * @param measuredAtMicros time of measurement, or arrival of its bytes [µs of the run's clock]
+ * @param pascals absolute pressure [Pa]; relative to the surface's air pressure for a gauge documented as such
+ * @param temperatureK temperature of the fluid [K]; empty if not measured
  */
 public record Pressure(long measuredAtMicros, double pascals, OptionalDouble temperatureK)
     implements Device.Reading {}

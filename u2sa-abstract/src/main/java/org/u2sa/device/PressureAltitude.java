@@ -3,7 +3,7 @@ package org.u2sa.device;
 import org.u2sa.messages.frame.Gravity;
 
 /**
- * Altitude and air by static pressure in the ICAO standard atmosphere (ICAO Doc 7488/3; ISO 2533),
+ * Altitude and air data from static pressure in the ICAO standard atmosphere (ICAO Doc 7488/3; ISO 2533),
  * −5…20 km.
  */
 public final class PressureAltitude {
@@ -23,8 +23,7 @@ public final class PressureAltitude {
   private PressureAltitude() {}
 
   /**
-   * Geopotential altitude at which the standard atmosphere has that pressure [m]: what an altimeter
-   * set to 1013.25 hPa shows.
+   * Pressure altitude: geopotential altitude of this pressure in the standard atmosphere [m], as an altimeter set to 1013.25 hPa shows.
    *
    * @param pascals static pressure [Pa], positive
    */
@@ -38,8 +37,7 @@ public final class PressureAltitude {
   }
 
   /**
-   * Geometric altitude above mean sea level [m], by an altimeter's setting: the setting moves the
-   * whole scale by its own standard altitude (ICAO Doc 8168, definition of QNH).
+   * Geometric altitude above mean sea level [m] for an altimeter setting, which shifts the scale by its own standard altitude (ICAO Doc 8168, definition of QNH).
    *
    * @param pascals static pressure [Pa], positive
    * @param qnhPa pressure at sea level today [Pa]
@@ -49,9 +47,9 @@ public final class PressureAltitude {
   }
 
   /**
-   * As {@link #altitudeM}, from a pressure altitude, as transponders say it.
+   * Like {@link #altitudeM}, from a pressure altitude, as reported by transponders.
    *
-   * @param standardM altitude by the setting 1013.25 hPa [m]
+   * @param standardM pressure altitude, setting 1013.25 hPa [m]
    */
   public static double aboveSeaM(double standardM, double qnhPa) {
     double geopotentialM = standardM - standardM(qnhPa);

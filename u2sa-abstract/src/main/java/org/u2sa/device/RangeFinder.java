@@ -2,12 +2,12 @@ package org.u2sa.device;
 
 import java.util.OptionalDouble;
 
-/** A range finder with one beam, such as a sonar. */
+/** A single-beam range finder, such as a sonar. */
 public interface RangeFinder extends Device<RangeFinder.Distance> {
   /**
-   * The nearest thing in the beam.
+   * The nearest object in the beam.
    *
-   * @param rangeM distance from the sensor [m], 0 or more; empty if nothing is in reach
+   * @param rangeM distance from the sensor [m], not negative; empty if nothing is in range
    */
   record Distance(long measuredAtMicros, OptionalDouble rangeM) implements Reading {}
 }

@@ -9,12 +9,11 @@ import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the nearest thing that a range finder with one beam sees, as a point in BODY (thesis
- * 4.1.2). Out: sensed-objects, once for each measurement with something in reach.
+ * Publishes the nearest object detected by a single-beam range finder, as a point in BODY (thesis 4.1.2). Out: sensed-objects, once per measurement with an object in range.
  */
 public final class RangeSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
-  private static final double SILENT_AFTER_S = 0.5; // the slowest measures 7 times a second
+  private static final double SILENT_AFTER_S = 0.5; // the slowest supported device measures at 7 Hz
 
   private static final Devices.Usual USUAL =
       new Devices.Usual("range finder", "MODEL", "LV", "serial:/dev/ttyUSB0?baud=9600");
@@ -23,12 +22,12 @@ public final class RangeSensor extends ExteroceptiveSensor {
   private final DeviceReader<RangeFinder.Distance> reader;
   private final MountingPose.Turn mounted;
 
-  /** Called by the launcher: the range finder is the one that the configuration names. */
+  /** Launcher constructor: opens the configured range finder. */
   public RangeSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a range finder that the host made: a simulated one. */
+  /** Uses the given range finder, e.g. a simulated one. */
   public RangeSensor(ServiceContext context, RangeFinder finder) {
     this(context, Optional.of(finder));
   }

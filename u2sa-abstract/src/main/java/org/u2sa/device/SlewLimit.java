@@ -4,8 +4,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Keeps a percentage from changing faster than gears and batteries like. It knows the last value,
- * so there is one for each motor. Not safe for several threads.
+ * Limits the slew rate of a percentage to protect gears and batteries. Keeps the last value, so use one per motor. Not thread-safe.
  */
 public final class SlewLimit {
   private static final double FULL_PERCENT = 100.0;
@@ -18,7 +17,7 @@ public final class SlewLimit {
   /**
    * At 0 %, at rest.
    *
-   * @param percentPerS fastest change [%/s], positive; infinite: none
+   * @param percentPerS slew-rate limit [%/s], positive; infinite for none
    * @throws BadInputException if it is not positive
    */
   public SlewLimit(double percentPerS) {
@@ -29,10 +28,10 @@ public final class SlewLimit {
   }
 
   /**
-   * One step towards a percentage.
+   * Moves one step toward a percentage.
    *
-   * @param target −100…100 [%]; beyond counts as the end, not a number as 0
-   * @param nowMicros time of the run's clock [µs]; the first step only starts the watch
+   * @param target target [%], clamped to −100…100; NaN counts as 0
+   * @param nowMicros time of the run's clock [µs]; the first step only starts the timer
    * @return the percentage to hold now
    */
   public double towards(double target, long nowMicros) {
@@ -49,18 +48,18 @@ public final class SlewLimit {
     return percent;
   }
 
-  /** Falls to 0 % at once: what must stop does not wait. The next step starts from there. */
+  /** Drops to 0 % immediately, because stops are not limited. The next step starts from there. */
   public void rest(long nowMicros) {
     percent = 0.0;
     began(nowMicros);
   }
 
-  /** What it holds now [%]. */
+  /** Current value [%]. */
   public double percent() {
     return percent;
   }
 
-  /** Goes on from what another limit held [%]: the next step starts the watch from there. */
+  /** Starts from the value of another limiter [%] (bumpless transfer); the next step starts the timer. */
   public void goOnFrom(double held) {
     percent = held;
     hasBegun = false;

@@ -12,8 +12,7 @@ import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the nearest strong echo of each of a scanning sonar's pings, several pings as one scan,
- * those without an echo included (thesis 4.1.1.1). Out: scans.
+ * Publishes the nearest strong echo of each ping of a scanning sonar; batches pings into one scan, including those without an echo (thesis 4.1.1.1). Out: scans.
  */
 public final class SonarSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
@@ -54,12 +53,12 @@ public final class SonarSensor extends ExteroceptiveSensor {
   private long lastMicros;
   private double reachM;
 
-  /** Called by the launcher: the sonar is the one that the configuration names. */
+  /** Launcher constructor: opens the configured sonar. */
   public SonarSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a sonar that the host made: a simulated one. */
+  /** Uses the given sonar, e.g. a simulated one. */
   public SonarSensor(ServiceContext context, Sonar sonar) {
     this(context, Optional.of(sonar));
   }

@@ -3,17 +3,16 @@ package org.u2sa.device;
 import java.util.OptionalDouble;
 
 /**
- * One propeller and its motor. Off until it is told to thrust, and when it has not been told
- * anything for its own time-out.
+ * A propeller with its motor. Off until commanded, and after its own command time-out.
  */
 public interface Thruster extends Device<Thruster.Turning> {
   /**
-   * What it measured. What the thruster does not measure is empty.
+   * Measurements of the thruster; those not provided are empty.
    *
-   * @param rpm of the propeller, positive where it pushes forward [1/min]
-   * @param thrustN forward positive [N]
-   * @param currentA from its battery [A]
-   * @param batteryV voltage of its battery [V]
+   * @param rpm propeller speed, positive for forward thrust [1/min]
+   * @param thrustN thrust, forward positive [N]
+   * @param currentA battery current [A]
+   * @param batteryV battery voltage [V]
    */
   record Turning(
       long measuredAtMicros,
@@ -24,19 +23,19 @@ public interface Thruster extends Device<Thruster.Turning> {
       implements Reading {}
 
   /**
-   * Sets what it does from now on.
+   * Sets the power.
    *
-   * @param percent share of full power, forward positive [%], −100…100
+   * @param percent percentage of full power, forward positive [%], −100…100
    */
   void thrust(double percent);
 
-  /** Switches it off at once, whatever else is under way. */
+  /** Switches it off immediately, with priority over pending commands. */
   void stop(long nowMicros);
 
-  /** Lets go of the thruster and leaves it as it is, for a successor. */
+  /** Releases the thruster without changing it, for a successor. */
   void leave();
 
-  /** Switches it off and lets go of it. */
+  /** Switches it off and releases it. */
   @Override
   void close();
 }

@@ -18,16 +18,14 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * One thruster, such as a boat has two of and an underwater vehicle six (thesis 3.2.2.5). In:
- * actuation, emergency-stop, arming-state. Out: actuators, its announcement with its place and
- * direction (thesis 5.1); power, if the thruster measures its battery.
+ * Actuator service of one thruster, of which a boat may have two and an underwater vehicle six (thesis 3.2.2.5). In: actuation, emergency-stop, arming-state. Out: actuators, its announcement with position and direction (thesis 5.1); power, if the thruster measures its battery.
  */
 public final class ThrusterActuator extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;
   private static final double BATTERY_EVERY_S = 1.0;
-  private static final double SURELY_TURNING_PERCENT = 20.0; // more than any motor needs to start
+  private static final double SURELY_TURNING_PERCENT = 20.0; // above any start threshold
   private static final double STANDING_RPM = 10.0;
-  private static final double STALL_PAUSE_S = 10.0; // then control may try again
+  private static final double STALL_PAUSE_S = 10.0; // before control may try again
   private static final double THRUST_EXPONENT = 2.0; // T ~ n|n| (Fossen 2011, eq. 9.9)
   private static final double ALL_PERCENT = 100.0;
   private static final String SLEW = "SLEW";
@@ -50,12 +48,12 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
   private boolean isStallTold;
   private double stalledUntilS = Double.POSITIVE_INFINITY;
 
-  /** Called by the launcher: the thruster is the one that the configuration names. */
+  /** Launcher constructor: opens the configured thruster. */
   public ThrusterActuator(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a thruster that the host made: a simulated one. */
+  /** Uses the given thruster, e.g. a simulated one. */
   public ThrusterActuator(ServiceContext context, Thruster thruster) {
     this(context, Optional.of(thruster));
   }
@@ -103,7 +101,7 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
     return List.of(announcement);
   }
 
-  /** BODY (forward, left, down) as the announcement's forward, right, down. */
+  /** Converts BODY (forward, left, down) to the announcement's forward, right, down. */
   private static Point rightHanded(Point body) {
     return Point.of(body.x(), -body.y(), body.z());
   }
@@ -125,7 +123,7 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
     thruster.thrust(sign * percent);
     Optional<Thruster.Turning> news = reader.next(now);
     if (!thruster.isConnected()) {
-      slew.rest(now); // it comes back from 0, whatever is commanded then
+      slew.rest(now); // ramps up from 0 afterwards
     }
     news.ifPresent(turning -> use(turning, percent, nowS));
     if (nowS >= stalledUntilS) {
@@ -157,7 +155,7 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
     }
   }
 
-  /** A propeller that is caught in weeds, or whose motor is broken, does not turn. */
+  /** Detects a stalled propeller, for example caught in weeds or with a broken motor. */
   private void watchForStall(OptionalDouble rpm, double percent, double nowS) {
     boolean stands = rpm.isPresent() && Math.abs(rpm.getAsDouble()) < STANDING_RPM;
     if (!stands || Math.abs(percent) < SURELY_TURNING_PERCENT) {

@@ -2,7 +2,7 @@ package org.u2sa.device;
 
 import org.u2sa.interfaces.configuration.Variable;
 
-/** The configuration variables of {@link ThrusterActuator}, its {@link MountingPose} aside. */
+/** Configuration variables of {@link ThrusterActuator}, except its {@link MountingPose}. */
 record ThrusterVariables(
     @Variable(
             ifAbsentText = "",

@@ -7,17 +7,17 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * The newest report of each target, for receivers that hear one at a time. Not for several threads.
+ * The latest report of each target, for receivers that report one target at a time. Not thread-safe.
  */
 public final class TrafficPicture {
   private static final long FORGOTTEN_AFTER_MICROS = Clock.micros(60.0);
-  private static final int MOST = 1_000; // a liar must not fill the memory
+  private static final int MOST = 1_000; // caps memory against spoofed traffic
 
   private final Map<String, TrafficTarget> targets = new TreeMap<>();
   private Optional<TrafficReceiver.Traffic> latest = Optional.empty();
 
   /**
-   * Takes a report; of an unknown target only while there are fewer than a thousand.
+   * Adds a report; a new target is ignored if there are already a thousand.
    *
    * @param nowMicros time of the run's clock [µs], never less than at the last call
    */
@@ -29,7 +29,7 @@ public final class TrafficPicture {
     alive(nowMicros);
   }
 
-  /** Takes note that the receiver is alive: the same targets are now known to be all. */
+  /** Refreshes the list without changes after a sign of life from the receiver. */
   public void alive(long nowMicros) {
     latest = Optional.of(new TrafficReceiver.Traffic(nowMicros, List.copyOf(targets.values())));
   }

@@ -5,11 +5,10 @@ import java.util.List;
 /** A receiver of other traffic's reports (ADS-B, AIS), or a radar that tracks. */
 public interface TrafficReceiver extends Device<TrafficReceiver.Traffic> {
   /**
-   * All that is known of the surroundings.
+   * Known traffic in the surroundings.
    *
-   * @param measuredAtMicros when the receiver last said something
-   * @param targets one for each id, in the order of ids, with the time at which each was heard;
-   *     those not heard for a minute are left out
+   * @param measuredAtMicros time of the receiver's last message
+   * @param targets one per id, sorted by id, with the time of its last report; targets silent for a minute are omitted
    */
   record Traffic(long measuredAtMicros, List<TrafficTarget> targets) implements Reading {}
 }

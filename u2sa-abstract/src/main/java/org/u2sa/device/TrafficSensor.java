@@ -18,9 +18,7 @@ import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes other traffic as balls that move and that nobody may enter, in GLOBAL, each once for
- * each report of it (thesis 4.4.1.3). In: state, whose altitude is assumed of a target that does
- * not say its own. Out: sensed-objects, uid {@code traffic} and the target's id.
+ * Publishes other traffic as moving keep-out spheres, in GLOBAL, once per report (thesis 4.4.1.3). In: state, whose altitude is assumed for targets that do not report theirs. Out: sensed-objects, uid {@code traffic} and the target's id.
  */
 public final class TrafficSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 20.0;
@@ -89,15 +87,15 @@ public final class TrafficSensor extends ExteroceptiveSensor {
   private final TrafficReceiver receiver;
   private final DeviceReader<TrafficReceiver.Traffic> reader;
   private final Settings<Tuning> tuning;
-  private final Map<String, Long> published = new HashMap<>(); // when each was heard
+  private final Map<String, Long> published = new HashMap<>(); // time of each target's last report
   private double ownAltitudeM;
 
-  /** Called by the launcher: the receiver is the one that the configuration names. */
+  /** Launcher constructor: opens the configured receiver. */
   public TrafficSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a receiver that the host made: a simulated one. */
+  /** Uses the given receiver, e.g. a simulated one. */
   public TrafficSensor(ServiceContext context, TrafficReceiver receiver) {
     this(context, Optional.of(receiver));
   }

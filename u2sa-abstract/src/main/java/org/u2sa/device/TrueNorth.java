@@ -11,8 +11,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Turns magnetic headings into true ones for the service that owns it: by a fixed declination, or
- * by that of the {@link MagneticModel} at the position in the vehicle's state.
+ * Converts magnetic to true headings for one service: by a fixed declination, or by the {@link MagneticModel} at the vehicle's position.
  */
 public final class TrueNorth {
   private static final double SAME_PLACE_DEG =
@@ -50,17 +49,16 @@ public final class TrueNorth {
   }
 
   /**
-   * Takes the vehicle's position, if the state has one in GLOBAL.
+   * Updates the vehicle's position if the state has one in GLOBAL.
    *
-   * @param nowMicros since 1970; in simulated time, which begins at 0, the model's first year
-   *     counts
+   * @param nowMicros time since 1970; simulated time, which starts at 0, is clamped to the model's first year
    */
   public void at(StateInformation state, long nowMicros) {
     if (!isModelled
         || state.x().isEmpty()
         || state.y().isEmpty()
         || state.referenceFrame() != ReferenceFrame.GLOBAL) {
-      return; // a local position says nothing of where on earth it is
+      return; // a local position is not a geographic one
     }
     double latitude = state.y().getAsDouble();
     double longitude = state.x().getAsDouble();
@@ -85,9 +83,9 @@ public final class TrueNorth {
   }
 
   /**
-   * A heading as a true one [rad, 0…2π]; empty while the declination is not known.
+   * Converts a heading to a true one [rad, 0…2π]; empty while the declination is unknown.
    *
-   * @param turnRad added to it: how far the vehicle's front lies clockwise of the compass's
+   * @param turnRad angle added to the heading: direction of the vehicle's front, clockwise from the compass's
    */
   public OptionalDouble of(Heading heading, double turnRad) {
     if (heading.isTrue()) {

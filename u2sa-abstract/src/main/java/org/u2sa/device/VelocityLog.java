@@ -2,18 +2,17 @@ package org.u2sa.device;
 
 import java.util.OptionalDouble;
 
-/** A Doppler velocity log, or a simpler log that measures some of its speeds. */
+/** A Doppler velocity log, or a simpler log that measures some of these speeds. */
 public interface VelocityLog extends Device<VelocityLog.Speeds> {
   /**
-   * The vehicle's speeds along its own axes, x forward, y left, z down. What is not measured, or
-   * not valid now, is empty.
+   * The vehicle's speeds along its own axes, x forward, y left, z down. Unmeasured and invalid values are empty.
    *
-   * @param groundX over the bottom, forward [m/s]
-   * @param groundY over the bottom, to the left [m/s]
-   * @param groundZ over the bottom, down [m/s]
-   * @param waterX through the water, forward [m/s]
-   * @param waterY through the water, to the left [m/s]
-   * @param waterZ through the water, down [m/s]
+   * @param groundX speed over ground, forward [m/s]
+   * @param groundY speed over ground, left [m/s]
+   * @param groundZ speed over ground, down [m/s]
+   * @param waterX speed through water, forward [m/s]
+   * @param waterY speed through water, left [m/s]
+   * @param waterZ speed through water, down [m/s]
    */
   record Speeds(
       long measuredAtMicros,
@@ -24,7 +23,7 @@ public interface VelocityLog extends Device<VelocityLog.Speeds> {
       OptionalDouble waterY,
       OptionalDouble waterZ)
       implements Reading {
-    /** Whether anything is measured. */
+    /** Whether any value is present. */
     public boolean isAny() {
       return groundX.isPresent()
           || groundY.isPresent()

@@ -12,9 +12,7 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes what a velocity log measures, in BODY: speed over the bottom as velocity, speed through
- * the water as that through the fluid; their difference is the current. Out: sensed-state, once for
- * each reading with something valid in it.
+ * Publishes a velocity log's measurements, in BODY: bottom track as velocity, water track as velocity through the fluid; their difference is the current. Out: sensed-state, once per reading with a valid value.
  */
 public final class WaterSpeedSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
@@ -49,12 +47,12 @@ public final class WaterSpeedSensor extends ProprioceptiveSensor {
   private final DeviceReader<VelocityLog.Speeds> reader;
   private final Settings<Tuning> tuning;
 
-  /** Called by the launcher: the log is the one that the configuration names. */
+  /** Launcher constructor: opens the configured log. */
   public WaterSpeedSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a velocity log that the host made: a simulated one. */
+  /** Uses the given velocity log, e.g. a simulated one. */
   public WaterSpeedSensor(ServiceContext context, VelocityLog velocityLog) {
     this(context, Optional.of(velocityLog));
   }

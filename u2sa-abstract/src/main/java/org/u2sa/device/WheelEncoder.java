@@ -1,13 +1,13 @@
 package org.u2sa.device;
 
-/** Encoders at a left and a right wheel, apart from what drives them. */
+/** Encoders of a left and a right wheel, separate from the motor controller. */
 public interface WheelEncoder extends Device<WheelEncoder.Ticks> {
   /**
-   * What they counted.
+   * Encoder counts.
    *
-   * @param measuredAtMicros time at which they were read
-   * @param left counts of the left wheel's encoder, forward positive, 32 bits that wrap
-   * @param right counts of the right wheel's encoder, forward positive, 32 bits that wrap
+   * @param measuredAtMicros time of reading
+   * @param left counts of the left wheel's encoder, forward positive, wrapping at 32 bits
+   * @param right counts of the right wheel's encoder, forward positive, wrapping at 32 bits
    */
   record Ticks(long measuredAtMicros, int left, int right) implements Reading {}
 }

@@ -8,9 +8,7 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes how fast a vehicle with a left and a right wheel goes and turns, in BODY, from encoders
- * that nobody else reads; {@link WheelMotors} does it for those of a motor controller (thesis
- * 4.1.1.1). Out: sensed-state.
+ * Publishes speed and yaw rate of a differential vehicle, in BODY, from standalone encoders; {@link WheelMotors} does so for those of a motor controller (thesis 4.1.1.1). Out: sensed-state.
  */
 public final class WheelEncoderSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
@@ -45,12 +43,12 @@ public final class WheelEncoderSensor extends ProprioceptiveSensor {
   private final long everyMicros;
   private long dueMicros = Long.MIN_VALUE;
 
-  /** Called by the launcher: the encoders are those that the configuration names. */
+  /** Launcher constructor: opens the configured encoders. */
   public WheelEncoderSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With encoders that the host made: simulated ones. */
+  /** Uses the given encoders, e.g. simulated ones. */
   public WheelEncoderSensor(ServiceContext context, WheelEncoder encoder) {
     this(context, Optional.of(encoder));
   }
@@ -70,7 +68,7 @@ public final class WheelEncoderSensor extends ProprioceptiveSensor {
   protected void step(double nowS) {
     Optional<WheelEncoder.Ticks> ticks = reader.next(clock().micros());
     if (!encoder.isConnected()) {
-      odometry.beginAnew(); // it may count from 0 again
+      odometry.beginAnew(); // counters may have been reset
     }
     ticks.filter(news -> news.measuredAtMicros() >= dueMicros).ifPresent(this::use);
   }

@@ -19,12 +19,9 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * The two wheels of a differential vehicle at one motor controller, one service because one serial
- * line (thesis 4.1.1.5). In: actuation, emergency-stop, arming-state. Out: sensed-state, the
- * wheels' speeds; power; actuators.
+ * Actuator and odometry service of a differential vehicle's motor controller; one service because both share a serial line (thesis 4.1.1.5). In: actuation, emergency-stop, arming-state. Out: sensed-state, from the wheels' speeds; power; actuators.
  *
- * <p>Both motors are off unless both have a command in time: half of a control system must not turn
- * the vehicle in circles.
+ * <p>Both motors are off unless both have a valid command: a partial failure of control must not drive the vehicle in circles.
  */
 public final class WheelMotors extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 100.0;
@@ -53,17 +50,17 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
   private final long stateEveryMicros;
   private final MotorController controller;
   private final DeviceReader<MotorController.Counts> reader;
-  private final long goesOnMicros; // how long the motors run on without being told to
-  private long turningUntilMicros = Long.MIN_VALUE; // taken over, not heard of yet
+  private final long goesOnMicros; // controller's time-out: motors keep running without commands
+  private long turningUntilMicros = Long.MIN_VALUE; // after a takeover, until the first reading
   private long stateDueMicros;
   private double batteryDueS;
 
-  /** Called by the launcher: the controller is the one that the configuration names. */
+  /** Launcher constructor: opens the configured controller. */
   public WheelMotors(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** With a controller that the host made: a simulated one. */
+  /** Uses the given controller, e.g. a simulated one. */
   public WheelMotors(ServiceContext context, MotorController controller) {
     this(context, Optional.of(controller));
   }
@@ -158,7 +155,7 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
     controller.drive(leftIsSecond ? rightDuty : leftDuty, leftIsSecond ? leftDuty : rightDuty);
   }
 
-  /** Has the controller hold both speeds, if speeds are commanded and it can. */
+  /** Makes the controller hold both speeds, if speeds are commanded and it supports that. */
   private boolean turn() {
     Optional<ActuatorCommand> left = commands.command(leftName);
     Optional<ActuatorCommand> right = commands.command(rightName);
@@ -181,7 +178,7 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
   private void lost(long nowMicros) {
     odometry.beginAnew();
     if (nowMicros >= turningUntilMicros) {
-      rest(nowMicros); // it comes back from 0, whatever is commanded then
+      rest(nowMicros); // ramps up from 0 afterwards
     }
   }
 

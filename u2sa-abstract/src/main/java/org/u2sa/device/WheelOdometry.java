@@ -6,8 +6,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * How fast a vehicle with a left and a right wheel goes and turns, from the counts of their
- * encoders (thesis 4.1.1.1: the X and Y speed fields).
+ * Speed and yaw rate of a differential vehicle from its wheel encoder counts (thesis 4.1.1.1: the X and Y speed fields).
  */
 final class WheelOdometry {
   // The ends of a span are each wrong by up to half a count: their difference has σ = 1/√6 counts.
@@ -23,10 +22,10 @@ final class WheelOdometry {
   private int right;
 
   /**
-   * @param metresPerCount way of a wheel at one count [m]
-   * @param trackM distance of the wheels [m]
-   * @param slip standard deviation of a speed, as a share of it
-   * @param fastestMps what is faster is no motion, but a controller that began to count anew [m/s]
+   * @param metresPerCount distance a wheel travels per count [m]
+   * @param trackM distance between the wheels [m]
+   * @param slip standard deviation of a speed, as a fraction of it
+   * @param fastestMps maximum plausible speed [m/s]; above it, the controller has restarted its counts
    */
   WheelOdometry(double metresPerCount, double trackM, double slip, double fastestMps) {
     this.metresPerCount = metresPerCount;
@@ -35,18 +34,17 @@ final class WheelOdometry {
     this.fastestMps = fastestMps;
   }
 
-  /** Forgets the last counts: the next ones only begin a span. */
+  /** Discards the last counts: the next ones only start an interval. */
   void beginAnew() {
     hasBegun = false;
   }
 
   /**
-   * The motion since the last call, in BODY: forward speed, none sideways, rate of turn to the
-   * left; a mean, at the time of the middle between the two calls.
+   * The motion since the last call, in BODY: forward speed, zero lateral speed, yaw rate (left positive); averaged, at the midpoint between the two calls.
    *
    * @param leftCounts forward positive; wraps at 32 bits
    * @param rightCounts likewise
-   * @return empty at the first call, without time between, and for jumps that no wheel makes
+   * @return empty at the first call, if no time has passed, and for implausible jumps
    */
   Optional<StateInformation> moved(long nowMicros, int leftCounts, int rightCounts) {
     double seconds = Clock.seconds(nowMicros - atMicros);

@@ -2,7 +2,7 @@ package org.u2sa.device;
 
 import org.u2sa.interfaces.configuration.Variable;
 
-/** The configuration variables of {@link WheelMotors}, its {@link OdometryVariables} aside. */
+/** Configuration variables of {@link WheelMotors}, except its {@link OdometryVariables}. */
 record WheelVariables(
     @Variable(
             unit = "s",

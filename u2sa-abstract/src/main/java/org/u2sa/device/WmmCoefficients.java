@@ -8,8 +8,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The Gauss coefficients of the World Magnetic Model, as NOAA publishes them in WMM.COF, and the
- * field that they make. Immutable.
+ * The Gauss coefficients of the World Magnetic Model, from NOAA's WMM.COF, and the resulting field. Immutable.
  */
 final class WmmCoefficients {
   private static final int DEGREE = 12;
@@ -18,12 +17,12 @@ final class WmmCoefficients {
   private static final String FILE = "WMM2025.COF";
   private static final int NUMBERS_A_LINE = 6;
 
-  private final double[] g = new double[SIDE * SIDE]; // nT, by n * SIDE + m
+  private final double[] g = new double[SIDE * SIDE]; // nT, at n * SIDE + m
   private final double[] h = new double[SIDE * SIDE];
-  private final double[] gDot = new double[SIDE * SIDE]; // nT a year
+  private final double[] gDot = new double[SIDE * SIDE]; // nT per year
   private final double[] hDot = new double[SIDE * SIDE];
 
-  /** Read when first needed, once. */
+  /** Loaded lazily, once. */
   private static final class Holder {
     static final WmmCoefficients WMM_2025 = new WmmCoefficients();
   }
@@ -39,7 +38,7 @@ final class WmmCoefficients {
       lines.readLine(); // epoch, name and date of issue
       for (String line = lines.readLine(); line != null; line = lines.readLine()) {
         String[] numbers = line.trim().split("\\s+");
-        if (numbers.length == NUMBERS_A_LINE) { // the file ends with lines of nines
+        if (numbers.length == NUMBERS_A_LINE) { // excludes the trailing lines of nines
           take(numbers);
         }
       }
@@ -59,7 +58,7 @@ final class WmmCoefficients {
     hDot[at] = schmidt * Double.parseDouble(numbers[5]);
   }
 
-  /** Takes a Gauss-normalised Legendre function to a Schmidt semi-normalised one. */
+  /** Factor from a Gauss-normalised to a Schmidt semi-normalised Legendre function. */
   private static double schmidt(int n, int m) {
     double factor = 1.0;
     for (int degree = 1; degree <= n; degree++) {
@@ -75,14 +74,14 @@ final class WmmCoefficients {
    * The field [nT] towards geocentric north, east and down (WMM2025 report, eq. 10 to 16).
    *
    * @param years since the model's epoch
-   * @param radiusKm from the earth's centre [km]
+   * @param radiusKm distance from the earth's centre [km]
    * @param sine of the geocentric latitude
    * @param cosine of the geocentric latitude, positive
    * @param longitudeRad east positive
    */
   double[] field(double years, double radiusKm, double sine, double cosine, double longitudeRad) {
     double[] p = new double[SIDE * SIDE]; // Gauss-normalised Legendre functions of the sine
-    double[] dp = new double[SIDE * SIDE]; // by the colatitude
+    double[] dp = new double[SIDE * SIDE]; // derivative by colatitude
     p[0] = 1.0;
     double north = 0.0;
     double east = 0.0;

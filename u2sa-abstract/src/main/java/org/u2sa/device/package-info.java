@@ -1,6 +1,4 @@
 /**
- * What a vehicle's devices are to the services that use them: one small port and one reading for
- * each kind, and the services that need no more than the port. What the bytes of a real device mean
- * belongs to {@code org.u2sa.drivers}, what a simulated one measures to {@code org.u2sa.sim}.
+ * Device ports: a small interface and a reading type for each kind of device, and the services that need only the port. Protocols of real devices are in {@code org.u2sa.drivers}, simulated devices in {@code org.u2sa.sim}.
  */
 package org.u2sa.device;

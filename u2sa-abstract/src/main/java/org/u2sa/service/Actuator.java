@@ -53,8 +53,7 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   protected void close() {}
 
   /**
-   * The announcement to control systems, from the configuration; subclasses add what they know
-   * better.
+   * The announcement to control systems, from the configuration; subclasses refine it.
    */
   protected ActuatorAnnouncement announcement() {
     return description.addTo(

@@ -74,8 +74,7 @@ public final class CommandedActuators {
     this(service, names, () -> {}, stopped);
   }
 
-  /**
-   * As the other.
+  /** Like the other constructor, with a listener for commands.
    *
    * @param commanded called when an actuator has a new percentage
    */
@@ -267,8 +266,7 @@ public final class CommandedActuators {
   }
 
   /**
-   * The command that an actuator should carry out now, as it was sent, for services that do more
-   * with an angle, speed or force than its {@link #percentage}; empty if that is.
+   * Current command of an actuator as sent, for services that use an angle, speed or force directly; empty if {@link #percentage} is.
    */
   public Optional<ActuatorCommand> command(String actuator) {
     return mayMove() ? commands.command(actuator) : Optional.empty();

@@ -27,8 +27,7 @@ import org.u2sa.messages.contract.ServiceMessage;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Answers for a service what others ask and change of its configuration (thesis 3.2.1.1). Runs on
- * the service's thread, but for checking and writing, which is {@link ConfigurationWriter}'s.
+ * Answers queries and change requests for a service's configuration (thesis 3.2.1.1). Runs on the service's thread, except for validation and writing, done by {@link ConfigurationWriter}.
  */
 final class ConfigurationResponder {
   private static final int REMEMBERED = 64;
@@ -38,7 +37,7 @@ final class ConfigurationResponder {
   private final U2SAService service;
   private final XmlConfiguration configuration;
 
-  /** The newest answers by request: a request that arrives twice is obeyed once. */
+  /** The newest answers by request: a duplicate request is executed once. */
   private final Map<String, ConfigurationTransactionResult> answered =
       new LinkedHashMap<>() {
         private static final long serialVersionUID = 1L;
@@ -50,10 +49,10 @@ final class ConfigurationResponder {
         }
       };
 
-  private final Set<String> waiting = new HashSet<>(); // requests that are being written
+  private final Set<String> waiting = new HashSet<>(); // requests being written
   private final ConfigurationWriter writer;
   private final ChangeRate rate = new ChangeRate();
-  private long refused; // requests beyond the rate
+  private long refused; // requests above the rate limit
 
   ConfigurationResponder(U2SAService service) {
     this.service = service;
@@ -77,7 +76,7 @@ final class ConfigurationResponder {
             && request.serviceName().equals(service.getServiceName());
   }
 
-  /** Answers a request that concerns this service, now or when what it asks for is written. */
+  /** Answers a request that concerns this service, now or when the change has been written. */
   void answer(U2SAData request) {
     if (request instanceof ConfigurationChange change) {
       change(change);
@@ -171,7 +170,7 @@ final class ConfigurationResponder {
     service.publish(Channels.CONFIGURATION, result);
   }
 
-  /** Has the change written, unless too many are asked for: then it is refused without a look. */
+  /** Queues the change for writing, or refuses it unread above the rate limit. */
   private void order(String author, Supplier<WrittenChange> write, Consumer<WrittenChange> answer) {
     boolean allowed = rate.allows(author, service.clock().micros());
     if (allowed && writer.order(new ConfigurationWriter.Order(() -> write(write), answer))) {
@@ -185,7 +184,7 @@ final class ConfigurationResponder {
   private WrittenChange write(Supplier<WrittenChange> change) {
     try {
       return change.get();
-    } catch (RuntimeException e) { // of the service's own check
+    } catch (RuntimeException e) { // thrown by the service's own check
       service.trouble("a change of the configuration could not be judged: " + e);
       return configuration.refuse("the service could not judge it: " + e);
     }
@@ -232,12 +231,10 @@ final class ConfigurationResponder {
   }
 
   /**
-   * How often a service's configuration may be changed: some changes at once, then so many a
-   * second, for each author and for all together. Authors say their names themselves, so the sum
-   * counts.
+   * Rate limit of configuration changes: a burst, then a fixed rate, per author and in total. The total matters because author names are not authenticated.
    */
   private static final class ChangeRate {
-    private static final int AUTHORS = 64; // that are told apart
+    private static final int AUTHORS = 64; // tracked individually
     private static final double EACH_AT_ONCE = 40;
     private static final double EACH_PER_S = 10;
     private static final double ALL_AT_ONCE = 80;
@@ -254,7 +251,7 @@ final class ConfigurationResponder {
         };
     private final Allowance all = new Allowance(ALL_AT_ONCE, ALL_PER_S);
 
-    /** What is left of an allowance that fills up with time. */
+    /** Token bucket. */
     private static final class Allowance {
       private final double most;
       private final double perS;
@@ -275,7 +272,7 @@ final class ConfigurationResponder {
     }
 
     /**
-     * Whether the author may ask for one more change; counts it if so.
+     * Whether the author may request another change; counts it if so.
      *
      * @param nowMicros time of the run's clock [µs]
      */

@@ -9,21 +9,18 @@ import org.u2sa.interfaces.configuration.WrittenChange;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Checks and writes the changes that others ask for, one after the other, on a thread of its own
- * that lives as long as there is something to write: the service's thread never waits for a disk.
- * What is written waits here until the service takes it, between two messages.
+ * Validates and writes requested changes sequentially on a separate thread that lives only while there is something to write, so that the service's thread never blocks on a disk. Written changes are queued until the service applies them between two messages.
  *
- * <p>The thread takes its turn on the run's clock as services do. So in a simulation the time
- * stands still until a change is written, and a run repeats whatever the disk does.
+ * <p>The thread takes turns on the run's clock like services, so in a simulation time stops until a change is written, and runs are repeatable however slow the disk is.
  */
 final class ConfigurationWriter {
   private static final int CAPACITY = 32;
 
   /**
-   * A change that is to be written.
+   * A change to write.
    *
-   * @param write waits for the disk; on the writer's thread
-   * @param answer what the service does with what came of it, on the service's thread
+   * @param write blocks on the disk; called on the writer's thread
+   * @param answer handles the result, on the service's thread
    */
   record Order(Supplier<WrittenChange> write, Consumer<WrittenChange> answer) {}
 
@@ -32,14 +29,14 @@ final class ConfigurationWriter {
   private final U2SAService service;
   private final Queue<Order> orders = new ArrayDeque<>(); // guarded by this
   private final Queue<Done> done = new ConcurrentLinkedQueue<>();
-  private Clock.Waiter turn; // of the writing thread; null if there is none; guarded by this
+  private Clock.Waiter turn; // of the writer's thread; null if none; guarded by this
   private boolean closed; // guarded by this
 
   ConfigurationWriter(U2SAService service) {
     this.service = service;
   }
 
-  /** Has the change written soon. Returns false if too many wait already. */
+  /** Queues the change for writing. Returns false if the queue is full. */
   synchronized boolean order(Order order) {
     if (closed || orders.size() >= CAPACITY) {
       return false;
@@ -65,7 +62,7 @@ final class ConfigurationWriter {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (RuntimeException | Error e) {
-      service.life.die(e); // what kills the thread of a service's own would kill the service
+      service.life.die(e); // fatal, as on the service's own thread
     } finally {
       end(waiter);
     }
@@ -87,23 +84,23 @@ final class ConfigurationWriter {
     waiter.close();
   }
 
-  /** Whether a change is being written, or waits for the service to take it. */
+  /** Whether a change is being written or waits to be applied. */
   synchronized boolean isBusy() {
     return turn != null || !done.isEmpty();
   }
 
-  /** Whether something waits for {@link #handOver}. */
+  /** Whether a written change waits for {@link #handOver}. */
   boolean hasWritten() {
     return !done.isEmpty();
   }
 
-  /** On the service's thread: hands the oldest change over that was written. */
+  /** Applies the oldest written change; called on the service's thread. */
   void handOver() {
     Done next = done.remove();
     next.answer().accept(next.change());
   }
 
-  /** Begins nothing any more: the service ends. */
+  /** Accepts no further changes, because the service ends. */
   synchronized void close() {
     closed = true;
     orders.clear();

@@ -15,12 +15,10 @@ import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Answers what the service contract says every service answers (thesis 3.2.2.1): discovery,
- * functionality discovery and, by its {@link ConfigurationResponder}, configuration. Runs on the
- * service's thread; the stop command is judged here but obeyed by the service.
+ * Answers the requests of the service contract (thesis 3.2.2.1): discovery, functionality discovery and, by its {@link ConfigurationResponder}, configuration. Runs on the service's thread; the stop command is recognised here but executed by the service.
  */
 final class ContractResponder {
-  /** Where requests to every service come in. */
+  /** Channels of requests to every service. */
   static final List<Channel<?>> CHANNELS =
       List.of(Channels.DISCOVERY, Channels.FUNCTIONALITY, Channels.STOP, Channels.CONFIGURATION);
 
@@ -34,7 +32,7 @@ final class ContractResponder {
     wiring = service.wiring;
   }
 
-  /** Whether the message is an order to this service to stop. */
+  /** Whether the message orders this service to stop. */
   boolean isOrderToStop(Channel<?> channel, U2SAData message) {
     return channel.equals(Channels.STOP)
         && message instanceof StopCommand stop
@@ -66,7 +64,7 @@ final class ContractResponder {
     }
   }
 
-  /** What writes the changes of the configuration, off the service's thread. */
+  /** Writer of configuration changes, off the service's thread. */
   ConfigurationWriter configurationWriter() {
     return configuration.writer();
   }
@@ -89,7 +87,7 @@ final class ContractResponder {
     try {
       return InetAddress.getLocalHost().getHostName();
     } catch (UnknownHostException e) {
-      return "localhost"; // the machine has no entry for its own name; it is still this host
+      return "localhost"; // the host name does not resolve
     }
   }
 

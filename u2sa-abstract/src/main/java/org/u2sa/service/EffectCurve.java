@@ -9,16 +9,16 @@ import org.u2sa.messages.frame.Point;
  * command them.
  *
  * @param deadband command below which nothing moves [%, 0…99]
- * @param exponent of the growth beyond it; 1 is linear, propellers have about 2
+ * @param exponent beyond the dead band; 1 is linear, about 2 for propellers
  * @param forwardN force at +100 % [N]; NaN if unknown
  * @param reverseN force at −100 %, positive [N]; NaN if unknown
  */
 public record EffectCurve(double deadband, double exponent, double forwardN, double reverseN) {
-  /** Linear curve of unknown force. */
+  /** Linear curve with unknown force. */
   public static final EffectCurve LINEAR = new EffectCurve(0.0, 1.0, Double.NaN, Double.NaN);
 
   private static final double FULL_PERCENT = 100.0;
-  private static final double LEAST_SHARE = 1.0e-3; // below it the actuator stays where it is
+  private static final double LEAST_SHARE = 1.0e-3; // smaller effects leave the actuator unmoved
 
   /** The curve that an actuator announced. */
   public static EffectCurve of(ActuatorAnnouncement announced) {

@@ -7,13 +7,12 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 
 /**
- * An actuator's effect as configurations write it, in the vehicle's forward, right and down axes:
+ * Text form of an actuator's effect in configurations, in the vehicle's forward, right and down axes:
  *
  * <ul>
  *   <li>{@code thrust 40 / 30 at 0.16 -0.11 0.0 towards 1 1 0}: 40 N at +100 % and 30 N at −100 %
- *       (without the second number as much), at that place [m], in that direction of any length;
- *   <li>{@code wrench 0 0 0 900 0 40}: X, Y, Z [N] and K, M, N [N m] at +100 %; six more numbers
- *       after a / are those at −100 %.
+ *       (equal if the second number is omitted), at that position [m], in that direction of any length;
+ *   <li>{@code wrench 0 0 0 900 0 40}: X, Y, Z [N] and K, M, N [N m] at +100 %; six more numbers after a / give the effect at −100 %.
  * </ul>
  *
  * @param force at +100 % [N]
@@ -27,7 +26,7 @@ record EffectText(
       "expected \"thrust N [/ N] at x y z towards x y z\" or \"wrench X Y Z K M N [/ X Y Z K M N]\"";
 
   /**
-   * Reads an effect.
+   * Parses an effect.
    *
    * @throws IllegalArgumentException with the text and what was expected
    */
@@ -62,9 +61,9 @@ record EffectText(
   }
 
   /**
-   * Of a thrust at a place in a direction of any length.
+   * Creates the effect of a thrust at a position, in a direction of any length.
    *
-   * @throws IllegalArgumentException if the direction has no length
+   * @throws IllegalArgumentException if the direction has zero length
    */
   static EffectText ofThrust(Point place, Point direction, double forward, double reverse) {
     double length = direction.distance();
@@ -137,7 +136,7 @@ record EffectText(
     return Point.of(factor * point.x(), factor * point.y(), factor * point.z());
   }
 
-  /** Moment of a force at a place: r × F. */
+  /** Moment of a force at a position: r × F. */
   private static Point cross(Point r, Point f) {
     return Point.of(
         r.y() * f.z() - r.z() * f.y(),

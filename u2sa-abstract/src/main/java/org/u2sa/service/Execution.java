@@ -8,126 +8,117 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * All that passes between one service's code and the world around it, in the order in which it
- * passes: readings of the clock, waits, messages that come and go. Whoever keeps it can execute the
- * service again, and get the same messages from it if the service depends on nothing else.
+ * Hook into everything that passes between a service's code and its environment, in order: clock readings, waits, messages in and out. Recording it allows the service to be re-executed; it then publishes the same messages if it depends on nothing else.
  *
- * <p>Called on the service's own thread, and before its start on the thread that makes it; only
- * {@link #clock} and {@link #publishes} may be called by others too.
+ * <p>Called on the service's thread, and before its start on the thread that creates it; only {@link #clock} and {@link #publishes} may be called on other threads.
  */
 public interface Execution {
   /**
-   * A service is about to be made; nothing of it has been opened yet.
+   * Called before a service is created and opens any resource.
    *
-   * @throws org.u2sa.interfaces.BadInputException if a service of that role must not be made here
+   * @throws org.u2sa.interfaces.BadInputException if a service of this role must not be created here
    */
   default void requireRole(ServiceRole role) {}
 
-  /** The run's clock as the service is to see it. */
+  /** The run's clock as seen by the service. */
   Clock clock();
 
-  /**
-   * Which thread the service is to take itself for.
+  /** Thread that the service regards as its own.
    *
-   * @param own its own
+   * @param own its actual thread
    */
   int threadId(int own);
 
   /**
-   * The service has connected, on whichever thread it first did.
+   * Called when the service has connected, on the connecting thread.
    *
-   * @param instance which connection it is
+   * @param instance ID of the connection
    */
   void connects(String instance);
 
-  /** The service is made; its thread has not been started. */
+  /** Called when the service is created but not started. */
   void made(U2SAService service);
 
   /**
-   * The place of another service that a repeated service is to take; empty if it is to take none,
-   * or that of a service that runs.
+   * Takeover that a replayed service must perform; empty if none, or if its predecessor is running.
    */
   Optional<Inheritance> inheritance();
 
   /**
-   * Runs code of the service on the calling thread, in place of the service's own, which has not
-   * been started.
+   * Runs code of the service on the calling thread instead of the service's thread, which has not been started.
    */
   void onBehalf(Runnable code);
 
   /**
-   * The service has taken the place of another one, and is about to be started.
+   * Called when the service has taken over from another one and is about to start.
    *
-   * @param connection which connection it has now
+   * @param connection ID of its new connection
    */
   void succeeds(Inheritance inheritance, String connection);
 
   /**
-   * Runs, on the service's thread, what is not part of the execution: another service takes its
-   * place.
+   * Runs code on the service's thread that is not part of the execution: the takeover by another service.
    *
-   * @return what the code returns
+   * @return the code's result
    */
   boolean apart(BooleanSupplier code);
 
-  /** The service's thread begins. */
+  /** Called when the service's thread starts. */
   void begins();
 
-  /** The service steps. */
+  /** Called at each step. */
   void steps();
 
   /**
-   * A message is to be handled, or could be.
+   * Called when a message could be handled.
    *
-   * @param waiting the next of the service's inbox; null if none waits
-   * @return what is to be handled in its place; null: nothing
+   * @param waiting next message in the service's inbox; null if none
+   * @return message to handle instead; null for none
    */
   Arrival receives(Arrival waiting);
 
   /**
-   * A change of the configuration that was written is to be taken, or could be.
+   * Called when a written configuration change could be applied.
    *
-   * @param isWritten whether one waits to be taken
-   * @return whether it is to be taken now
+   * @param isWritten whether one is waiting
+   * @return whether to apply it now
    */
   boolean takesWritten(BooleanSupplier isWritten) throws InterruptedException;
 
-  /**
-   * A message is to be published.
+  /** Called to publish a message.
    *
-   * @param publish does so, and says whether the message was taken
-   * @return whether the message counts as taken
+   * @param publish publishes it and returns whether it was accepted
+   * @return whether the message counts as accepted
    */
   boolean publishes(Channel<?> channel, U2SAData message, BooleanSupplier publish);
 
-  /** The service's loop is over; what it does at its end follows. */
+  /** Called when the service's loop has ended, before its shutdown. */
   void ends();
 
   /**
-   * A message as it lies before a service.
+   * A message as delivered to a service.
    *
-   * @param arrivedMicros when it came, where the service wants to know; otherwise 0 [µs]
+   * @param arrivedMicros time of arrival if the service needs it; otherwise 0 [µs]
    */
   record Arrival(Channel<?> channel, U2SAData message, long arrivedMicros) {}
 
   /**
-   * What a service is given of the one whose place it takes.
+   * Data passed to a service that takes over from another.
    *
-   * @param serviceName the name of both
-   * @param state what the one before wrote down
-   * @param firstStepMicros when the one before would have stepped [µs of the run's clock]; empty if
-   *     the first step is due at once, or there are no steps
+   * @param serviceName common name of both
+   * @param state state saved by the predecessor
+   * @param firstStepMicros time of the predecessor's next step [µs of the run's clock]; empty if the first step is due immediately, or there are no steps
    */
   record Inheritance(String serviceName, HandOver state, OptionalLong firstStepMicros) {}
 
-  /** A service that keeps the executions of those that are made after it, such as a recorder. */
+  /** Records the executions of services created after it, such as a recorder. */
   interface Keeper {
     /**
-     * A service is going to be made.
+     * Called before a service is created.
      *
-     * @param className its class
-     * @param context all that it will be given, but for the execution itself
-     * @return empty if it is not kept
+     * @param className class of the service
+     * @param context its context, without the execution
+     * @return empty if it is not recorded
      */
     Optional<Execution> keep(String className, ServiceContext context);
   }

@@ -32,8 +32,7 @@ public final class HandOver {
   }
 
   /**
-   * The class of the service that hands over: what only this class would know means nothing to
-   * others.
+   * The class of the service that hands over; class-specific values are meaningless to other classes.
    */
   public String className() {
     return className;
@@ -54,7 +53,7 @@ public final class HandOver {
     return set(name, value);
   }
 
-  /** The text of that name. @throws IllegalArgumentException if the value is no text */
+  /** The text of that name. @throws IllegalArgumentException if the value is not a text */
   public Optional<String> text(String name) {
     return get(name, String.class, "text");
   }
@@ -64,7 +63,7 @@ public final class HandOver {
     return Double.isNaN(value) ? this : set(name, value);
   }
 
-  /** The number of that name. @throws IllegalArgumentException if the value is no number */
+  /** The number of that name. @throws IllegalArgumentException if the value is not a number */
   public OptionalDouble number(String name) {
     Optional<Double> value = get(name, Double.class, "number");
     return value.isPresent() ? OptionalDouble.of(value.get()) : OptionalDouble.empty();
@@ -75,7 +74,7 @@ public final class HandOver {
     return set(name, value);
   }
 
-  /** The flag of that name; false without one. @throws IllegalArgumentException if it is no flag */
+  /** The flag of that name; false without one. @throws IllegalArgumentException if it is not a flag */
   public boolean flag(String name) {
     return get(name, Boolean.class, "flag").orElse(false);
   }
@@ -94,7 +93,7 @@ public final class HandOver {
   }
 
   /**
-   * Sets a message. What is not frozen is copied, so that the old service may still change its own.
+   * Sets a message. Unfrozen messages are copied, so that the old service may still change them.
    */
   public HandOver message(String name, U2SAData value) {
     return set(name, frozen(value));
@@ -103,7 +102,7 @@ public final class HandOver {
   /**
    * The message of that name, frozen.
    *
-   * @throws IllegalArgumentException if the value is no message of that class
+   * @throws IllegalArgumentException if the value is not a message of that class
    */
   public <T extends U2SAData> Optional<T> message(String name, Class<T> type) {
     return get(name, type, type.getSimpleName());
@@ -117,9 +116,9 @@ public final class HandOver {
   }
 
   /**
-   * The messages of that name, frozen; none without such a value.
+   * The messages of that name, frozen; empty without such a value.
    *
-   * @throws IllegalArgumentException if the value is no list of messages of that class
+   * @throws IllegalArgumentException if the value is not a list of messages of that class
    */
   public <T extends U2SAData> List<T> messages(String name, Class<T> type) {
     return members(name, type, "list of " + type.getSimpleName());

@@ -10,7 +10,7 @@ import java.util.List;
 import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 
-/** A {@link HandOver} as the lines of a text file: a value each, between a first and a last one. */
+/** Text file format of a {@link HandOver}: one value per line, between a header and a trailer line. */
 public final class HandOverText {
   private static final String FIRST_WORDS = "U2SA progress 1";
   private static final String LAST_WORDS = "end";
@@ -20,7 +20,7 @@ public final class HandOverText {
   /**
    * The lines of a file.
    *
-   * @param systemId whose progress it is
+   * @param systemId system that the state belongs to
    */
   static List<String> lines(HandOver state, String systemId) {
     List<String> lines = new ArrayList<>();
@@ -36,9 +36,9 @@ public final class HandOverText {
   }
 
   /**
-   * Reads such a file.
+   * Parses a file.
    *
-   * @throws IOException if it cannot be read, is not whole, or is of another system; says where
+   * @throws IOException if it is unreadable, incomplete, or belongs to another system; names the position
    */
   public static HandOver read(Path file, String systemId, MessageCodec codec) throws IOException {
     List<String> lines = Files.readAllLines(file, UTF_8);

@@ -8,11 +8,10 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Says how a service is (thesis 3.5.3): by itself at its interval, and what others may say on its
- * behalf when it is silent.
+ * Reports a service's health (thesis 3.5.3): its own periodic reports, and substitute reports for others to publish when it is silent.
  */
 final class HealthReporter {
-  /** Intervals without a report after which a service is silent. */
+  /** Number of missed intervals after which a service counts as silent. */
   private static final long SILENT_AFTER = 3;
 
   private final U2SAService service;
@@ -26,12 +25,12 @@ final class HealthReporter {
     intervalMicros = Clock.micros(intervalS);
   }
 
-  /** When the next report is due [µs]. */
+  /** Time of the next report [µs]. */
   long dueMicros() {
     return dueMicros;
   }
 
-  /** Reports if it is time, and tells whether it was. Called on the service's thread. */
+  /** Reports if due, and returns whether it was. Called on the service's thread. */
   boolean reportIfDue(long nowMicros) {
     if (nowMicros < dueMicros) {
       return false;
@@ -42,7 +41,7 @@ final class HealthReporter {
     return true;
   }
 
-  /** Reports before the next message is handled. Called on the service's thread. */
+  /** Makes a report due before the next message is handled. Called on the service's thread. */
   void reportSoon() {
     dueMicros = Long.MIN_VALUE;
   }
@@ -57,12 +56,11 @@ final class HealthReporter {
   }
 
   /**
-   * What is to be said on behalf of the service because its own report is overdue; empty if it
-   * speaks for itself, has not been started, or has said its last.
+   * Substitute report if the service's own is overdue; empty if it reports itself, has not been started, or has sent its last report.
    */
   Optional<HealthReport> onBehalf(long nowMicros) {
     Thread handling = service.loop == null ? service : service.loop.messages();
-    Thread.State state = handling.getState(); // asked first: who has ended by now said its last
+    Thread.State state = handling.getState(); // first: an ended thread has reported its end
     if (service.status() == ServiceStatus.CREATED || lastSaid) {
       return Optional.empty();
     }

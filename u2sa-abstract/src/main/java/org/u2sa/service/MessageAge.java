@@ -3,9 +3,7 @@ package org.u2sa.service;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * How old a message is to one who received it. It ages from its timestamp on, but from its arrival
- * at the latest: a source whose clock is ahead must not keep what it said fresh after it has fallen
- * silent.
+ * Age of a received message, counted from its timestamp, or from its arrival if that is earlier: a source whose clock is ahead must not appear fresh after it has fallen silent.
  */
 public final class MessageAge {
   private MessageAge() {}

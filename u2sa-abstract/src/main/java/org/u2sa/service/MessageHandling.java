@@ -7,9 +7,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Hands a service its messages one by one, answers those of the service contract, reports health
- * meanwhile, and survives the exceptions of its author's code. All but {@link #inbox} and {@link
- * #contract} belongs to the service's thread.
+ * Message loop of a service: delivers messages one by one, answers those of the service contract, reports health meanwhile, and survives exceptions of the author's code. Confined to the service's thread except {@link #inbox} and {@link #contract}.
  */
 final class MessageHandling {
   private final U2SAService service;
@@ -20,9 +18,9 @@ final class MessageHandling {
   private final HealthReporter reporter;
   private final int maxErrorsInARow;
   private final CallbackStopwatch stopwatch;
-  private final Execution execution; // null if nobody keeps it
-  private final ServiceHealth.CallbackCode handled = this::handleNext; // one for all messages
-  private ServiceInbox.Delivery next; // is handled by it
+  private final Execution execution; // null if not recorded
+  private final ServiceHealth.CallbackCode handled = this::handleNext; // reused for all messages
+  private ServiceInbox.Delivery next; // argument of handled
   private volatile boolean patient;
 
   MessageHandling(U2SAService service, ServiceConfiguration.ServiceVariables variables) {
@@ -49,12 +47,12 @@ final class MessageHandling {
     return reporter;
   }
 
-  /** Exceptions in a row after which the service fails. */
+  /** Consecutive exceptions after which the service fails. */
   int maxErrorsInARow() {
     return maxErrorsInARow;
   }
 
-  /** Lets messages that are not urgent wait until the service wakes by itself. */
+  /** Defers non-urgent messages until the service wakes by itself. */
   void bePatient() {
     patient = true;
   }
@@ -64,15 +62,15 @@ final class MessageHandling {
     return patient;
   }
 
-  /** Turns that are over at the deadline, or when the service ends. */
+  /** Takes turns until the deadline or the end of the service. */
   Clock.Turns until(long untilMicros) {
     return new Round(untilMicros);
   }
 
-  /** Handles messages until a deadline [µs] has come. */
+  /** Handles messages until a deadline [µs]. */
   private final class Round implements Clock.Turns {
     private final long untilMicros;
-    private int first = inbox.depth(); // are handled even if the deadline has passed
+    private int first = inbox.depth(); // handled even if the deadline has passed
 
     Round(long untilMicros) {
       this.untilMicros = untilMicros;
@@ -80,7 +78,7 @@ final class MessageHandling {
 
     @Override
     public long take() throws InterruptedException {
-      stopwatch.pause(); // the thread has waited, or done something else
+      stopwatch.pause(); // the thread has waited or done other work
       while (service.running) {
         if (service.succession.carryOut()) {
           service.running = false;
@@ -147,7 +145,7 @@ final class MessageHandling {
     }
   }
 
-  /** Whether a message has not outlived the deadline that the author set; otherwise counts it. */
+  /** Whether a message meets its channel's deadline; counts it if not. */
   private boolean isInTime(ServiceInbox.Delivery delivery) {
     long deadlineMicros = registrations.deadlineMicros(delivery.channel());
     if (deadlineMicros == Clock.NEVER) {
@@ -163,7 +161,7 @@ final class MessageHandling {
       return true;
     }
     long expired = service.health.expired();
-    if (Long.bitCount(expired) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+    if (Long.bitCount(expired) == 1) { // 1, 2, 4, 8…: limits the log
       String age = saidMicros.isPresent() ? Clock.seconds(ageMicros) + " s old" : "of unknown age";
       String deadline = Clock.seconds(deadlineMicros) + " s (" + expired + " so far): ";
       service.log(
@@ -176,25 +174,24 @@ final class MessageHandling {
   }
 
   /**
-   * Runs author's code; an exception is logged, counted and survived, until there are too many in a
-   * row.
+   * Runs the author's code; exceptions are logged, counted and survived, up to a limit of consecutive ones.
    */
   void guarded(ServiceHealth.CallbackCode code) throws InterruptedException {
     guarded(code, maxErrorsInARow);
   }
 
   /**
-   * @param maxErrors exceptions in a row after which the service fails
+   * @param maxErrors consecutive exceptions after which the service fails
    */
   void guarded(ServiceHealth.CallbackCode code, int maxErrors) throws InterruptedException {
     ServiceHealth health = service.health;
     if (health.run(code)) {
       return;
     }
-    stopwatch.pause(); // writing the log takes long
+    stopwatch.pause(); // logging is slow
     String what = health.lastError().orElse("");
     String inRow = " (exception " + health.exceptionsInRow() + " in a row)";
-    boolean where = Long.bitCount(health.exceptions()) == 1; // 1, 2, 4…: no flood of stack traces
+    boolean where = Long.bitCount(health.exceptions()) == 1; // 1, 2, 4…: limits stack traces
     service.logFile().log(LogLevelEnum.ERROR, what + inRow, where ? health.lastException() : null);
     if (health.exceptionsInRow() >= maxErrors) {
       service.log(
@@ -206,7 +203,7 @@ final class MessageHandling {
     }
   }
 
-  /** Says for the last time how the service is. */
+  /** Publishes the last health report. */
   void reportLast() {
     contract.configurationWriter().close();
     reporter.reportLast();

@@ -11,12 +11,9 @@ import java.util.Optional;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * What a service remembers for its restart: a text file beside its log, replaced as a whole, so
- * that a process that is killed in the middle leaves the one before. It is of one run: a service
- * that starts for the first time deletes what another run has left.
+ * Saved state of a service for its restart: a text file beside its log, replaced atomically, so that a process killed while writing leaves the previous file. Valid for one run: a service that starts for the first time deletes the file of an earlier run.
  *
- * <p>Not synced: it serves the restart of a service while its machine goes on, and after a power
- * cut the run is over.
+ * <p>Not synced to disk: it is for restarts of a service while the machine keeps running; a power cut ends the run.
  */
 final class ProgressFile {
   private final Path file;
@@ -36,7 +33,7 @@ final class ProgressFile {
   /**
    * Replaces the file.
    *
-   * @throws IOException if that failed: then the one before stands
+   * @throws IOException if writing fails; the previous file is kept
    */
   void write(HandOver state) throws IOException {
     List<String> lines = HandOverText.lines(state, systemId);
@@ -47,9 +44,9 @@ final class ProgressFile {
   }
 
   /**
-   * What was written last; empty if nothing was.
+   * Last saved state; empty if none.
    *
-   * @throws IOException if it cannot be read or is not what {@link #write} writes; says where
+   * @throws IOException if it is unreadable or malformed; names the position
    */
   Optional<HandOver> read() throws IOException {
     if (!Files.exists(file)) {

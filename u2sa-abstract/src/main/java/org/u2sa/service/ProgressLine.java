@@ -9,8 +9,7 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * One value of a {@link HandOver} as a line of text: kind, name, and what there is of it, with tabs
- * between. A message is its type chain and its bytes in Base64.
+ * One value of a {@link HandOver} as a tab-separated line: kind, name, content. A message is written as its type chain and its bytes in Base64.
  */
 final class ProgressLine {
   private static final int KIND = 0;
@@ -29,7 +28,7 @@ final class ProgressLine {
   }
 
   private static String kindOf(Object value) {
-    if (value instanceof List<?> list) { // an empty one is of either kind
+    if (value instanceof List<?> list) { // an empty list fits either kind
       return !list.isEmpty() && list.get(0) instanceof U2SAData ? "messages" : "texts";
     }
     if (value instanceof U2SAData) {
@@ -45,8 +44,8 @@ final class ProgressLine {
   }
 
   /**
-   * @throws IllegalArgumentException if the line is none that {@link #of} writes
-   * @throws MalformedMessageException if a message in it is none
+   * @throws IllegalArgumentException if the line is not in the format of {@link #of}
+   * @throws MalformedMessageException if a message in it is malformed
    */
   static void readInto(HandOver state, String line, MessageCodec codec)
       throws MalformedMessageException {

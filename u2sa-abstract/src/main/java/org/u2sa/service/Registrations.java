@@ -10,7 +10,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
-/** The channels that a service publishes on and asked for, whether it is connected or not. */
+/** The channels that a service registered to publish on or subscribe to, independent of the connection. */
 final class Registrations {
   private final CopyOnWriteArrayList<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final CopyOnWriteArrayList<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
@@ -25,27 +25,27 @@ final class Registrations {
     return subscribed;
   }
 
-  /** Adds a channel to publish on, once. */
+  /** Adds a channel to publish on; idempotent. */
   void publish(Channel<?> channel) {
     published.addIfAbsent(channel);
   }
 
-  /** Adds a channel to hear, once. */
+  /** Adds a channel to subscribe to; idempotent. */
   void subscribe(Channel<?> channel) {
     subscribed.addIfAbsent(channel);
   }
 
-  /** Whether the service's author asked for the channel. */
+  /** Whether the service's author subscribed to the channel. */
   boolean isSubscribed(Channel<?> channel) {
     return subscribed.contains(channel);
   }
 
-  /** Whether the service hears the channel, for itself or for the service contract. */
+  /** Whether the service receives the channel, for itself or for the service contract. */
   boolean listensTo(Channel<?> channel) {
     return isSubscribed(channel) || ContractResponder.CHANNELS.contains(channel);
   }
 
-  /** Sets the age at which the channel's messages count as absent [µs]. */
+  /** Sets the age above which the channel's messages are dropped [µs]. */
   void deadline(Channel<?> channel, long micros) {
     deadlinesMicros.put(channel, micros);
   }
@@ -56,18 +56,18 @@ final class Registrations {
     return micros == null ? Clock.NEVER : micros;
   }
 
-  /** Sets what is done with the channel's messages. */
+  /** Sets the handler of the channel's messages. */
   <T extends U2SAData> void handler(Channel<T> channel, Consumer<? super T> action) {
     Class<T> type = channel.type().messageClass();
     handlers.put(channel, message -> action.accept(type.cast(message)));
   }
 
-  /** What is done with the channel's messages; the other, if it has no handler. */
+  /** Handler of the channel's messages, or the default if it has none. */
   Consumer<U2SAData> handlerOr(Channel<?> channel, Consumer<U2SAData> other) {
     return handlers.getOrDefault(channel, other);
   }
 
-  /** The registered channel on which the message goes out; the one with the nearest type wins. */
+  /** Registered channel for publishing the message; the closest type wins. */
   Optional<Channel<?>> channelFor(U2SAData data) {
     Channel<?> nearest = null;
     for (Channel<?> channel : published) {

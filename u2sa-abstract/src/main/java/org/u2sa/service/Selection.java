@@ -1,15 +1,15 @@
 package org.u2sa.service;
 
-/** Finds the nth of numbers by size without sorting them all (Hoare 1961, algorithm 65). */
+/** Quickselect: finds the nth smallest number without sorting (Hoare 1961, algorithm 65). */
 final class Selection {
   private Selection() {}
 
   /**
-   * The number that would stand at an index if they were sorted, smallest first.
+   * The number at an index of the ascending order.
    *
-   * @param numbers the first of them are reordered by this
-   * @param count how many of them count
-   * @param index 0 or more, less than their count
+   * @param numbers input, whose first {@code count} numbers are reordered
+   * @param count how many of the numbers to use
+   * @param index 0 to count − 1
    */
   static long nth(long[] numbers, int count, int index) {
     int low = 0;

@@ -3,7 +3,7 @@ package org.u2sa.service;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * A service that reads a sensor at a fixed rate and publishes what it measured (thesis 3.2.2.2).
+ * Base class of services that read a sensor at a fixed rate and publish the measurements (thesis 3.2.2.2).
  */
 public abstract class Sensor extends PeriodicService {
   private record Names(
@@ -21,7 +21,7 @@ public abstract class Sensor extends PeriodicService {
     sensorName = configured.isEmpty() ? getServiceName() : configured;
   }
 
-  /** The sensor's name, by which the State Estimator tells the sources of its data apart. */
+  /** The sensor's name, by which the State Estimator distinguishes its sources. */
   public final String sensorName() {
     return sensorName;
   }

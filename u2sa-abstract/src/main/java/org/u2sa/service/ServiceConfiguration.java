@@ -17,7 +17,7 @@ import org.u2sa.interfaces.time.Clock;
 
 /** A service's name, variables and log file (thesis 3.2.1.1, 3.2.1.5). */
 final class ServiceConfiguration {
-  /** A service's name also names its log file and its MQTT client. */
+  /** Validates service names, which are also names of log files and MQTT clients. */
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_][A-Za-z0-9 _.-]{0,63}");
 
   private final XmlConfiguration variables;
@@ -44,7 +44,7 @@ final class ServiceConfiguration {
   }
 
   /**
-   * The name, if it is one.
+   * Returns the name if valid.
    *
    * @throws ConfigurationException if not; names the variable that sets it
    */
@@ -62,7 +62,7 @@ final class ServiceConfiguration {
     return name;
   }
 
-  /** What the configuration says of the variables that every service has, at its start. */
+  /** Initial values of the common variables of all services. */
   ServiceVariables variables() {
     return own;
   }
@@ -71,7 +71,7 @@ final class ServiceConfiguration {
     return log;
   }
 
-  /** {@link U2SAService#setVariable}, unless the check refuses it. */
+  /** {@link U2SAService#setVariable}, unless the check rejects it. */
   boolean setVariable(String variableName, Object value, ConfigurationCheck check) {
     ChangeOrigin self = new ChangeOrigin(clock.micros(), name, name);
     Optional<String> refusal =
@@ -86,7 +86,7 @@ final class ServiceConfiguration {
     return refusal.isEmpty();
   }
 
-  /** The configuration variables that every service has. */
+  /** The common configuration variables of all services. */
   record ServiceVariables(
       @Variable(
               ifAbsentText = "",

@@ -12,8 +12,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 
 /**
- * What a service knows of its own condition (thesis 3.5.3). Written by the service's thread, read
- * by any.
+ * A service's own health data (thesis 3.5.3). Written by the service's thread, readable from any thread.
  */
 final class ServiceHealth {
   private static final long IDLE = Long.MAX_VALUE;
@@ -29,24 +28,23 @@ final class ServiceHealth {
   private long expired;
   private String lastError;
   private Exception lastException;
-  private final Map<String, String> remarks = new TreeMap<>(); // by part
+  private final Map<String, String> remarks = new TreeMap<>(); // by part of the service
   private boolean died;
-  private List<String> emergencyStops; // null: heeds none
+  private List<String> emergencyStops; // null if it does not obey emergency stops
   private final AtomicLong busySinceMicros =
-      new AtomicLong(IDLE); // real time; set lazily by the service's thread: it is for who watches
+      new AtomicLong(IDLE); // real time; lazily set, as it is only for monitoring
 
   ServiceHealth(CallbackStopwatch stopwatch) {
     this.stopwatch = stopwatch;
   }
 
-  /** The clock that code is measured by. */
+  /** Clock for measuring code. */
   CallbackStopwatch stopwatch() {
     return stopwatch;
   }
 
   /**
-   * Runs author's code, measures it, and lets no exception out. Returns whether it ended without
-   * one.
+   * Runs and measures the author's code, catching all exceptions. Returns whether it ended without one.
    */
   boolean run(CallbackCode code) throws InterruptedException {
     long began = stopwatch.begin();
@@ -60,7 +58,7 @@ final class ServiceHealth {
       return true;
     } catch (InterruptedException e) {
       throw e;
-    } catch (Exception e) { // also undeclared checked ones, as Kotlin's functions throw
+    } catch (Exception e) { // including undeclared checked ones, e.g. of Kotlin
       times.add(stopwatch.end() - began);
       failed(e);
       return false;
@@ -69,7 +67,7 @@ final class ServiceHealth {
     }
   }
 
-  /** How long the author's code that runs now has been running [s]; empty if none does. */
+  /** Running time of the author's code currently executing [s]; empty if none. */
   OptionalDouble runningS() {
     long since = busySinceMicros.get();
     return since == IDLE
@@ -94,27 +92,27 @@ final class ServiceHealth {
     overruns += missedPeriods;
   }
 
-  /** Says that the service has actuators, so that its commands are counted. */
+  /** Declares that the service has actuators, so that commands are counted. */
   synchronized void hasActuators() {
     commanded = true;
   }
 
-  /** Counts a command that an actuator obeys. */
+  /** Counts a command executed by an actuator. */
   synchronized void obeyed() {
     obeyed++;
   }
 
-  /** Counts a command that an actuator did not obey. */
+  /** Counts a command refused by an actuator. */
   synchronized void refused() {
     refused++;
   }
 
-  /** Counts a message that was older than its deadline when its turn came; returns the count. */
+  /** Counts a message dropped for exceeding its deadline; returns the count. */
   synchronized long expired() {
     return ++expired;
   }
 
-  /** Takes note of which emergency stops hold; returns whether they are others than before. */
+  /** Records the emergency stops in force; returns whether they changed. */
   synchronized boolean emergencyStops(List<String> identities) {
     boolean changed = !identities.equals(emergencyStops);
     emergencyStops = List.copyOf(identities);
@@ -125,7 +123,7 @@ final class ServiceHealth {
     lastError = what;
   }
 
-  /** Takes note of what is to be said of a part of the service; empty: nothing. */
+  /** Sets the remark on a part of the service; empty to remove it. */
   synchronized void remark(String part, String what) {
     if (what.isEmpty()) {
       remarks.remove(part);
@@ -134,7 +132,7 @@ final class ServiceHealth {
     }
   }
 
-  /** Takes note that the service's thread died of something. */
+  /** Records the cause of the service thread's death. */
   synchronized void died(String ofWhat) {
     died = true;
     lastError = ofWhat;
@@ -148,7 +146,7 @@ final class ServiceHealth {
     return exceptionsInRow.get();
   }
 
-  /** The exception that code threw last, or null. */
+  /** Last exception thrown by the code; null if none. */
   synchronized Exception lastException() {
     return lastException;
   }
@@ -161,7 +159,7 @@ final class ServiceHealth {
     return Optional.ofNullable(lastError);
   }
 
-  /** Fills in what a health report says of the service's code, and returns the report. */
+  /** Fills in the fields of a health report on the service's code, and returns the report. */
   synchronized HealthReport addTo(HealthReport report) {
     lastError().ifPresent(report::lastError);
     if (commanded) {

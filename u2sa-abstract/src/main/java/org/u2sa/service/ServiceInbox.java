@@ -12,23 +12,19 @@ import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A service's bounded queue of messages. Any thread puts, the service's thread takes.
+ * A service's bounded message queue. Any thread may put; the service's thread takes.
  *
- * <p>On channels where the newest counts, a message replaces the waiting one of the same source and
- * takes its place in the queue, so a slow service sees fresh data and a flood costs no memory. A
- * full queue refuses the newest. Each is counted, as the former is no loss and the latter is. What
- * is urgent, an emergency stop, has a queue of its own, which comes first. Arming and failsafes
+ * <p>On latest-value channels, a message replaces the queued one of the same source in its position, so a slow service sees fresh data and a flood costs no memory. A full queue rejects the newest. Both are counted separately, because only the latter is a loss. Urgent messages (emergency stops) have a separate queue with priority. Arming and failsafes
  * wait among the others, but the others cannot take their room. Questions that anybody may ask,
  * which the service contract answers, fill a quarter of the rest at most.
  *
- * <p>Services keep something for each source of a channel, so the inbox takes messages of a limited
- * number of them: whoever invents names fills no memory.
+ * <p>Services keep state per source of a channel, so the inbox limits the number of sources, lest invented names exhaust memory.
  */
 final class ServiceInbox {
-  /** One message and the channel that it came on. */
+  /** A message and its channel. */
   static final class Delivery {
     private final Channel<?> channel;
-    private U2SAData message; // replaced while queued, under the inbox's lock
+    private U2SAData message; // replaceable while queued; guarded by the inbox
     private long arrivedMicros; // likewise
 
     Delivery(Channel<?> channel, U2SAData message, long arrivedMicros) {
@@ -53,13 +49,13 @@ final class ServiceInbox {
   /** Sources of a channel whose messages it takes: the first that it gets. */
   static final int MAX_SOURCES = 500;
 
-  /** What comes of a message. */
+  /** Outcome of queueing a message. */
   enum Outcome {
-    /** Waits for the service. */
+    /** Queued. */
     KEPT,
-    /** Found the queue full. */
+    /** Lost: the queue is full. */
     DROPPED,
-    /** Is of one source too many. */
+    /** Lost: too many sources. */
     UNKNOWN_SOURCE
   }
 
@@ -70,23 +66,23 @@ final class ServiceInbox {
   private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
   private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
   private final Map<Channel<?>, Map<String, Delivery>> newest =
-      new HashMap<>(); // deliveries still queued, of each source that is known
+      new HashMap<>(); // queued deliveries of each known source
   private final Map<Channel<?>, Set<String>> sources =
-      new HashMap<>(); // of channels on which each message matters
-  private int reserved; // of those in the queue, as what follows
+      new HashMap<>(); // of channels on which no message may be lost
+  private int reserved; // number in the queue, as the next ones
   private int questions;
   private long dropped;
   private long replaced;
-  private ServiceInbox successor; // null as long as messages stay here
+  private ServiceInbox successor; // null until messages are forwarded
 
   ServiceInbox(int capacity) {
     this.capacity = capacity;
   }
 
   /**
-   * Queues a message, if there is room for it.
+   * Queues a message if there is space.
    *
-   * @param arrivedMicros when it came, where anybody wants to know [µs]
+   * @param arrivedMicros time of arrival, if needed [µs]
    */
   synchronized Outcome put(Channel<?> channel, U2SAData message, long arrivedMicros) {
     if (successor != null) {
@@ -139,7 +135,7 @@ final class ServiceInbox {
             || isQuestion(delivery.message) && questions >= Math.max(1, capacity / QUESTIONS_PART);
   }
 
-  /** Counts one that joins the queues, or leaves them. */
+  /** Counts a delivery that enters or leaves the queues. */
   private void count(Delivery delivery, int sign) {
     if (delivery.channel.reservesRoom() && !delivery.channel.isUrgent()) {
       reserved += sign;
@@ -164,7 +160,7 @@ final class ServiceInbox {
     return Outcome.KEPT;
   }
 
-  /** The oldest delivery, urgent ones first, or null if there is none. */
+  /** The oldest delivery, urgent ones first; null if none. */
   synchronized Delivery poll() {
     Delivery delivery = urgent.isEmpty() ? queue.poll() : urgent.poll();
     if (delivery == null) {
@@ -178,12 +174,9 @@ final class ServiceInbox {
   }
 
   /**
-   * Moves all that waits, and all that is put here later, to the inbox of a successor, ahead of
-   * what waits there already: nothing is lost, even beyond its capacity, and nothing is there
-   * twice.
+   * Moves all waiting messages, and forwards all later ones, to a successor's inbox, ahead of those already waiting there: nothing is lost, even beyond its capacity, and nothing is duplicated.
    *
-   * @param handled what the successor is to see though it was handled already; what is waiting and
-   *     newer stands in for it
+   * @param handled already handled messages that the successor must see, unless a newer one is waiting
    */
   synchronized void moveTo(ServiceInbox next, Iterable<Delivery> handled) {
     synchronized (next) {
@@ -235,12 +228,12 @@ final class ServiceInbox {
     return urgent.size() + queue.size();
   }
 
-  /** Messages that were lost so far: the queue was full, or they were of one source too many. */
+  /** Messages lost so far, because the queue was full or the source limit was exceeded. */
   synchronized long dropped() {
     return dropped;
   }
 
-  /** Messages that newer ones of the same source replaced before their turn came, so far. */
+  /** Number of messages replaced by newer ones of the same source before being handled. */
   synchronized long replaced() {
     return replaced;
   }

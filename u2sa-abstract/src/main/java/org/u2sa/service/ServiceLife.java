@@ -9,8 +9,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * A service's life: it is started, waits on the run's clock, and ends exactly once, however it
- * ends.
+ * Life cycle of a service: starts, waits on the run's clock, and ends exactly once, whatever the cause.
  */
 final class ServiceLife {
   private static final long ENDS_BY_ITSELF_WITHIN_MS = 200;
@@ -22,7 +21,7 @@ final class ServiceLife {
   private final long spinMicros;
   private final long createdMicros;
   private final AtomicBoolean ended = new AtomicBoolean();
-  private volatile boolean askedToStop; // also before the start, which then does not happen
+  private volatile boolean askedToStop; // may precede the start, which is then skipped
   private volatile String endReason = "";
   private volatile ServiceStatus status = ServiceStatus.CREATED;
   private volatile Clock.Waiter waiter; // null until started
@@ -30,7 +29,7 @@ final class ServiceLife {
   private volatile boolean keepsToOwnThread;
 
   /**
-   * @param spinMicros how long the service's thread looks out before it sleeps [µs]
+   * @param spinMicros how long the service's thread spins before it sleeps [µs]
    */
   ServiceLife(U2SAService service, Clock clock, long spinMicros) {
     this.service = service;
@@ -40,7 +39,7 @@ final class ServiceLife {
     service.setUncaughtExceptionHandler((thread, error) -> die(error));
   }
 
-  /** {@link U2SAService#start}, of a service that has its state. */
+  /** {@link U2SAService#start}, for a service whose state is restored. */
   void start() {
     service.context().configuration().refuseUndeclared();
     if (!startUnlessAskedToStop()) {
@@ -48,7 +47,7 @@ final class ServiceLife {
     }
   }
 
-  /** Excludes {@link #stopWaiting}: a kill comes either before the start or finds the waiter. */
+  /** Mutually exclusive with {@link #stopWaiting}: a kill either precedes the start or finds the waiter. */
   private synchronized boolean startUnlessAskedToStop() {
     if (service.getState() != Thread.State.NEW || ended.get()) {
       throw new IllegalThreadStateException(
@@ -68,7 +67,7 @@ final class ServiceLife {
     return true;
   }
 
-  /** Starts; should that fail, it is over as if it had died. */
+  /** Starts the thread; if that fails, the service ends as if it had died. */
   void startAsSuccessor() {
     try {
       service.start();
@@ -85,16 +84,14 @@ final class ServiceLife {
   }
 
   /**
-   * Waits for this thread's first turn, so that services begin in the order in which they were
-   * started.
+   * Waits for this thread's first turn, so that services run in start order.
    */
   void awaitTurn() throws InterruptedException {
     waiter.await(clock.micros());
   }
 
   /**
-   * Takes all turns on the calling thread, the service's, and waits on the run's clock between
-   * them.
+   * Takes all turns on the calling service thread, waiting on the run's clock in between.
    */
   void takeAll(Clock.Turns turns) throws InterruptedException {
     for (long next = turns.take(); next != Clock.Turns.OVER; next = turns.take()) {
@@ -108,8 +105,7 @@ final class ServiceLife {
   }
 
   /**
-   * Waits until the condition holds, the deadline comes or the service is to end; for the service's
-   * own thread, inside of its code. Asked again at each {@link #wake}.
+   * Waits for the condition, the deadline or the end of the service; called by the author's code on the service's thread. The condition is re-evaluated at each {@link #wake}.
    */
   void awaitUntil(BooleanSupplier condition, long deadlineMicros) throws InterruptedException {
     while (service.running && !condition.getAsBoolean() && clock.micros() < deadlineMicros) {
@@ -117,7 +113,7 @@ final class ServiceLife {
     }
   }
 
-  /** Ends the present wait of the thread that handles messages. */
+  /** Wakes the message-handling thread. */
   void wake() {
     Clock.Waiter waiting = waiter;
     if (waiting != null) {
@@ -130,10 +126,10 @@ final class ServiceLife {
     askedToStop = true;
     service.running = false;
     wake();
-    service.succession.successor().ifPresent(next -> next.life.askToStop()); // just now
+    service.succession.successor().ifPresent(next -> next.life.askToStop()); // a new one
   }
 
-  /** {@link #askToStop} for a reason that the log and {@link #endReason} are to give. */
+  /** {@link #askToStop} with a reason for the log and {@link #endReason}. */
   void stopFor(String reason) {
     if (!askedToStop) {
       endReason = reason;
@@ -152,10 +148,10 @@ final class ServiceLife {
   }
 
   /**
-   * {@link U2SAService#run} of a service whose author writes only what happens in its loop.
+   * {@link U2SAService#run} of a service whose author writes only the loop's body.
    *
    * @param begin called once, before anything else
-   * @param loop makes, after that, the turns that are over when the service no longer runs
+   * @param loop then takes turns until the service no longer runs
    */
   void run(ServiceHealth.CallbackCode begin, Supplier<Clock.Turns> loop) {
     Optional<Execution> execution = service.context().execution();
@@ -183,7 +179,7 @@ final class ServiceLife {
   void kill() {
     stopWaiting();
     if (Clock.runningThread() == service) {
-      return; // the loop ends after the present callback and closes everything
+      return; // the loop ends after the current callback and closes everything
     }
     boolean interrupted = false;
     try {
@@ -199,7 +195,7 @@ final class ServiceLife {
     }
   }
 
-  /** Ends the waits of the service's threads for good, wherever they wait. */
+  /** Permanently ends all waits of the service's threads. */
   synchronized void stopWaiting() {
     askedToStop = true;
     service.running = false;
@@ -212,7 +208,7 @@ final class ServiceLife {
     }
   }
 
-  /** Lets the loop end as failed. */
+  /** Makes the loop end as failed. */
   void fail() {
     status = ServiceStatus.FAILED;
     service.running = false;
@@ -229,7 +225,7 @@ final class ServiceLife {
     }
     if (service.succession.handsOverInsteadOfEnding()) {
       status = ServiceStatus.STOPPED;
-      stopWaiting(); // everything else is the successor's now
+      stopWaiting(); // everything else belongs to the successor now
       return;
     }
     boolean failed = status == ServiceStatus.FAILED;
@@ -243,7 +239,7 @@ final class ServiceLife {
     service.logFile().close();
   }
 
-  /** Ends without any shutdown step. Returns false if it has ended already. */
+  /** Ends without any shutdown steps. Returns false if already ended. */
   boolean endsNow() {
     if (!ended.compareAndSet(false, true)) {
       return false;
@@ -252,17 +248,17 @@ final class ServiceLife {
     return true;
   }
 
-  /** Runs one step of the shutdown; if it fails, the others still run. */
+  /** Runs one shutdown step; a failure does not prevent the others. */
   void atLast(String what, Runnable last) {
     try {
       last.run();
-    } catch (Exception | Error e) { // also undeclared checked ones
+    } catch (Exception | Error e) { // including undeclared checked ones
       service.health.error(e.toString());
       service.logFile().log(LogLevelEnum.ERROR, what + " failed", e);
     }
   }
 
-  /** Ends after what the thread cannot survive, as failed. */
+  /** Ends as failed after a fatal error of the thread. */
   void die(Throwable error) {
     if (!ended.get()) {
       service.health.died(error.toString());
@@ -281,7 +277,7 @@ final class ServiceLife {
     }
     try {
       service.join(ENDS_BY_ITSELF_WITHIN_MS);
-      helper("-abandoned", this::end).join(RELEASES_WITHIN_MS); // release may hang as well
+      helper("-abandoned", this::end).join(RELEASES_WITHIN_MS); // release may also hang
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
@@ -293,12 +289,12 @@ final class ServiceLife {
     return status;
   }
 
-  /** Time since the service was made [s]. */
+  /** Time since construction [s]. */
   double uptimeS() {
     return Clock.seconds(clock.micros() - createdMicros);
   }
 
-  /** When the thread was started [µs of the run's clock]. */
+  /** Start time of the thread [µs of the run's clock]. */
   long startedMicros() {
     return startedMicros;
   }

@@ -10,13 +10,12 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * How a service registers, publishes and subscribes (thesis 3.2.1.2–3.2.1.4): failures are logged
- * and answered with false.
+ * Registration, publishing and subscribing of a service (thesis 3.2.1.2–3.2.1.4); failures are logged and return false.
  */
 final class ServiceMessaging {
   private final U2SAService service;
   private final ServiceWiring wiring;
-  private final AtomicLong refused = new AtomicLong(); // messages of the service
+  private final AtomicLong refused = new AtomicLong(); // the service's messages
   private final Registrations registrations;
 
   ServiceMessaging(U2SAService service, ServiceWiring wiring) {
@@ -52,7 +51,7 @@ final class ServiceMessaging {
 
   boolean publish(Channel<?> channel, U2SAData data) {
     if (wiring.isSilent()) {
-      return false; // the successor speaks for this service now
+      return false; // the successor has replaced this service
     }
     if (service.loop != null) {
       service.loop.awaitTurn();
@@ -72,7 +71,7 @@ final class ServiceMessaging {
         return true;
       }
       if (Long.bitCount(refused.incrementAndGet())
-          == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+          == 1) { // 1, 2, 4, 8…: limits the log
         refuse("publishing on " + channel + " was refused: " + data);
       }
       return false;
@@ -81,12 +80,12 @@ final class ServiceMessaging {
     }
   }
 
-  /** The role's standard channel to publish messages of the class on; if none, the log says so. */
+  /** The role's standard channel for publishing messages of the class; logs an error if there is none. */
   Optional<Channel<?>> toPublish(Class<? extends U2SAData> dataType) {
     return orRefuse(service.role().channelToPublish(dataType), "publishes", dataType);
   }
 
-  /** The role's standard channel to hear messages of the class on; if none, the log says so. */
+  /** The role's standard channel for receiving messages of the class; logs an error if there is none. */
   Optional<Channel<?>> toSubscribe(Class<? extends U2SAData> dataType) {
     return orRefuse(service.role().channelToSubscribe(dataType), "receives", dataType);
   }
@@ -102,7 +101,7 @@ final class ServiceMessaging {
     return standard;
   }
 
-  /** The channel of that name; if it is no name, the log says so. */
+  /** The channel of that name; logs an error if the name is invalid. */
   Optional<Channel<?>> named(String channelName) {
     try {
       return Optional.of(Channels.namedOrNew(channelName));

@@ -8,18 +8,14 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Sorts what the transport brings: orders to stop are obeyed at once, what concerns the service
- * waits in its inbox. Called on the transport's or another service's thread, so nothing here waits.
+ * Dispatches messages from the transport: stop orders are obeyed immediately, other messages for the service are queued in its inbox. Called on the transport's or another service's thread, so it never blocks.
  *
- * <p>It belongs to the connection rather than to the service: when another service takes the place
- * of the present one, what comes in goes to the other from one message to the next.
+ * <p>Belongs to the connection rather than to the service: in a swap, messages go to the successor from one message to the next.
  */
 final class ServiceReceiver implements Receiver {
-  /**
-   * Who is served.
+  /** The services served.
    *
-   * @param next who prepares to take the place; it gets what the present one has no subscription
-   *     for. Null if nobody does
+   * @param next prospective successor, which gets the messages that the present service has not subscribed to; null if none
    */
   private record Served(U2SAService present, U2SAService next) {}
 
@@ -30,17 +26,17 @@ final class ServiceReceiver implements Receiver {
     served = new Served(service, null);
   }
 
-  /** Lets messages that only the successor subscribed to wait in the successor's inbox. */
+  /** Routes messages that only the successor subscribed to into the successor's inbox. */
   void prepare(U2SAService successor) {
     served = new Served(served.present, successor);
   }
 
-  /** Takes {@link #prepare} back. */
+  /** Undoes {@link #prepare}. */
   void forget() {
     served = new Served(served.present, null);
   }
 
-  /** Brings everything to this service from now on. */
+  /** Routes everything to this service from now on. */
   void turnTo(U2SAService successor) {
     served = new Served(successor, null);
   }
@@ -60,10 +56,10 @@ final class ServiceReceiver implements Receiver {
     }
   }
 
-  /** A service acts on the type alone, so none may come by another way than its own. */
+  /** Rejects types on the wrong channel, because services act on the type alone. */
   private void refuse(U2SAService service, Channel<?> channel, U2SAData message) {
     long count = misplaced.incrementAndGet();
-    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: limits the log
       service.log(
           LogLevelEnum.WARN,
           String.format(
@@ -75,7 +71,7 @@ final class ServiceReceiver implements Receiver {
   private void put(U2SAService service, Channel<?> channel, U2SAData message) {
     ServiceInbox inbox = service.handling.inbox();
     boolean ages = service.wiring.registrations().deadlineMicros(channel) != Clock.NEVER;
-    long arrivedMicros = ages ? service.clock().micros() : 0L; // asking costs time
+    long arrivedMicros = ages ? service.clock().micros() : 0L; // reading the clock is slow
     ServiceInbox.Outcome outcome = inbox.put(channel, message, arrivedMicros);
     if (outcome != ServiceInbox.Outcome.KEPT && Long.bitCount(inbox.dropped()) == 1) {
       String why =
@@ -86,7 +82,7 @@ final class ServiceReceiver implements Receiver {
                   ServiceInbox.MAX_SOURCES, channel, channel.sourceOf(message));
       service.log(LogLevelEnum.WARN, why + ": " + inbox.dropped() + " messages dropped so far");
     }
-    U2SAService waiting = served.present; // asked anew: it may have been moved to a successor
+    U2SAService waiting = served.present; // re-read: may have moved to a successor
     if (channel.isUrgent() || !waiting.handling.isPatient()) {
       waiting.life.wake();
     }

@@ -36,15 +36,14 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * What a service is for (thesis figure 3). The role decides the standard channel when a service
- * registers by class alone (thesis 3.2.1.3), and is the service type that discovery reports.
+ * Role of a service (thesis figure 3). Determines the standard channel when a service registers by class only (thesis 3.2.1.3), and is the service type in discovery.
  */
 public enum ServiceRole {
   /** Measures the vehicle itself (3.2.2.4). */
   PROPRIOCEPTIVE_SENSOR(List.of(SENSED_STATE, POWER), List.of()),
   /** Measures the environment (3.2.2.3). */
   EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS, SCANS, IMAGES), List.of(STATE)),
-  /** Publishes the best estimate of the state that it has (3.2.3.1). */
+  /** Publishes the best estimate of the vehicle's state (3.2.3.1). */
   STATE_ESTIMATOR(List.of(STATE, LOCAL_STATE), List.of(SENSED_STATE)),
   /** Keeps the goals (3.2.3.2). */
   MISSION_MANAGER(List.of(GOALS), List.of(GOAL_REPORTS, GOAL_COMMANDS, STATE)),
@@ -54,17 +53,17 @@ public enum ServiceRole {
   PATH_PLANNER(List.of(NAVIGATION, GOAL_REPORTS, PLANS), List.of(STATE, OBJECTS, GRID, GOALS)),
   /** Turns navigation points into commands (3.2.3.5). */
   CONTROL_SYSTEM(List.of(ACTUATION), List.of(NAVIGATION, STATE, ACTUATORS, GOALS)),
-  /** Moves something (3.2.2.5). */
+  /** Drives actuators (3.2.2.5). */
   ACTUATOR(List.of(ACTUATORS, SENSED_STATE), List.of(ACTUATION)),
-  /** Watches the other services and has the failed ones started again (3.5.3). */
+  /** Monitors the other services and orders restarts of failed ones (3.5.3). */
   HEALTH_MONITOR(List.of(CONDITIONS, SERVICE_ORDERS), List.of(HEALTH, SERVICE_ORDERS)),
-  /** Decides what the vehicle does when something is wrong, and whether it may move at all. */
+  /** Decides on failsafe reactions and on arming. */
   SAFETY_MANAGER(
       List.of(FAILSAFE, ARMING_STATE, EMERGENCY_STOP),
       List.of(STATE, CONDITIONS, OPERATOR, POWER, ARMING, ACTUATORS, GOALS, EMERGENCY_STOP)),
   /** Starts, restarts and swaps the services of one process or host. */
   LAUNCHER(List.of(SERVICE_ORDERS, HEALTH), List.of(SERVICE_ORDERS)),
-  /** Watches, records, or gives orders: screens, ground stations, monitors. */
+  /** Observes, records, or gives orders: displays, ground stations, monitors. */
   OBSERVER(
       List.of(
           GOAL_COMMANDS,
@@ -111,7 +110,7 @@ public enum ServiceRole {
     this.subscribed = subscribed;
   }
 
-  /** The channel on which a service of this role publishes messages of the class. */
+  /** Channel on which a service of this role publishes messages of the class. */
   Optional<Channel<?>> channelToPublish(Class<? extends U2SAData> dataType) {
     return first(published, dataType);
   }

@@ -8,8 +8,7 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Puts one service in the place of another that runs (thesis 5.1, user story 8), so that no message
- * is lost and none is handled twice.
+ * Replaces a running service by another one (thesis 5.1, user story 8) without losing a message or handling one twice.
  *
  * <pre>
  *   caller's thread          new service made, not connected ── subscriptions that only it has
@@ -17,10 +16,9 @@ import org.u2sa.interfaces.time.Clock;
  *   new service's thread                                                  starts │ begin, message …
  * </pre>
  *
- * <p>The new service is made with a context {@link ServiceContext.Builder#inPlaceOf in place of}
+ * <p>The new service is created with a context {@link ServiceContext.Builder#inPlaceOf in place of}
  * the old one. It gets the old one's name, log, connection and waiting messages, and the last
- * message of each retained channel. Whatever goes wrong until {@link U2SAService#takeOver} has
- * returned leaves the old one running as if nothing had happened.
+ * message of each retained channel. Any failure before {@link U2SAService#takeOver} has returned leaves the old one running unaffected.
  */
 public final class ServiceSwap {
   private enum Stage {
@@ -35,16 +33,16 @@ public final class ServiceSwap {
   private final U2SAService successor;
   private final BooleanSupplier agreement;
   private final CountDownLatch decided = new CountDownLatch(1);
-  private volatile Stage stage = Stage.PREPARING; // written under this
+  private volatile Stage stage = Stage.PREPARING; // writes guarded by this
   private volatile String refusal = "";
-  private boolean prepared; // touched by the thread that orders, and later by one that refuses
+  private boolean prepared; // accessed by the ordering thread, later by one that refuses
   private volatile U2SAService
-      waiting; // the service on whose thread the outcome is awaited, or null
+      waiting; // service whose thread awaits the outcome; null if none
 
   /**
-   * @param successor made with a context in place of the old service, and not started
+   * @param successor created with a context in place of the old service, and not started
    * @param agreement called on the old service's thread when the successor is about to run; false
-   *     if it is to end at once, because all services are ending
+   *     if it must end immediately, because all services are ending
    */
   public ServiceSwap(U2SAService old, U2SAService successor, BooleanSupplier agreement) {
     this.old = old;
@@ -53,8 +51,7 @@ public final class ServiceSwap {
   }
 
   /**
-   * Orders the swap, which happens when the old service has handled its present message. The caller
-   * goes on at once.
+   * Requests the swap, which happens after the old service has handled its current message. Returns immediately.
    *
    * @return this
    */
@@ -80,7 +77,7 @@ public final class ServiceSwap {
     }
     move(Stage.PREPARING, Stage.ORDERED);
     old.life.wake();
-    if (!old.isRunning()) { // if it ended before it could know of the order
+    if (!old.isRunning()) { // ended before it saw the order
       refuse("it ended before");
     }
   }
@@ -105,10 +102,10 @@ public final class ServiceSwap {
 
   /**
    * Waits until the swap is done or refused. On a service's own thread that is a wait on the run's
-   * clock, so that a simulation goes on meanwhile.
+   * clock, so that a simulation continues meanwhile.
    *
-   * @param withinS time after which the order is withdrawn [s], as the old service may hang
-   * @return empty if the successor runs; otherwise why not, and the old one is as it was
+   * @param withinS timeout after which the request is withdrawn [s], because the old service may hang
+   * @return empty if the successor runs; otherwise the reason, and the old one is unaffected
    * @throws InterruptedException if the calling thread was interrupted; the order stands
    */
   public Optional<String> await(double withinS) throws InterruptedException {
@@ -120,7 +117,7 @@ public final class ServiceSwap {
     }
     if (!isDecided()) {
       refuse("it did not come to a pause between two messages within " + withinS + " s");
-      decided.await(); // if the swap has begun meanwhile, it ends soon
+      decided.await(); // a swap in progress ends soon
     }
     return outcome();
   }
@@ -130,7 +127,7 @@ public final class ServiceSwap {
     return decided.getCount() == 0;
   }
 
-  /** As {@link #await} says, of a swap that {@link #isDecided}. */
+  /** Result of {@link #await} once {@link #isDecided}. */
   public Optional<String> outcome() {
     return stage == Stage.REFUSED ? Optional.of(refusal) : Optional.empty();
   }
@@ -176,7 +173,7 @@ public final class ServiceSwap {
   }
 
   /**
-   * On the old service's thread between two messages. Returns whether the successor has taken over.
+   * Executes the swap on the old service's thread between two messages. Returns whether the successor has taken over.
    */
   boolean carryOut() {
     if (old.handling.contract().configurationWriter().isBusy()) {
@@ -216,7 +213,7 @@ public final class ServiceSwap {
     } else {
       successor.shutDown();
     }
-    if (old.life.isAskedToStop()) { // while it handed over
+    if (old.life.isAskedToStop()) { // told to stop during the hand-over
       successor.life.askToStop();
     }
     move(Stage.UNDER_WAY, Stage.DONE);
@@ -231,14 +228,14 @@ public final class ServiceSwap {
         successor.wiring.instance().orElse(""));
   }
 
-  /** Returns what was handed over; empty if that failed. */
+  /** Returns the state handed over; empty on failure. */
   private Optional<HandOver> handOver() {
     try {
       HandOver values = new HandOver(old.getClass().getName());
       old.handOver(values);
       successor.succession.takeOver(values);
       return Optional.of(values);
-    } catch (Exception | Error e) { // of code that was written for another moment
+    } catch (Exception | Error e) { // thrown by the author's code
       old.logFile().log(LogLevelEnum.ERROR, "handing over failed", e);
       refuse(Stage.UNDER_WAY, "handing over failed: " + e);
       return Optional.empty();

@@ -18,23 +18,23 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
-/** A service's side of its communication: the connection and what was registered on it. */
+/** A service's end of its communication: the connection and its registrations. */
 final class ServiceWiring {
   private final Registrations registrations = new Registrations();
   private final Transport transport;
   private final String serviceName;
-  private final List<Channel<?>> prepared = new CopyOnWriteArrayList<>(); // on the predecessor's
+  private final List<Channel<?>> prepared = new CopyOnWriteArrayList<>(); // on predecessor's
   private ServiceReceiver receiver; // the connection's
-  private volatile Connection connection; // open or null; written under this
+  private volatile Connection connection; // open or null; writes guarded by this
   private volatile boolean staged; // waits for the predecessor's connection
-  private volatile boolean silent; // the connection is a successor's, or never was
-  private volatile long refused; // by the connection, when it was closed
+  private volatile boolean silent; // the connection is the successor's, or never existed
+  private volatile long refused; // final count of the closed connection
   private volatile long missed; // likewise
-  private volatile String instance; // of the connection, also after it was closed
+  private volatile String instance; // of the connection, even after closing
   private final Clock clock;
-  private final Execution execution; // null if nobody keeps it
-  private final AtomicLong published = new AtomicLong(); // without what the contract makes it say
-  private final AtomicLong publishedMicros = new AtomicLong(); // the last of them
+  private final Execution execution; // null if not recorded
+  private final AtomicLong published = new AtomicLong(); // without contract messages
+  private final AtomicLong publishedMicros = new AtomicLong(); // time of the last one
   private boolean closed;
 
   ServiceWiring(ServiceContext context, String serviceName, ServiceReceiver receiver) {
@@ -46,7 +46,7 @@ final class ServiceWiring {
     this.transport = context.transport().orElseGet(() -> remote(context));
   }
 
-  /** Where the Communication Manager is, if in another process. */
+  /** Address of the Communication Manager, if in another process. */
   private record ManagerAddress(
       @Variable(
               name = "COMMUNICATION MANAGER IP",
@@ -72,7 +72,7 @@ final class ServiceWiring {
   }
 
   /**
-   * The connection, made at the first call, with the service contract's subscriptions.
+   * The connection, opened at the first call with the service contract's subscriptions.
    *
    * @throws CommunicationException if the Communication Manager cannot be reached
    */
@@ -81,14 +81,14 @@ final class ServiceWiring {
     return open != null ? open : connect();
   }
 
-  /** Connects, unless the connection will be a predecessor's. */
+  /** Connects, unless the predecessor's connection will be used. */
   void begin() {
     if (!staged) {
       connection();
     }
   }
 
-  /** {@link #begin}, for those who want to hear that it worked. */
+  /** {@link #begin} with a success result. */
   boolean isReady() {
     begin();
     return true;
@@ -126,28 +126,28 @@ final class ServiceWiring {
       return false;
     }
     if (!ContractResponder.CHANNELS.contains(channel) && !channel.equals(Channels.HEALTH)) {
-      publishedMicros.lazySet(nowMicros); // whoever sees the count that follows sees this too
+      publishedMicros.lazySet(nowMicros); // visible before the following count
       published.incrementAndGet();
     }
     return true;
   }
 
-  /** What tells this connection from others of the same service; empty before the first. */
+  /** Unique ID of this connection among those of the same service; empty before the first. */
   Optional<String> instance() {
     return Optional.ofNullable(instance);
   }
 
-  /** What the service publishes and hears. */
+  /** The service's publications and subscriptions. */
   Registrations registrations() {
     return registrations;
   }
 
-  /** Messages published so far, reports of the contract left out. */
+  /** Number of messages published, without contract messages. */
   long published() {
     return published.get();
   }
 
-  /** Time since the last of them [s]; empty before the first. */
+  /** Time since the last published message [s]; empty before the first. */
   OptionalDouble dataAgeS() {
     return published() == 0
         ? OptionalDouble.empty()
@@ -176,8 +176,7 @@ final class ServiceWiring {
   }
 
   /**
-   * Subscribes on the predecessor's connection to what only this service wants; it waits in this
-   * service's inbox. Done ahead, as a Communication Manager far away takes its time to answer.
+   * Subscribes on the predecessor's connection to channels that only this service uses; their messages wait in this service's inbox. Done in advance, because a remote Communication Manager may answer slowly.
    */
   void prepare(ServiceWiring old, U2SAService service) {
     old.receiver().prepare(service);
@@ -189,14 +188,14 @@ final class ServiceWiring {
     }
   }
 
-  /** Takes a successor's {@link #prepare} back. */
+  /** Undoes a successor's {@link #prepare}. */
   void forget(ServiceWiring successor) {
     receiver().forget();
     successor.prepared.forEach(this::unsubscribeUnlessNeeded);
   }
 
   /**
-   * Hands the open connection and its receiver to a successor; this service is silent from here on.
+   * Hands the open connection and its receiver to a successor; this service no longer publishes.
    *
    * @return false if this service's communication has ended
    */
@@ -222,13 +221,13 @@ final class ServiceWiring {
     staged = false;
     for (Channel<?> channel : registrations.subscribed()) {
       if (!old.registrations.listensTo(channel) && !prepared.contains(channel)) {
-        open.subscribe(channel); // registered late, while it took over
+        open.subscribe(channel); // registered during the takeover
       }
     }
     prepared.clear();
   }
 
-  /** Ends what the predecessor had subscribed to and this service has not. */
+  /** Ends subscriptions of the predecessor that this service does not need. */
   void dropSubscriptionsOnlyOf(ServiceWiring old) {
     old.registrations.subscribed().forEach(this::unsubscribeUnlessNeeded);
   }
@@ -240,12 +239,12 @@ final class ServiceWiring {
     }
   }
 
-  /** What the connection calls with messages. */
+  /** Message callback of the connection. */
   synchronized ServiceReceiver receiver() {
     return receiver;
   }
 
-  /** Drops what is published from now on, without logging it. */
+  /** Silently drops everything published from now on. */
   void silence() {
     silent = true;
   }
@@ -254,19 +253,19 @@ final class ServiceWiring {
     return silent;
   }
 
-  /** Messages that were not taken or could not be read. Never waits for the connection. */
+  /** Number of messages refused or unreadable. Does not block on the connection. */
   long refused() {
     Connection open = connection;
     return open == null ? refused : open.refused();
   }
 
-  /** Messages that others sent and that were lost on the way. Never waits for the connection. */
+  /** Number of messages lost in transit. Does not block on the connection. */
   long missed() {
     Connection open = connection;
     return open == null ? missed : open.missed();
   }
 
-  /** Names of the channels that the broker does not let it hear. */
+  /** Names of the channels whose subscription the broker refused. */
   Set<String> refusedSubscriptions() {
     Connection open = connection;
     return open == null ? Set.of() : open.refusedSubscriptions();

@@ -12,8 +12,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.u2sa.interfaces.log.LogLevelEnum;
 
 /**
- * How a service goes on where another one was, and another one where it was: a service of another
- * class while it runs (user story 8), or itself before it was started anew.
+ * Succession of services: takeover by another class at run time (user story 8), and restarts with saved state.
  */
 final class Succession {
   private static final int KEPT_OF_EVERY = 64;
@@ -22,9 +21,9 @@ final class Succession {
   private final ProgressFile progress;
   private final AtomicReference<ServiceSwap> ordered = new AtomicReference<>();
   private final Map<String, Map<String, Deque<ServiceInbox.Delivery>>> retained =
-      new LinkedHashMap<>(); // newest by channel and source; belongs to the service's thread
+      new LinkedHashMap<>(); // latest by channel and source; confined to the service's thread
   private volatile U2SAService successor; // written on the service's thread
-  private boolean hasPredecessor; // whose place it has in this process
+  private boolean hasPredecessor; // in this process
   private long notRemembered;
 
   Succession(U2SAService service, ServiceContext context) {
@@ -32,7 +31,7 @@ final class Succession {
     progress = new ProgressFile(context, service.getServiceName());
   }
 
-  /** Before the first start: takes up what was remembered before a restart, or forgets it. */
+  /** Before the first start: restores the state saved before a restart, or deletes it. */
   void resume() {
     if (hasPredecessor) {
       return;
@@ -49,7 +48,7 @@ final class Succession {
       if (before.isPresent()) {
         resumeFrom(before.get());
       } else {
-        progress.delete(); // of another run
+        progress.delete(); // left by another run
       }
     } catch (IOException e) {
       service.log(LogLevelEnum.ERROR, "no saved state, starting fresh: " + e.getMessage());
@@ -67,7 +66,7 @@ final class Succession {
     }
   }
 
-  /** Takes over what the service before wrote down, on that one's thread. */
+  /** Restores the predecessor's saved state, on the predecessor's thread. */
   void takeOver(HandOver before) {
     Optional<Execution> execution = service.context().execution();
     if (execution.isPresent()) {
@@ -80,15 +79,15 @@ final class Succession {
   /** {@link U2SAService#remember}. */
   void remember() {
     if (!service.isRunning() || service.wiring.isSilent()) {
-      return; // given up or replaced: another one remembers now
+      return; // abandoned or replaced: its successor saves now
     }
     try {
       HandOver state = new HandOver(service.getClass().getName());
       service.handOver(state);
       progress.write(state);
-    } catch (IOException | RuntimeException e) { // such as a full disk: no reason not to go on
+    } catch (IOException | RuntimeException e) { // such as a full disk: not fatal
       notRemembered++;
-      if (Long.bitCount(notRemembered) == 1) { // 1, 2, 4, 8…: it may last
+      if (Long.bitCount(notRemembered) == 1) { // 1, 2, 4, 8…: may persist
         service.log(
             LogLevelEnum.ERROR,
             "the state was not saved, a restart would not resume from here: " + e);
@@ -96,21 +95,20 @@ final class Succession {
     }
   }
 
-  /** Takes note of an order. Returns false if there is one already. */
+  /** Records an order. Returns false if one is pending. */
   boolean order(ServiceSwap swap) {
     return ordered.compareAndSet(null, swap);
   }
 
-  /** Forgets an order that came to nothing. */
+  /** Discards a failed order. */
   void forget(ServiceSwap swap) {
     ordered.compareAndSet(swap, null);
   }
 
   /**
-   * Carries an order out, if there is one; to be called on the service's thread between two
-   * messages.
+   * Executes a pending order; call it on the service's thread between two messages.
    *
-   * @return whether another service has taken the place
+   * @return whether another service has taken over
    */
   boolean carryOut() {
     ServiceSwap swap = ordered.get();
@@ -118,10 +116,7 @@ final class Succession {
   }
 
   /**
-   * Takes note that a message is being handled. On retained channels a successor is handed the last
-   * ones again, as if it subscribed anew, without asking the Communication Manager. Where each
-   * message matters, several are kept, since the last one may mean nothing alone, as an order to
-   * clear an older stop.
+   * Records a handled message. A successor gets the last messages of retained channels again, as if it had newly subscribed, without involving the Communication Manager. On channels that must not lose messages several are kept, because the last one may be meaningless alone, such as a clear of an older stop.
    */
   void note(ServiceInbox.Delivery delivery) {
     if (!delivery.channel().isRetained()) {
@@ -138,30 +133,30 @@ final class Succession {
     }
   }
 
-  /** The last messages of retained channels, of one source in the order of their handling. */
+  /** The last messages of retained channels; those of one source in handling order. */
   List<ServiceInbox.Delivery> retained() {
     List<ServiceInbox.Delivery> all = new ArrayList<>();
     retained.values().forEach(ofChannel -> ofChannel.values().forEach(all::addAll));
     return all;
   }
 
-  /** The place is the successor's from now on. */
+  /** Records that the successor has taken over. */
   void succeeded(U2SAService by) {
     successor = by;
   }
 
-  /** Who has taken the place. */
+  /** The successor that has taken over. */
   Optional<U2SAService> successor() {
     return Optional.ofNullable(successor);
   }
 
-  /** Takes note that this service has another one's place. */
+  /** Records that this service has taken over from another. */
   void succeeds() {
     hasPredecessor = true;
     service.context().forgetPredecessor();
   }
 
-  /** Whether another service has the place and all that belongs to it, so that there is no end. */
+  /** Whether another service has taken over with all resources, so that no shutdown is needed. */
   boolean handsOverInsteadOfEnding() {
     if (successor != null) {
       return true;
@@ -173,7 +168,7 @@ final class Succession {
     return false;
   }
 
-  /** Closes what the subclass opened, but leaves actuators as they are: a successor moves them. */
+  /** Closes the subclass's resources but leaves actuators as they are, because the successor moves them. */
   void releaseAsPredecessor() {
     if (service.loop != null) {
       service.loop.close();
@@ -181,7 +176,7 @@ final class Succession {
     service.life.atLast("closing", service::releaseToSuccessor);
   }
 
-  /** Ends without ever having run, because its predecessor goes on. */
+  /** Ends without having run, because its predecessor continues. */
   void discard() {
     if (service.life.endsNow()) {
       service.wiring.silence();

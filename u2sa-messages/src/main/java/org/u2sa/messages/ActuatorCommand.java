@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** What one actuator is to do (thesis 3.2.3.9, figure 13); a subclass says what. */
+/** Command to one actuator (thesis 3.2.3.9, figure 13); subclasses define the quantity. */
 public class ActuatorCommand extends U2SAData {
   private static final Schema<ActuatorCommand> SCHEMA =
       Schema.of(ActuatorCommand.class, ActuatorCommand::new, U2SAData.TYPE);
@@ -24,7 +24,7 @@ public class ActuatorCommand extends U2SAData {
     return TYPE;
   }
 
-  /** The actuator that is to obey. */
+  /** Name of the addressed actuator. */
   public String actuatorName() {
     return require(ACTUATOR_NAME);
   }
@@ -34,7 +34,7 @@ public class ActuatorCommand extends U2SAData {
     return put(ACTUATOR_NAME, value);
   }
 
-  /** How long the command holds from its timestamp [s]; empty: until the next. */
+  /** Validity of the command, counted from its timestamp [s]; empty: until the next command. */
   public OptionalDouble expiry() {
     return get(EXPIRY);
   }

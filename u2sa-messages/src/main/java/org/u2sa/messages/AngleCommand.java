@@ -5,8 +5,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Turns an actuator to an angle, for those that announce a fullAngle (thesis 3.2.3.9 foresees such
- * extensions).
+ * Commands an angle, for actuators that announce a fullAngle (an extension as foreseen by thesis 3.2.3.9).
  */
 public class AngleCommand extends ActuatorCommand {
   private static final Schema<AngleCommand> SCHEMA =
@@ -22,7 +21,7 @@ public class AngleCommand extends ActuatorCommand {
     return TYPE;
   }
 
-  /** Angle from neutral [rad]; the direction of positive percentages is positive. */
+  /** Angle from neutral [rad], with the sign of the percentage. */
   public double angle() {
     return require(ANGLE);
   }
@@ -32,7 +31,7 @@ public class AngleCommand extends ActuatorCommand {
     return put(ANGLE, value);
   }
 
-  /** A command that holds until the next. */
+  /** Creates a command valid until the next one. */
   public static AngleCommand of(String actuator, double angleRad) {
     return new AngleCommand().actuatorName(actuator).angle(angleRad);
   }

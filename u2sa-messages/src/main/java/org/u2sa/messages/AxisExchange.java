@@ -4,8 +4,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Conversions that only exchange axes and turn signs round: LOCAL_ENU ↔ LOCAL_NED, and among the
- * BODY frames.
+ * Conversions that only swap axes and flip signs: LOCAL_ENU ↔ LOCAL_NED, and among the BODY frames.
  */
 final class AxisExchange {
   private static final double QUARTER = Math.PI / 2.0;
@@ -13,15 +12,14 @@ final class AxisExchange {
   private AxisExchange() {}
 
   /**
-   * The position between LOCAL_ENU and LOCAL_NED, either way: x and y change places, z turns round.
+   * Converts the position between LOCAL_ENU and LOCAL_NED, either way: swaps x and y and negates z.
    */
   static void swapPosition(StateInformation from, StateInformation to) {
     swap(StateTriple.POSITION, from, to, -1.0);
   }
 
   /**
-   * Velocities, accelerations and all standard deviations between east-north-up and
-   * north-east-down, either way.
+   * Converts velocities, accelerations and all standard deviations between east-north-up and north-east-down, either way.
    */
   static void swapVectors(StateInformation from, StateInformation to) {
     swap(StateTriple.VELOCITY, from, to, -1.0);
@@ -32,8 +30,7 @@ final class AxisExchange {
   }
 
   /**
-   * FRD axes against NED become FLU axes against ENU, either way: the same roll, the pitch turned
-   * round, and a heading of π/2 - ψ. Their derivatives follow, their standard deviations stay.
+   * Converts attitude between FRD relative to NED and FLU relative to ENU, either way: same roll, negated pitch, and a heading of π/2 - ψ. Derivatives follow; standard deviations are unchanged.
    */
   static void swapAttitude(StateInformation from, StateInformation to) {
     from.theta().ifPresent(theta -> to.theta(-theta));
@@ -49,7 +46,7 @@ final class AxisExchange {
     triple.put(to, from, Point.of(v.y(), v.x(), zSign * v.z()));
   }
 
-  /** Between two BODY frames: y or z or both turn round, and with them the senses of rotation. */
+  /** Converts between two BODY frames: negates y or z or both, and the senses of rotation with them. */
   static void flipBody(StateInformation from, StateInformation to) {
     BodyAxes source = BodyAxes.of(from.referenceFrame());
     BodyAxes target = BodyAxes.of(to.referenceFrame());
@@ -87,7 +84,7 @@ final class AxisExchange {
     triple.put(to, from, Point.of(first * v.x(), second * v.y(), third * v.z()));
   }
 
-  /** Signs of a BODY frame's axes and rotations against BODY_FRD. */
+  /** Signs of a BODY frame's axes and rotations relative to BODY_FRD. */
   record BodyAxes(double y, double z, double phi, double theta, double psi) {
     private static final BodyAxes FRD = new BodyAxes(1.0, 1.0, 1.0, 1.0, 1.0);
     // Thesis 3.2.3.2: phi from the left axis' view rolls towards +y (left), theta away from +z is

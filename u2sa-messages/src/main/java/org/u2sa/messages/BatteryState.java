@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** What a battery has left. */
+/** State of a battery. */
 public final class BatteryState extends U2SAData {
   private static final Schema<BatteryState> SCHEMA =
       Schema.of(BatteryState.class, BatteryState::new, U2SAData.TYPE).since(2);
@@ -27,7 +27,7 @@ public final class BatteryState extends U2SAData {
     return TYPE;
   }
 
-  /** What measured it; tells several batteries apart. */
+  /** Name of the measuring sensor; distinguishes several batteries. */
   public String sensorName() {
     return require(SENSOR_NAME);
   }
@@ -37,7 +37,7 @@ public final class BatteryState extends U2SAData {
     return put(SENSOR_NAME, value);
   }
 
-  /** Voltage at its terminals [V]. */
+  /** Terminal voltage [V]. */
   public OptionalDouble voltage() {
     return get(VOLTAGE);
   }
@@ -47,7 +47,7 @@ public final class BatteryState extends U2SAData {
     return put(VOLTAGE, value);
   }
 
-  /** Current that it gives [A]; negative while it is charged. */
+  /** Discharge current [A]; negative while charging. */
   public OptionalDouble current() {
     return get(CURRENT);
   }
@@ -57,7 +57,7 @@ public final class BatteryState extends U2SAData {
     return put(CURRENT, value);
   }
 
-  /** Charge left [%], 0…100. */
+  /** State of charge [%], 0…100. */
   public OptionalDouble remaining() {
     return get(REMAINING);
   }

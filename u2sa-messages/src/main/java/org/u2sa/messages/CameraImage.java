@@ -7,12 +7,12 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * One picture of a camera, compressed, for people to look at: in recordings and on screens.
+ * A compressed camera image, meant for people: in recordings and on screens.
  *
- * <p>The timestamp is when the picture was taken.
+ * <p>The timestamp is the time of exposure.
  */
 public final class CameraImage extends U2SAData {
-  /** The {@link #format()} of pictures in JPEG. */
+  /** The {@link #format()} of JPEG images. */
   public static final String JPEG = "jpeg";
 
   private static final long MAX_SIDE_PX = 65_535; // of JPEG (ITU-T T.81, B.2.2)
@@ -34,7 +34,7 @@ public final class CameraImage extends U2SAData {
     return TYPE;
   }
 
-  /** What took it; tells several cameras apart. */
+  /** Name of the camera; distinguishes several cameras. */
   public String sensorName() {
     return require(SENSOR_NAME);
   }
@@ -44,7 +44,7 @@ public final class CameraImage extends U2SAData {
     return put(SENSOR_NAME, value);
   }
 
-  /** How the picture is compressed, as media types name it: "jpeg", "png" or "webp". */
+  /** Compression format, by its media subtype: "jpeg", "png" or "webp". */
   public String format() {
     return require(FORMAT);
   }
@@ -54,12 +54,12 @@ public final class CameraImage extends U2SAData {
     return put(FORMAT, value);
   }
 
-  /** Columns of the picture [px]; 0 if the writer does not know. */
+  /** Image width [px]; 0 if unknown to the writer. */
   public long width() {
     return get(WIDTH);
   }
 
-  /** Rows of the picture [px]; 0 if the writer does not know. */
+  /** Image height [px]; 0 if unknown to the writer. */
   public long height() {
     return get(HEIGHT);
   }
@@ -92,7 +92,7 @@ public final class CameraImage extends U2SAData {
     }
   }
 
-  /** The compressed picture: a whole file of its {@link #format()}. */
+  /** The compressed image: a complete file in its {@link #format()}. */
   public ByteString data() {
     return require(DATA);
   }

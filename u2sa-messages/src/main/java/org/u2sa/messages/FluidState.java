@@ -3,12 +3,12 @@ package org.u2sa.messages;
 import java.util.OptionalDouble;
 
 /**
- * Motion through the fluid, air or water, along the vehicle's own axes (figure 6, right column):
+ * Motion relative to the fluid (air or water) along the vehicle's own axes (figure 6, right column):
  * those of BODY (x forward, y left, z down) unless the message itself is in BODY_FRD or BODY_FLU.
  */
 abstract class FluidState extends RotationState {
   /**
-   * Velocity of the vehicle through the fluid along its own x (forward) axis [m/s]; empty if
+   * Velocity of the vehicle relative to the fluid along its own x (forward) axis [m/s]; empty if
    * absent.
    */
   public OptionalDouble fluidxDot() {
@@ -21,7 +21,7 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Velocity of the vehicle through the fluid along its own y (left in BODY) axis [m/s]; empty if
+   * Velocity of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s]; empty if
    * absent.
    */
   public OptionalDouble fluidyDot() {
@@ -34,7 +34,7 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Velocity of the vehicle through the fluid along its own z (down in BODY) axis [m/s]; empty if
+   * Velocity of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s]; empty if
    * absent.
    */
   public OptionalDouble fluidzDot() {
@@ -47,7 +47,7 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Acceleration of the vehicle against the fluid along its own x (forward) axis [m/s²]; empty if
+   * Acceleration of the vehicle relative to the fluid along its own x (forward) axis [m/s²]; empty if
    * absent.
    */
   public OptionalDouble fluidxDoubleDot() {
@@ -60,7 +60,7 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Acceleration of the vehicle against the fluid along its own y (left in BODY) axis [m/s²]; empty
+   * Acceleration of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s²]; empty
    * if absent.
    */
   public OptionalDouble fluidyDoubleDot() {
@@ -73,7 +73,7 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Acceleration of the vehicle against the fluid along its own z (down in BODY) axis [m/s²]; empty
+   * Acceleration of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s²]; empty
    * if absent.
    */
   public OptionalDouble fluidzDoubleDot() {

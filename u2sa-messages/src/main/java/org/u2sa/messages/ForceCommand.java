@@ -5,8 +5,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Asks an actuator for a force, for those that announce one (thesis 3.2.3.9 foresees such
- * extensions).
+ * Commands a force, for actuators that announce one (an extension as foreseen by thesis 3.2.3.9).
  */
 public class ForceCommand extends ActuatorCommand {
   private static final Schema<ForceCommand> SCHEMA =
@@ -22,7 +21,7 @@ public class ForceCommand extends ActuatorCommand {
     return TYPE;
   }
 
-  /** Force along the announced direction [N]; the direction of positive percentages is positive. */
+  /** Force along the announced direction [N], with the sign of the percentage. */
   public double force() {
     return require(FORCE);
   }
@@ -32,7 +31,7 @@ public class ForceCommand extends ActuatorCommand {
     return put(FORCE, value);
   }
 
-  /** A command that holds until the next. */
+  /** Creates a command valid until the next one. */
   public static ForceCommand of(String actuator, double forceN) {
     return new ForceCommand().actuatorName(actuator).force(forceN);
   }

@@ -11,8 +11,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A goal of the mission (thesis 3.2.3.3, figure 7): a subclass says what is to be reached and when
- * it is.
+ * A goal of the mission (thesis 3.2.3.3, figure 7); subclasses define what is to be reached and when it counts as reached.
  */
 public abstract class GoalInformation extends U2SAData {
   private static final Schema<GoalInformation> SCHEMA =
@@ -34,22 +33,19 @@ public abstract class GoalInformation extends U2SAData {
       SCHEMA.optionalCount("choose", "");
 
   /**
-   * UIDs of the goals that follow once it is done, in place of next; an empty list ends the
-   * mission.
+   * UIDs of the goals that follow if it was completed, instead of next; an empty list ends the mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_DONE =
       SCHEMA.optionalIds("nextIfDone");
 
   /**
-   * UIDs of the goals that follow if it was given up, in place of next; an empty list ends the
-   * mission.
+   * UIDs of the goals that follow if it was abandoned, instead of next; an empty list ends the mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_FAILED =
       SCHEMA.optionalIds("nextIfFailed");
 
   /**
-   * UIDs of the goals that follow if its time ran out, in place of next; an empty list ends the
-   * mission.
+   * UIDs of the goals that follow if it timed out, instead of next; an empty list ends the mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_TIMED_OUT =
       SCHEMA.optionalIds("nextIfTimedOut");
@@ -66,7 +62,7 @@ public abstract class GoalInformation extends U2SAData {
   /** The schema. */
   public static final MessageType<GoalInformation> TYPE = SCHEMA.build();
 
-  /** Unique among the goals of a mission: "1", "Takeoff". */
+  /** Identifier, unique within the mission: "1", "Takeoff". */
   public String uid() {
     return require(UID);
   }
@@ -76,7 +72,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(UID, uid);
   }
 
-  /** True once the Path Planner found the goal reached. */
+  /** True once the Path Planner has reached the goal. */
   public boolean completed() {
     return get(COMPLETED);
   }
@@ -86,7 +82,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(COMPLETED, completed);
   }
 
-  /** UIDs of the goals that may come after this one; empty: whatever the mission's order says. */
+  /** UIDs of the goals that may follow this one; empty: the mission's order applies. */
   public List<String> next() {
     return get(NEXT);
   }
@@ -96,7 +92,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(NEXT, uids);
   }
 
-  /** What an operator reads; empty if there is none. */
+  /** Description for the operator; empty if none. */
   public Optional<String> description() {
     return Optional.ofNullable(get(DESCRIPTION));
   }
@@ -107,7 +103,7 @@ public abstract class GoalInformation extends U2SAData {
   }
 
   /**
-   * True once the Path Planner gave the goal up after its attempts: never completed, left behind.
+   * True once the Path Planner has abandoned the goal, uncompleted, after its attempts.
    */
   public boolean abandoned() {
     return get(ABANDONED);
@@ -118,7 +114,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(ABANDONED, abandoned);
   }
 
-  /** What came of it; empty while nothing has, and from senders that do not know the field. */
+  /** Result; empty while the goal is open, and from senders that predate the field. */
   public Optional<GoalResult> result() {
     return Optional.ofNullable(get(RESULT));
   }
@@ -128,7 +124,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(RESULT, value);
   }
 
-  /** Why it was given up, for people; empty if it was not, or if nobody said. */
+  /** Why it was abandoned, for people; empty if it was not, or if unknown. */
   public Optional<String> reason() {
     return Optional.ofNullable(get(REASON));
   }
@@ -138,7 +134,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(REASON, text);
   }
 
-  /** When the vehicle arrived [µs of the run's clock]; empty until it has. */
+  /** Time of arrival [µs of the run's clock]; empty before. */
   public OptionalLong arrivedAt() {
     return optionalCount(ARRIVED_AT);
   }
@@ -148,7 +144,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(ARRIVED_AT, micros);
   }
 
-  /** How long it may be pursued [s]; empty: as long as it takes. */
+  /** Time limit for pursuing it [s]; empty: unlimited. */
   public OptionalDouble timeLimit() {
     return get(TIME_LIMIT);
   }
@@ -159,8 +155,7 @@ public abstract class GoalInformation extends U2SAData {
   }
 
   /**
-   * How many of several next goals are to be completed, whichever; empty: as the Mission Manager is
-   * configured.
+   * How many of several next goals must be completed, no matter which; empty: as configured in the Mission Manager.
    */
   public OptionalLong choose() {
     return optionalCount(CHOOSE);
@@ -171,7 +166,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(CHOOSE, goals);
   }
 
-  /** What follows this result and no other, in place of {@link #next()}; empty: nothing special. */
+  /** UIDs of the goals that follow only this result, instead of {@link #next()}; empty: no special case. */
   public Optional<List<String>> nextIf(GoalResult result) {
     return Optional.ofNullable(nextField(result)).map(this::get);
   }
@@ -180,7 +175,7 @@ public abstract class GoalInformation extends U2SAData {
    * Sets {@link #nextIf}.
    *
    * @param result DONE, FAILED or TIMED_OUT
-   * @param uids none: the mission ends
+   * @param uids goals that follow; none ends the mission
    */
   public GoalInformation nextIf(GoalResult result, List<String> uids) {
     ValueField<GoalInformation, List<String>> field = nextField(result);
@@ -205,8 +200,7 @@ public abstract class GoalInformation extends U2SAData {
   }
 
   /**
-   * UID of the goal with which the mission goes on {@link #repeatTimes()} times after this one,
-   * before what {@link #next()} says; empty: no repetition.
+   * UID of the goal to which the mission jumps back {@link #repeatTimes()} times after this one before it continues with {@link #next()}; empty: no repetition.
    */
   public Optional<String> repeatFrom() {
     return Optional.ofNullable(get(REPEAT_FROM));
@@ -217,7 +211,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(REPEAT_FROM, uid);
   }
 
-  /** How often the mission goes back to {@link #repeatFrom()}; empty: once. */
+  /** Number of jumps back to {@link #repeatFrom()}; empty: one. */
   public OptionalLong repeatTimes() {
     return optionalCount(REPEAT_TIMES);
   }
@@ -232,7 +226,7 @@ public abstract class GoalInformation extends U2SAData {
     return (GoalInformation) super.copy();
   }
 
-  /** Stands for a goal of a class that the reader does not know. */
+  /** Placeholder for a goal of a class unknown to the reader. */
   private static final class UnknownGoal extends GoalInformation {
     @Override
     public MessageType<GoalInformation> type() {

@@ -10,8 +10,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * All current goals of the mission, of which the Path Planner chooses (thesis 3.2.3.2). A list
- * without goals says that the mission is over.
+ * The current goals of the mission, from which the Path Planner chooses (thesis 3.2.3.2). An empty list means that the mission is over.
  */
 public final class GoalList extends U2SAData {
   private static final Schema<GoalList> SCHEMA =
@@ -46,9 +45,7 @@ public final class GoalList extends U2SAData {
   }
 
   /**
-   * The goals that become current when one of {@link #goals()} is completed, so that a planner can
-   * act ahead of time; empty after the last ones. If several goals are current, these are only what
-   * comes after the one whose {@link GoalInformation#next()} names them.
+   * The goals that become current when one of {@link #goals()} is completed, so that a planner can look ahead; empty at the end of the mission. If several goals are current, each of these only follows the one whose {@link GoalInformation#next()} names it.
    */
   public List<GoalInformation> upcoming() {
     return require(UPCOMING);
@@ -60,8 +57,7 @@ public final class GoalList extends U2SAData {
   }
 
   /**
-   * How many goals the mission has that is loaded for the failsafe LAND; 0: there is none. Empty
-   * from senders that do not know the field.
+   * Number of goals in the mission loaded for the failsafe LAND; 0: no such mission. Empty from senders that predate the field.
    */
   public OptionalLong landGoals() {
     return optionalCount(LAND_GOALS);
@@ -72,7 +68,7 @@ public final class GoalList extends U2SAData {
     return put(LAND_GOALS, value);
   }
 
-  /** What is wrong now with the files that missions were loaded from, a text each. */
+  /** Current faults of the loaded mission files, one text each. */
   public List<String> fileFaults() {
     List<String> value = get(FILE_FAULTS);
     return value == null ? List.of() : value;
@@ -84,8 +80,7 @@ public final class GoalList extends U2SAData {
   }
 
   /**
-   * Whether the mission is paused: the vehicle stands, or circles if it cannot stand, and pursues
-   * none of {@link #goals()}. False from senders that do not know the field.
+   * Whether the mission is paused: the vehicle holds its position, or circles if it cannot stop, and pursues none of {@link #goals()}. False from senders that predate the field.
    */
   public boolean paused() {
     return Boolean.TRUE.equals(get(PAUSED));

@@ -1,13 +1,13 @@
 package org.u2sa.messages;
 
-/** What came of a goal. The order is that of the wire. */
+/** Result of a goal. The order is part of the wire format. */
 public enum GoalResult {
-  /** It was reached. */
+  /** Reached. */
   DONE,
-  /** The Path Planner gave it up. */
+  /** Abandoned by the Path Planner. */
   FAILED,
-  /** Its time limit, or the mission's, passed. */
+  /** Its time limit, or the mission's, expired. */
   TIMED_OUT,
-  /** An operator ended it. */
+  /** Skipped by an operator. */
   SKIPPED
 }

@@ -9,9 +9,7 @@ import java.util.zip.Deflater;
 import java.util.zip.Inflater;
 
 /**
- * A grid's cells as they travel: compressed by zlib (RFC 1950), the bytes written as Base64 (RFC
- * 4648, with padding) in texts to be read one behind the other. Text, so that whoever reads
- * messages as JSON reads these too.
+ * Wire form of a grid's cells: zlib-compressed (RFC 1950), Base64-encoded (RFC 4648, with padding) and split into consecutive texts. Text, so that JSON readers can decode it too.
  */
 final class GridCells {
   static final int MAX_SIDE = 4_096;
@@ -57,7 +55,7 @@ final class GridCells {
   }
 
   /**
-   * The cells of a message from elsewhere; never takes more memory than columns and rows say.
+   * Unpacks the cells of a received message; never allocates more memory than columns and rows imply.
    *
    * @throws IllegalStateException naming what is wrong
    */

@@ -7,11 +7,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * What gyroscopes and accelerometers measure themselves: angular rates and specific force about and
- * along the vehicle's axes, in BODY_FRD until {@link #referenceFrame} says BODY or BODY_FLU. Not
- * the rates of Euler angles and the accelerations over ground that a {@link StateInformation}
- * speaks of; what else an inertial sensor knows (attitude, say) may stand in those fields of
- * another message. A reader that does not know this class receives a StateInformation.
+ * Raw measurements of gyroscopes and accelerometers: angular rates about and specific force along the vehicle's axes, in BODY_FRD unless {@link #referenceFrame} is BODY or BODY_FLU. These are not the Euler angle rates and ground accelerations of {@link StateInformation}; other outputs of an inertial sensor (attitude, for example) go into those fields of a separate message. A reader that does not know this class receives a StateInformation.
  */
 public class InertialMeasurement extends StateInformation {
   private static final Schema<InertialMeasurement> SCHEMA =
@@ -36,14 +32,14 @@ public class InertialMeasurement extends StateInformation {
   /** The schema. */
   public static final MessageType<InertialMeasurement> TYPE = SCHEMA.build();
 
-  /** An empty measurement in BODY_FRD. */
+  /** Creates an empty measurement in BODY_FRD. */
   public InertialMeasurement() {
     referenceFrame(ReferenceFrame.BODY_FRD);
   }
 
   private InertialMeasurement(@SuppressWarnings("unused") Void nothingSet) {}
 
-  /** What a reader and a copy begin with: each field is set once. */
+  /** Creates an instance for a reader or a copy, which set each field once. */
   private static InertialMeasurement blank() {
     return new InertialMeasurement(null);
   }
@@ -53,7 +49,7 @@ public class InertialMeasurement extends StateInformation {
     return TYPE;
   }
 
-  /** Angular rate about the x (forward) axis [rad/s]; right side down positive in BODY_FRD. */
+  /** Angular rate about the x (forward) axis [rad/s]; positive right side down in BODY_FRD. */
   public OptionalDouble rollRate() {
     return get(ROLL_RATE);
   }
@@ -64,7 +60,7 @@ public class InertialMeasurement extends StateInformation {
     return this;
   }
 
-  /** Angular rate about the y axis [rad/s]; nose up positive in BODY_FRD. */
+  /** Angular rate about the y axis [rad/s]; positive nose up in BODY_FRD. */
   public OptionalDouble pitchRate() {
     return get(PITCH_RATE);
   }
@@ -75,7 +71,7 @@ public class InertialMeasurement extends StateInformation {
     return this;
   }
 
-  /** Angular rate about the z axis [rad/s]; nose to the right positive in BODY_FRD. */
+  /** Angular rate about the z axis [rad/s]; positive nose right in BODY_FRD. */
   public OptionalDouble yawRate() {
     return get(YAW_RATE);
   }
@@ -98,8 +94,7 @@ public class InertialMeasurement extends StateInformation {
   }
 
   /**
-   * Specific force along x [m/s²]: acceleration less gravity, what an accelerometer shows; positive
-   * when the vehicle speeds up forward.
+   * Specific force along x [m/s²]: acceleration minus gravity, as an accelerometer reads; positive when accelerating forward.
    */
   public OptionalDouble specificForceX() {
     return get(SPECIFIC_FORCE_X);
@@ -111,7 +106,7 @@ public class InertialMeasurement extends StateInformation {
     return this;
   }
 
-  /** Specific force along y [m/s²]; to the right positive in BODY_FRD. */
+  /** Specific force along y [m/s²]; positive right in BODY_FRD. */
   public OptionalDouble specificForceY() {
     return get(SPECIFIC_FORCE_Y);
   }

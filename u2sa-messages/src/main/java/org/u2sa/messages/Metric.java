@@ -5,14 +5,13 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Metres around a centre, whatever frame that is written in: in GLOBAL east, north, up; else the
- * frame's own axes.
+ * Metric coordinates around a centre given in any frame: east, north, up in GLOBAL; the frame's own axes otherwise.
  */
 public interface Metric {
-  /** A point of the frame as metres from the centre. */
+  /** Converts a point of the frame to metres from the centre. */
   Point metres(Point point);
 
-  /** Metres from the centre as a point of the frame. */
+  /** Converts metres from the centre to a point of the frame. */
   Point point(Point metres);
 
   static Metric around(ReferenceFrame frame, Point center) {
@@ -21,7 +20,7 @@ public interface Metric {
         : new OnPlane(center);
   }
 
-  /** Around a place on the earth. */
+  /** Creates metric coordinates around a geographic position. */
   record OnEarth(Geodetic center) implements Metric {
     @Override
     public Point metres(Point point) {
@@ -34,7 +33,7 @@ public interface Metric {
     }
   }
 
-  /** Around a point of Cartesian axes. */
+  /** Creates metric coordinates around a point of Cartesian axes. */
   record OnPlane(Point center) implements Metric {
     @Override
     public Point metres(Point point) {

@@ -10,8 +10,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Where a vehicle or a part of it is to go over the next time step: the error vector of the control
- * system (thesis 3.2.3.8, figure 12).
+ * Target of a vehicle or a subsystem for the next time step: the error vector of the control system (thesis 3.2.3.8, figure 12).
  */
 public class NavigationPoint extends U2SAData {
   private static final Schema<NavigationPoint> SCHEMA =
@@ -35,7 +34,7 @@ public class NavigationPoint extends U2SAData {
     return TYPE;
   }
 
-  /** Which part is to move; "VEHICLE" until set. */
+  /** Subsystem to move; defaults to "VEHICLE". */
   public String subsystem() {
     return require(SUBSYSTEM);
   }
@@ -45,7 +44,7 @@ public class NavigationPoint extends U2SAData {
     return put(SUBSYSTEM, value);
   }
 
-  /** The axes of the point; BODY until set. */
+  /** Axes of the point; defaults to BODY. */
   public ReferenceFrame referenceFrame() {
     return require(REFERENCE_FRAME);
   }
@@ -65,7 +64,7 @@ public class NavigationPoint extends U2SAData {
     return put(POINT, value);
   }
 
-  /** Speed to go there, through the fluid [m/s]; empty if control is to choose. */
+  /** Speed, relative to the fluid [m/s]; empty: chosen by control. */
   public OptionalDouble speed() {
     return get(SPEED);
   }
@@ -75,7 +74,7 @@ public class NavigationPoint extends U2SAData {
     return put(SPEED, value);
   }
 
-  /** Whether to go there with the rear first; false until set. */
+  /** Whether to drive there in reverse; defaults to false. */
   public boolean backwards() {
     return Boolean.TRUE.equals(get(BACKWARDS));
   }
@@ -85,18 +84,16 @@ public class NavigationPoint extends U2SAData {
     return put(BACKWARDS, value);
   }
 
-  /** The vehicle itself is to go to a point of BODY. */
+  /** Creates a target for the vehicle itself, in BODY. */
   public static NavigationPoint at(Point point) {
     return new NavigationPoint().point(point);
   }
 
   /**
-   * The same point in another frame, as a new message.
+   * Copy in another frame.
    *
-   * @param vehicle where the vehicle is and how it stands, in GLOBAL or UTM for a way between BODY
-   *     and the earth, in LOCAL_ENU or LOCAL_NED for one between BODY and local frames; absent roll
-   *     and pitch count as level, an absent altitude as 0
-   * @throws IllegalArgumentException naming both frames, if this cannot be done
+   * @param vehicle the vehicle's pose, in GLOBAL or UTM to convert between BODY and those frames, in LOCAL_ENU or LOCAL_NED to convert between BODY and local frames; absent roll, pitch and altitude count as 0
+   * @throws IllegalArgumentException naming both frames, if no conversion exists
    */
   public NavigationPoint in(ReferenceFrame frame, StateInformation vehicle) {
     PointConversion conversion = PointConversion.of(type(), referenceFrame(), frame, vehicle);

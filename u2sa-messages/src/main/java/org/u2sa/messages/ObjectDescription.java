@@ -16,8 +16,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Something in the environment (thesis 3.2.3.5, figure 9). This class itself is a single point, as
- * an ultrasonic or infrared range finder sees it.
+ * An object in the environment (thesis 3.2.3.5, figure 9). This class itself describes a single point, as detected by an ultrasonic or infrared range finder.
  */
 public class ObjectDescription extends U2SAData {
   private static final double MICROS_PER_SECOND = 1e6;
@@ -52,7 +51,7 @@ public class ObjectDescription extends U2SAData {
     return TYPE;
   }
 
-  /** Unique among the objects of a system. */
+  /** Identifier, unique within the system. */
   public String uid() {
     return require(UID);
   }
@@ -62,7 +61,7 @@ public class ObjectDescription extends U2SAData {
     return put(UID, uid);
   }
 
-  /** What it is to the mission, "barrel", "gate"; empty if unknown. */
+  /** Object type as the mission names it, such as "barrel" or "gate"; empty if unknown. */
   public String objectType() {
     return get(OBJECT_TYPE);
   }
@@ -72,7 +71,7 @@ public class ObjectDescription extends U2SAData {
     return put(OBJECT_TYPE, type);
   }
 
-  /** The axes of the centre and of all points; GLOBAL until set. */
+  /** Axes of the centre and of all points; defaults to GLOBAL. */
   public ReferenceFrame referenceFrame() {
     return get(REFERENCE_FRAME);
   }
@@ -82,7 +81,7 @@ public class ObjectDescription extends U2SAData {
     return put(REFERENCE_FRAME, frame);
   }
 
-  /** The centre along x [m]; longitude [deg] in GLOBAL. */
+  /** Centre along x [m]; longitude [deg] in GLOBAL. */
   public double x() {
     return require(X);
   }
@@ -92,7 +91,7 @@ public class ObjectDescription extends U2SAData {
     return put(X, value);
   }
 
-  /** The centre along y [m]; latitude [deg] in GLOBAL. */
+  /** Centre along y [m]; latitude [deg] in GLOBAL. */
   public double y() {
     return require(Y);
   }
@@ -103,8 +102,7 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * The centre along z [m]; altitude in GLOBAL. 0 until set: a plane world, as in the thesis's
-   * circle (3.2.3.3).
+   * Centre along z [m]; altitude in GLOBAL. Defaults to 0: a flat world, as in the thesis's circle (3.2.3.3).
    */
   public double z() {
     return require(Z);
@@ -115,7 +113,7 @@ public class ObjectDescription extends U2SAData {
     return put(Z, value);
   }
 
-  /** How much to avoid it; empty if nobody said. */
+  /** How strictly to avoid it; empty if unknown. */
   public Optional<ObjectLevel> level() {
     return Optional.ofNullable(get(LEVEL));
   }
@@ -125,7 +123,7 @@ public class ObjectDescription extends U2SAData {
     return put(LEVEL, level);
   }
 
-  /** How certain it is that the object is there [0…1]; empty if nobody said. */
+  /** Confidence that the object exists [0…1]; empty if unknown. */
   public OptionalDouble confidence() {
     return get(CONFIDENCE);
   }
@@ -135,7 +133,7 @@ public class ObjectDescription extends U2SAData {
     return put(CONFIDENCE, value);
   }
 
-  /** What saw it; empty if nobody said, as of what a file describes. */
+  /** Name of the detecting sensor; empty if unknown, for example for objects from a file. */
   public String sensorName() {
     String name = get(SENSOR_NAME);
     return name == null ? "" : name;
@@ -147,8 +145,7 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * How it moves and how well that is known: velocity, standard deviations, for how long the
-   * velocity holds.
+   * Motion and its uncertainty: velocity, standard deviations, and how long the velocity is valid.
    */
   public final ObjectMotion motion() {
     return new ObjectMotion(MOTION, this);
@@ -163,31 +160,27 @@ public class ObjectDescription extends U2SAData {
    * Distance from a point to the closest point of the object [m]; 0 inside. Every shape implements
    * its own.
    *
-   * @param from in the object's own frame; in GLOBAL longitude, latitude [deg] and altitude [m]
+   * @param from point in the object's own frame; in GLOBAL longitude, latitude [deg] and altitude [m]
    */
   public double distanceTo(Point from) {
     return metres(from).distance();
   }
 
-  /** A point of the object's frame as metres from the centre, in GLOBAL east, north and up. */
+  /** Converts a point of the object's frame to metres from the centre; east, north and up in GLOBAL. */
   protected final Point metres(Point point) {
     return metric().metres(point);
   }
 
-  /** The same for many points. */
+  /** Converts several points to metres from the centre. */
   protected final Metric metric() {
     return Metric.around(referenceFrame(), center());
   }
 
   /**
-   * The same object in another frame, as a new message. Its velocity is turned; its standard
-   * deviations are too, and on a way from or to BODY the vehicle's are added. What is absent stays
-   * absent.
+   * Copy in another frame. Velocity and standard deviations are rotated; conversions from or to BODY add the vehicle's standard deviations. Absent fields stay absent.
    *
-   * @param vehicle where the vehicle is and how it stands, in GLOBAL or UTM for a way between BODY
-   *     and the earth, in LOCAL_ENU or LOCAL_NED for one between BODY and local frames; absent roll
-   *     and pitch count as level, an absent altitude as 0
-   * @throws IllegalArgumentException naming both frames, if this cannot be done
+   * @param vehicle the vehicle's pose, in GLOBAL or UTM to convert between BODY and those frames, in LOCAL_ENU or LOCAL_NED to convert between BODY and local frames; absent roll, pitch and altitude count as 0
+   * @throws IllegalArgumentException naming both frames, if no conversion exists
    */
   public ObjectDescription in(ReferenceFrame frame, StateInformation vehicle) {
     ObjectDescription moved = copy();
@@ -196,10 +189,9 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * Where the object will be if it goes on as it moves, as a new message; the same place if no
-   * velocity is known. Standard deviations grow as the velocity's does.
+   * Copy predicted at constant velocity; unmoved if the velocity is unknown. Standard deviations grow with the velocity's.
    *
-   * @param seconds from the time that the message is of; negative: where it was
+   * @param seconds since the message's timestamp; negative for the past
    */
   public ObjectDescription after(double seconds) {
     ObjectDescription moved = copy();
@@ -213,15 +205,15 @@ public class ObjectDescription extends U2SAData {
     return moved;
   }
 
-  /** The same object around another centre, as a new message: its points move along. */
+  /** Copy around another centre; its points move along. */
   public ObjectDescription movedTo(Point newCenter) {
     ObjectDescription moved = copy();
     moved.shift(metres(newCenter));
-    moved.x(newCenter.x()).y(newCenter.y()).z(newCenter.z()); // to the last digit
+    moved.x(newCenter.x()).y(newCenter.y()).z(newCenter.z()); // exact to the last digit
     return moved;
   }
 
-  /** Moves the centre and all points by metres along the frame's axes. */
+  /** Translates the centre and all points along the frame's axes [m]. */
   private void shift(Point way) {
     Metric around = metric();
     eachPoint(point -> around.point(around.metres(point).plus(way)));
@@ -234,8 +226,7 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * Moves the centre, and the points of every list of points; called while the frame is still the
-   * old one.
+   * Maps the centre and all lists of points; called before the frame is changed.
    */
   protected void move(PointConversion conversion) {
     eachPoint(conversion::convert);
@@ -244,7 +235,7 @@ public class ObjectDescription extends U2SAData {
     x(center.x()).y(center.y()).z(center.z());
   }
 
-  /** Replaces every point of every list of points. */
+  /** Maps every point of all lists of points. */
   private void eachPoint(UnaryOperator<Point> change) {
     for (MessageField<U2SAData> field : ownType().fields()) {
       if (field.kind() == Kind.POINT_LIST) {

@@ -8,8 +8,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * To come near an object of a type, wherever the World Modeler sees one: a goal that needs no State
- * Estimator (thesis 4.3.2).
+ * Goal to approach an object of a given type wherever the World Modeler detects one; needs no State Estimator (thesis 4.3.2).
  */
 public class ObjectGoal extends GoalInformation {
   private static final Schema<ObjectGoal> SCHEMA =
@@ -29,7 +28,7 @@ public class ObjectGoal extends GoalInformation {
     return TYPE;
   }
 
-  /** Which objects: "buoy"; the nearest of them. */
+  /** Type of the object, such as "buoy"; the nearest one counts. */
   public String objectType() {
     return require(OBJECT_TYPE);
   }
@@ -39,7 +38,7 @@ public class ObjectGoal extends GoalInformation {
     return put(OBJECT_TYPE, type);
   }
 
-  /** Reached when the vehicle is this near to the object's surface [m]. */
+  /** Distance to the object's surface at which the goal is reached [m]. */
   public double within() {
     return require(WITHIN);
   }
@@ -49,7 +48,7 @@ public class ObjectGoal extends GoalInformation {
     return put(WITHIN, metres);
   }
 
-  /** Speed to go there [m/s]; empty if it does not matter. */
+  /** Approach speed [m/s]; empty: unspecified. */
   public OptionalDouble speed() {
     return get(SPEED);
   }
@@ -59,7 +58,7 @@ public class ObjectGoal extends GoalInformation {
     return put(SPEED, value);
   }
 
-  /** Subsystems that point at the object meanwhile, "GIMBAL", "ARM". */
+  /** Subsystems to point at the object meanwhile, such as "GIMBAL" or "ARM". */
   public List<String> pointed() {
     return get(POINTED);
   }

@@ -1,6 +1,6 @@
 package org.u2sa.messages;
 
-/** How much an object is to be avoided (thesis 3.2.3.5). The names travel; append only. */
+/** How strictly to avoid an object (thesis 3.2.3.5). Names are part of the wire format; append only. */
 public enum ObjectLevel {
   /** At all costs. */
   AVOID_ALWAYS,

@@ -7,8 +7,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * How an object moves and how well that is known: a view of the object's own fields, read and set
- * through it.
+ * Motion of an object and its uncertainty: a view that reads and sets the object's own fields.
  */
 public final class ObjectMotion {
   /** The fields, in wire order. */
@@ -44,7 +43,7 @@ public final class ObjectMotion {
 
   /**
    * Velocity over ground, not relative to the vehicle, along the axes of the object's frame [m/s];
-   * in GLOBAL east, north, up. Empty if not known; without one along z it counts as level.
+   * in GLOBAL east, north, up. Empty if unknown; an absent z component counts as 0.
    */
   public Optional<Point> velocity() {
     return triple(fields.xDot(), fields.yDot(), fields.zDot());
@@ -56,19 +55,18 @@ public final class ObjectMotion {
   }
 
   /**
-   * Standard deviations of the place along the axes of the object's frame [m]; in GLOBAL east,
-   * north, up. Empty if not known.
+   * Standard deviations of the position along the axes of the object's frame [m]; in GLOBAL east, north, up. Empty if unknown.
    */
   public Optional<Point> sigma() {
     return triple(fields.xSigma(), fields.ySigma(), fields.zSigma());
   }
 
-  /** Sets {@link #sigma()}; none is negative. */
+  /** Sets {@link #sigma()}; components must not be negative. */
   public ObjectMotion sigma(Point value) {
     return set(fields.xSigma(), fields.ySigma(), fields.zSigma(), value);
   }
 
-  /** Standard deviation of the velocity along each axis [m/s]; empty if not known. */
+  /** Standard deviation of the velocity along each axis [m/s]; empty if unknown. */
   public OptionalDouble velocitySigma() {
     return number(fields.velocitySigma());
   }
@@ -79,7 +77,7 @@ public final class ObjectMotion {
     return this;
   }
 
-  /** For how long the velocity may be relied on [s]; empty if nobody said. */
+  /** How long the velocity is valid [s]; empty if unknown. */
   public OptionalDouble horizon() {
     return number(fields.horizon());
   }
@@ -90,13 +88,13 @@ public final class ObjectMotion {
     return this;
   }
 
-  /** Into the axes of another frame; called while centre and frame are still the old ones. */
+  /** Converts to another frame's axes; called before centre and frame are changed. */
   void turn(PointConversion conversion, Point center) {
     velocity().ifPresent(velocity -> velocity(conversion.vector(center, velocity)));
     sigma().ifPresent(sigma -> sigma(conversion.positionSigma(center, sigma)));
   }
 
-  /** The place's standard deviations after some time. */
+  /** Predicts the standard deviations of the position. */
   void grow(double seconds) {
     sigma()
         .ifPresent(

@@ -11,21 +11,19 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Which places around the vehicle are occupied, free or never seen, cell by cell (Moravec and
- * Elfes, "High resolution maps from wide angle sonar", ICRA 1985).
+ * Occupancy grid: which cells around the vehicle are occupied, free or unobserved (Moravec and Elfes, "High resolution maps from wide angle sonar", ICRA 1985).
  *
  * <p>Cells lie along the x axis (columns) and the y axis (rows) of the frame, in GLOBAL along east
  * and north of the anchor. Cell (0, 0) has its corner {@link #left()} and {@link #bottom()} metres
  * from the anchor; a grid that rolls with the vehicle keeps the anchor and moves by whole cells.
  *
- * <p>A cell is a byte: {@link #UNKNOWN}, or the natural logarithm of the odds that it is occupied
- * in steps of {@link #LOG_ODDS_STEP}, positive: rather occupied.
+ * <p>A cell is a byte: {@link #UNKNOWN}, or the natural log odds of occupancy in steps of {@link #LOG_ODDS_STEP}; positive means more likely occupied than free.
  */
 public final class OccupancyGrid extends U2SAData {
-  /** A cell that nothing is known of. */
+  /** Value of an unobserved cell. */
   public static final byte UNKNOWN = Byte.MIN_VALUE;
 
-  /** What one step of a cell's byte is worth in log odds. */
+  /** Log odds per step of a cell's byte. */
   public static final double LOG_ODDS_STEP = 0.05;
 
   private static final Schema<OccupancyGrid> SCHEMA =
@@ -46,19 +44,19 @@ public final class OccupancyGrid extends U2SAData {
   /** The schema. */
   public static final MessageType<OccupancyGrid> TYPE = SCHEMA.build();
 
-  private volatile byte[] unpacked; // what CELLS hold; null until checked or asked for
+  private volatile byte[] unpacked; // unpacked CELLS; null until first needed
 
   @Override
   public MessageType<OccupancyGrid> type() {
     return TYPE;
   }
 
-  /** The axes of the anchor and the cells; GLOBAL until set. */
+  /** Axes of the anchor and the cells; defaults to GLOBAL. */
   public ReferenceFrame referenceFrame() {
     return get(REFERENCE_FRAME);
   }
 
-  /** The place that the cells are counted from; longitude, latitude [deg], altitude in GLOBAL. */
+  /** Reference position of the cells; longitude, latitude [deg], altitude in GLOBAL. */
   public Point anchor() {
     return Point.of(require(X), require(Y), require(Z));
   }
@@ -87,7 +85,7 @@ public final class OccupancyGrid extends U2SAData {
     return put(BOTTOM, bottom);
   }
 
-  /** Side of a cell [m]. */
+  /** Cell size [m]. */
   public double resolution() {
     return require(RESOLUTION);
   }
@@ -97,19 +95,18 @@ public final class OccupancyGrid extends U2SAData {
     return put(RESOLUTION, metres);
   }
 
-  /** How many cells along x. */
+  /** Number of cells along x. */
   public int columns() {
     return GridCells.side("columns", require(COLUMNS));
   }
 
-  /** How many cells along y. */
+  /** Number of cells along y. */
   public int rows() {
     return GridCells.side("rows", require(ROWS));
   }
 
   /**
-   * All cells, row by row from the bottom: that of (column, row) is at {@code row * columns +
-   * column}.
+   * All cells in row-major order from the bottom: cell (column, row) is at {@code row * columns + column}.
    */
   public byte[] cells() {
     return unpacked().clone();
@@ -151,7 +148,7 @@ public final class OccupancyGrid extends U2SAData {
         : UNKNOWN;
   }
 
-  /** The middle of a cell, in the frame. */
+  /** Centre of a cell, in the frame. */
   public Point centerOf(int column, int row) {
     Point metres =
         Point.of(
@@ -159,16 +156,16 @@ public final class OccupancyGrid extends U2SAData {
     return Metric.around(referenceFrame(), anchor()).point(metres);
   }
 
-  /** How probable it is that a cell is occupied [0…1]; ½ if nothing is known. */
+  /** Occupancy probability of a cell [0…1]; ½ if unknown. */
   public static double probability(byte cell) {
     return cell == UNKNOWN ? 0.5 : 1.0 / (1.0 + Math.exp(-LOG_ODDS_STEP * cell));
   }
 
-  /** Columns, rows and packed cells fit together. */
+  /** Checks that columns, rows and packed cells agree. */
   @Override
   protected void requireConsistent() {
     long cells = (long) columns() * rows();
-    if (unpacked().length != cells) { // set one by one, by name
+    if (unpacked().length != cells) { // fields may be set individually by name
       throw new IllegalStateException(
           "OccupancyGrid.cells: " + unpacked().length + "; expected " + columns() + " × " + rows());
     }

@@ -1,15 +1,15 @@
 package org.u2sa.messages;
 
-/** What a vehicle does with its planned way. The names travel; append only. */
+/** What a vehicle does about its planned path. Names are part of the wire format; append only. */
 public enum PathStatus {
-  /** It follows the way. */
+  /** Follows the path. */
   FOLLOWED,
-  /** It waits: there is no way at present, or traffic is on it. */
+  /** Waits: there is no path at present, or traffic blocks it. */
   WAITING,
-  /** It brakes, or turns as tightly as it can: a collision is near. */
+  /** Brakes, or turns as tightly as possible: a collision is imminent. */
   BRAKING,
-  /** It frees itself: backs out or turns. */
+  /** Recovers from being stuck: backs out or turns. */
   RECOVERING,
-  /** There is no way, and the goal was given up. */
+  /** No path; the goal was abandoned. */
   GIVEN_UP
 }

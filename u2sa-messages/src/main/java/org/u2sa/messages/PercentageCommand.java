@@ -5,8 +5,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Moves an actuator to a share of its range (thesis 3.2.3.9): of place or speed, as the actuator
- * understands it.
+ * Commands an actuator in percent of its range (thesis 3.2.3.9); whether that is a position or a speed depends on the actuator.
  */
 public class PercentageCommand extends ActuatorCommand {
   private static final Schema<PercentageCommand> SCHEMA =
@@ -22,7 +21,7 @@ public class PercentageCommand extends ActuatorCommand {
     return TYPE;
   }
 
-  /** Share of the actuator's range [%, -100…100]. */
+  /** Percentage of the actuator's range [%, -100…100]. */
   public double percentage() {
     return require(PERCENTAGE);
   }
@@ -32,7 +31,7 @@ public class PercentageCommand extends ActuatorCommand {
     return put(PERCENTAGE, value);
   }
 
-  /** A command that holds until the next. */
+  /** Creates a command valid until the next one. */
   public static PercentageCommand of(String actuator, double percentage) {
     return new PercentageCommand().actuatorName(actuator).percentage(percentage);
   }

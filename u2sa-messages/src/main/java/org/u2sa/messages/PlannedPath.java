@@ -11,7 +11,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** The way that the Path Planner means to take to its goal, and what that costs; for screens. */
+/** The Path Planner's path to its goal and its cost, for display. */
 public final class PlannedPath extends U2SAData {
   private static final Schema<PlannedPath> SCHEMA =
       Schema.of(PlannedPath.class, PlannedPath::new, U2SAData.TYPE).since(3);
@@ -35,7 +35,7 @@ public final class PlannedPath extends U2SAData {
     return TYPE;
   }
 
-  /** Which part is to move; "VEHICLE" until set. */
+  /** Subsystem to move; defaults to "VEHICLE". */
   public String subsystem() {
     return require(SUBSYSTEM);
   }
@@ -45,7 +45,7 @@ public final class PlannedPath extends U2SAData {
     return put(SUBSYSTEM, value);
   }
 
-  /** UID of the goal to which it leads; empty if none. */
+  /** UID of the goal; empty if none. */
   public String goal() {
     return get(GOAL);
   }
@@ -55,7 +55,7 @@ public final class PlannedPath extends U2SAData {
     return put(GOAL, uid);
   }
 
-  /** Which planner found it, as the variable PLANNER names it. */
+  /** Planner that found it, as named by the variable PLANNER. */
   public String planner() {
     return require(PLANNER);
   }
@@ -65,7 +65,7 @@ public final class PlannedPath extends U2SAData {
     return put(PLANNER, name);
   }
 
-  /** What the vehicle does with it. */
+  /** What the vehicle does about it. */
   public PathStatus status() {
     return require(STATUS);
   }
@@ -75,7 +75,7 @@ public final class PlannedPath extends U2SAData {
     return put(STATUS, value);
   }
 
-  /** Why, as an operator reads it; empty if all is well. */
+  /** Reason, for the operator; empty if all is well. */
   public Optional<String> reason() {
     return Optional.ofNullable(get(REASON));
   }
@@ -85,7 +85,7 @@ public final class PlannedPath extends U2SAData {
     return put(REASON, text);
   }
 
-  /** The axes of the points; GLOBAL until set. */
+  /** Axes of the points; defaults to GLOBAL. */
   public ReferenceFrame referenceFrame() {
     return get(REFERENCE_FRAME);
   }
@@ -95,7 +95,7 @@ public final class PlannedPath extends U2SAData {
     return put(REFERENCE_FRAME, frame);
   }
 
-  /** Corners of the way, from where the vehicle was when it was planned to the goal. */
+  /** Corners of the path, from the vehicle's position at planning time to the goal. */
   public List<Point> points() {
     return require(POINTS);
   }
@@ -106,8 +106,7 @@ public final class PlannedPath extends U2SAData {
   }
 
   /**
-   * What the way costs: its length, each metre times the cost of where it lies [m]; empty if there
-   * is no way.
+   * Path cost: its length with each metre weighted by the local cost [m]; empty if there is no path.
    */
   public OptionalDouble cost() {
     return get(COST);

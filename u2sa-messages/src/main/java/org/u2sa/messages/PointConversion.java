@@ -8,16 +8,14 @@ import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * Takes points from one frame to another, given where the vehicle is and how it stands. Every point
- * goes through the frame that the vehicle's state is written in, GLOBAL or LOCAL_NED, or through
- * BODY_FRD if no place is needed.
+ * Converts points between frames, given the vehicle's pose. Every point passes through the frame of the vehicle's state, GLOBAL or LOCAL_NED, or through BODY_FRD if no position is needed.
  */
 public final class PointConversion {
   private final ReferenceFrame source;
   private final ReferenceFrame target;
   private final UtmGrid sourceGrid; // null unless the source is UTM
   private final UtmGrid targetGrid; // null unless the target is UTM
-  private final StateInformation vehicle; // in GLOBAL or LOCAL_NED; null: none needed or none given
+  private final StateInformation vehicle; // in GLOBAL or LOCAL_NED; null if not needed or not given
 
   private PointConversion(ReferenceFrame source, ReferenceFrame target, StateInformation vehicle) {
     this.source = source;
@@ -28,10 +26,10 @@ public final class PointConversion {
   }
 
   /**
-   * The conversion for a message.
+   * Creates the conversion for a message.
    *
    * @param vehicle may be null if both frames are of the same family
-   * @throws IllegalArgumentException naming both frames, if it cannot be done
+   * @throws IllegalArgumentException naming both frames, if no conversion exists
    */
   static PointConversion of(
       MessageType<?> type, ReferenceFrame source, ReferenceFrame target, StateInformation vehicle) {
@@ -63,7 +61,7 @@ public final class PointConversion {
     return new PointConversion(source, target, placed);
   }
 
-  /** One point. */
+  /** Converts a point. */
   Point convert(Point point) {
     if (source.equals(target)) {
       return point;
@@ -79,7 +77,7 @@ public final class PointConversion {
   }
 
   /**
-   * A horizontal direction, counted in the frames' senses of psi.
+   * Converts a horizontal direction, measured as each frame measures psi.
    *
    * @param at where it is, in the source frame
    */
@@ -93,7 +91,7 @@ public final class PointConversion {
   }
 
   /**
-   * A vector, as a velocity, along the axes of the target frame; in GLOBAL along east, north, up.
+   * Rotates a vector, such as a velocity, into the axes of the target frame; in GLOBAL east, north, up.
    *
    * @param at where it is, in the source frame
    */
@@ -106,8 +104,7 @@ public final class PointConversion {
   }
 
   /**
-   * Standard deviations [m] of a place along the axes of the target frame: those of the source, and
-   * what the vehicle's place and attitude add on a way from or to BODY. Correlations are dropped.
+   * Standard deviations [m] of a position along the axes of the target frame: the source's, plus the contribution of the vehicle's position and attitude when converting from or to BODY. Correlations are dropped.
    *
    * @param at where it is, in the source frame
    */
@@ -137,7 +134,7 @@ public final class PointConversion {
     return Point.of(ned.y(), ned.x(), ned.z());
   }
 
-  /** The source's axes at a place, each a unit vector along the target's axes. */
+  /** The source's axes at a position, as unit vectors in the target's axes. */
   private Point[] axes(Point at) {
     Metric before = Metric.around(source, at);
     Metric after = Metric.around(target, convert(at));
@@ -145,7 +142,7 @@ public final class PointConversion {
     for (int i = 0; i < axes.length; i++) {
       Point metre = Point.of(i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0);
       Point turned = after.metres(convert(before.point(metre)));
-      double length = turned.distance(); // a grid's metre is not quite the ground's
+      double length = turned.distance(); // a grid metre differs slightly from a ground metre
       axes[i] = Point.of(turned.x() / length, turned.y() / length, turned.z() / length);
     }
     return axes;
@@ -172,7 +169,7 @@ public final class PointConversion {
     return attitude().transposed().times(nedFromVehicle(point));
   }
 
-  /** A point of a frame that is fixed as north, east and down from the vehicle. */
+  /** Converts a point of an earth-fixed frame to north, east and down from the vehicle. */
   private Point nedFromVehicle(Point point) {
     if (source.isEarth()) {
       return vehiclePlace().nedOf(toPlace(point));
@@ -181,7 +178,7 @@ public final class PointConversion {
     return local.minus(vehiclePosition());
   }
 
-  /** Absent roll and pitch are level. */
+  /** Absent roll and pitch count as 0. */
   private Rotation attitude() {
     return Rotation.nedFromFrd(
         vehicle.phi().orElse(0.0), vehicle.theta().orElse(0.0), vehicle.psi().getAsDouble());
@@ -207,7 +204,7 @@ public final class PointConversion {
     return Point.of(point.y(), point.x(), -point.z());
   }
 
-  /** Between BODY_FRD and a BODY frame, either way. */
+  /** Converts between BODY_FRD and a BODY frame, either way. */
   private static Point flipped(Point point, ReferenceFrame body) {
     AxisExchange.BodyAxes axes = AxisExchange.BodyAxes.of(body);
     return Point.of(point.x(), axes.y() * point.y(), axes.z() * point.z());

@@ -13,8 +13,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * One turn or sweep of a scanning range finder, beam by beam, those without an echo too: that
- * nothing was seen in a direction is what a map of free space is made of.
+ * One revolution or sweep of a scanning range finder, beam by beam, including beams without an echo: these are the evidence for free space.
  *
  * <p>The timestamp is that of the first beam. Beams lie in the plane of the sensor's x (ahead) and
  * y (left) axes.
@@ -50,8 +49,8 @@ public final class RangeScan extends U2SAData {
   /**
    * One measurement.
    *
-   * @param angle from straight ahead of the sensor, to the left positive [rad]
-   * @param range to what returned an echo [m]; empty if nothing did
+   * @param angle from the sensor's forward axis, positive to the left [rad]
+   * @param range distance of the echo [m]; empty without an echo
    */
   public record Beam(double angle, OptionalDouble range) {}
 
@@ -60,7 +59,7 @@ public final class RangeScan extends U2SAData {
     return TYPE;
   }
 
-  /** What measured it; tells several scanners apart. */
+  /** Name of the scanner; distinguishes several scanners. */
   public String sensorName() {
     return require(SENSOR_NAME);
   }
@@ -70,7 +69,7 @@ public final class RangeScan extends U2SAData {
     return put(SENSOR_NAME, value);
   }
 
-  /** The axes of the sensor's place and of how it is turned; BODY until set. */
+  /** Axes of the sensor's position and attitude; defaults to BODY. */
   public ReferenceFrame referenceFrame() {
     return get(REFERENCE_FRAME);
   }
@@ -80,7 +79,7 @@ public final class RangeScan extends U2SAData {
     return put(REFERENCE_FRAME, value);
   }
 
-  /** Place of the sensor [m]; forward in BODY. */
+  /** Sensor position along x [m]; forward in BODY. */
   public double x() {
     return get(X).orElseThrow();
   }
@@ -90,7 +89,7 @@ public final class RangeScan extends U2SAData {
     return put(X, value);
   }
 
-  /** Place of the sensor [m]; to the left in BODY. */
+  /** Sensor position along y [m]; left in BODY. */
   public double y() {
     return get(Y).orElseThrow();
   }
@@ -100,7 +99,7 @@ public final class RangeScan extends U2SAData {
     return put(Y, value);
   }
 
-  /** Place of the sensor [m]; down in BODY. */
+  /** Sensor position along z [m]; down in BODY. */
   public double z() {
     return get(Z).orElseThrow();
   }
@@ -110,7 +109,7 @@ public final class RangeScan extends U2SAData {
     return put(Z, value);
   }
 
-  /** How the sensor is turned about its x axis [rad]; left side down positive in BODY. */
+  /** Sensor roll [rad]; left side down positive in BODY. */
   public double phi() {
     return get(PHI).orElseThrow();
   }
@@ -120,7 +119,7 @@ public final class RangeScan extends U2SAData {
     return put(PHI, value);
   }
 
-  /** How the sensor is tilted [rad]; front up positive in BODY. */
+  /** Sensor pitch [rad]; front up positive in BODY. */
   public double theta() {
     return get(THETA).orElseThrow();
   }
@@ -130,7 +129,7 @@ public final class RangeScan extends U2SAData {
     return put(THETA, value);
   }
 
-  /** How the sensor is turned about the vertical [rad]; to the left positive in BODY. */
+  /** Sensor yaw [rad]; to the left positive in BODY. */
   public double psi() {
     return get(PSI).orElseThrow();
   }
@@ -140,7 +139,7 @@ public final class RangeScan extends U2SAData {
     return put(PSI, value);
   }
 
-  /** A return from nearer says nothing of the surroundings [m]: it is the vehicle itself. */
+  /** Minimum range [m]: closer returns come from the vehicle itself and are ignored. */
   public double minRange() {
     return get(MIN_RANGE).orElseThrow();
   }
@@ -150,7 +149,7 @@ public final class RangeScan extends U2SAData {
     return put(MIN_RANGE, value);
   }
 
-  /** How far the sensor sees [m]: a beam without a return met nothing that it could have seen. */
+  /** Maximum range [m]: a beam without a return means that nothing detectable is closer. */
   public double maxRange() {
     return get(MAX_RANGE).orElseThrow();
   }
@@ -160,7 +159,7 @@ public final class RangeScan extends U2SAData {
     return put(MAX_RANGE, value);
   }
 
-  /** Time from each beam to the next [s]; 0 if not known. */
+  /** Time between consecutive beams [s]; 0 if unknown. */
   public double timeIncrement() {
     return get(TIME_INCREMENT).orElseThrow();
   }
@@ -170,36 +169,36 @@ public final class RangeScan extends U2SAData {
     return put(TIME_INCREMENT, value);
   }
 
-  /** Direction of the first beam [rad] from straight ahead, to the left positive in BODY. */
+  /** Direction of the first beam [rad] from straight ahead; positive to the left in BODY. */
   public double startAngle() {
     return get(START_ANGLE).orElseThrow();
   }
 
-  /** From each beam's direction to the next [rad]; negative if it turns to the right. */
+  /** Angle between consecutive beams [rad]; negative if the scan turns to the right. */
   public double angleIncrement() {
     return get(ANGLE_INCREMENT).orElseThrow();
   }
 
-  /** Direction of each beam [rad], where they are uneven; then the two above say nothing. */
+  /** Direction of each beam [rad] if unevenly spaced; startAngle and angleIncrement are then unused. */
   public List<Double> angles() {
     return get(ANGLES);
   }
 
-  /** What each beam measured [m]; 0 and of no meaning where returns says that nothing came. */
+  /** Range of each beam [m]; 0 and meaningless where returns is false. */
   public List<Double> ranges() {
     return get(RANGES);
   }
 
-  /** Whether each beam's echo returned, as many as ranges; false: no echo. */
+  /** Whether each beam returned an echo; one per range. */
   public List<Boolean> returns() {
     return get(RETURNS);
   }
 
   /**
-   * Sets the beams of a sensor with even steps.
+   * Sets the beams of a sensor with equal angular steps.
    *
-   * @param startAngle of the first [rad]
-   * @param angleIncrement to the next [rad]
+   * @param startAngle direction of the first beam [rad]
+   * @param angleIncrement angle between beams [rad]
    * @param ranges in that order [m]; empty: no echo
    */
   public RangeScan beams(double startAngle, double angleIncrement, List<OptionalDouble> ranges) {
@@ -209,7 +208,7 @@ public final class RangeScan extends U2SAData {
     return measured(ranges);
   }
 
-  /** Sets the beams of a sensor whose steps are uneven, in the order in which it measured. */
+  /** Sets the beams of a sensor with unequal angular steps, in measuring order. */
   public RangeScan beams(List<Beam> beams) {
     List<Double> angles = new ArrayList<>(beams.size());
     List<OptionalDouble> ranges = new ArrayList<>(beams.size());
@@ -232,12 +231,12 @@ public final class RangeScan extends U2SAData {
     return put(RETURNS, returns);
   }
 
-  /** All beams, in the order in which they were measured. */
+  /** All beams, in measuring order. */
   public List<Beam> beams() {
     List<Double> angles = angles();
     List<Double> ranges = ranges();
     List<Boolean> returns = returns();
-    int count = Math.min(ranges.size(), returns.size()); // a writer may err
+    int count = Math.min(ranges.size(), returns.size()); // the counts of a faulty writer may differ
     count = angles.isEmpty() ? count : Math.min(count, angles.size());
     List<Beam> beams = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
@@ -250,16 +249,16 @@ public final class RangeScan extends U2SAData {
   }
 
   /**
-   * What was seen from minRange to maxRange, as points in BODY.
+   * Echoes between minRange and maxRange as points in BODY.
    *
-   * @throws IllegalStateException if the sensor's place is not in BODY
+   * @throws IllegalStateException if the sensor's pose is not in BODY
    */
   public List<Point> points() {
     if (!referenceFrame().equals(ReferenceFrame.BODY)) {
       throw new IllegalStateException(
           "a scan in " + referenceFrame() + " has no points: expected " + ReferenceFrame.BODY);
     }
-    // BODY is left-handed: rotations are done in FRD axes, where y, roll and yaw have the other
+    // BODY is left-handed: rotations are done in FRD axes, where y, roll and yaw have opposite
     // sign.
     Rotation frd = Rotation.nedFromFrd(-phi(), theta(), -psi());
     Point place = Point.of(x(), y(), z());
@@ -267,7 +266,7 @@ public final class RangeScan extends U2SAData {
     for (Beam beam : beams()) {
       double range = beam.range().orElse(-1.0);
       if (range >= minRange() && range <= maxRange()) {
-        Point seen = Point.polar(-beam.angle(), 0.0, range); // FRD: to the right positive
+        Point seen = Point.polar(-beam.angle(), 0.0, range); // FRD: positive to the right
         Point turned = frd.times(seen);
         points.add(Point.of(turned.x(), -turned.y(), turned.z()).plus(place));
       }

@@ -4,7 +4,7 @@ import java.util.OptionalDouble;
 
 /**
  * Attitude, its rates and accelerations, with their standard deviations (figure 6, middle column).
- * Senses of rotation are the frame's.
+ * Signs follow the frame's conventions.
  */
 abstract class RotationState extends TranslationState {
   /** Roll [rad]; right wing down positive in GLOBAL; empty if absent. */
@@ -37,7 +37,7 @@ abstract class RotationState extends TranslationState {
     return number(StateField.PSI, value);
   }
 
-  /** Roll rate, of the Euler angle [rad/s]; empty if absent. */
+  /** Roll rate (Euler angle) [rad/s]; empty if absent. */
   public OptionalDouble phiDot() {
     return number(StateField.PHI_DOT);
   }
@@ -47,7 +47,7 @@ abstract class RotationState extends TranslationState {
     return number(StateField.PHI_DOT, value);
   }
 
-  /** Pitch rate, of the Euler angle [rad/s]; empty if absent. */
+  /** Pitch rate (Euler angle) [rad/s]; empty if absent. */
   public OptionalDouble thetaDot() {
     return number(StateField.THETA_DOT);
   }
@@ -57,7 +57,7 @@ abstract class RotationState extends TranslationState {
     return number(StateField.THETA_DOT, value);
   }
 
-  /** Heading rate, of the Euler angle [rad/s]; empty if absent. */
+  /** Heading rate (Euler angle) [rad/s]; empty if absent. */
   public OptionalDouble psiDot() {
     return number(StateField.PSI_DOT);
   }
@@ -67,7 +67,7 @@ abstract class RotationState extends TranslationState {
     return number(StateField.PSI_DOT, value);
   }
 
-  /** Roll acceleration, of the Euler angle [rad/s²]; empty if absent. */
+  /** Roll acceleration (Euler angle) [rad/s²]; empty if absent. */
   public OptionalDouble phiDoubleDot() {
     return number(StateField.PHI_DOUBLE_DOT);
   }
@@ -77,7 +77,7 @@ abstract class RotationState extends TranslationState {
     return number(StateField.PHI_DOUBLE_DOT, value);
   }
 
-  /** Pitch acceleration, of the Euler angle [rad/s²]; empty if absent. */
+  /** Pitch acceleration (Euler angle) [rad/s²]; empty if absent. */
   public OptionalDouble thetaDoubleDot() {
     return number(StateField.THETA_DOUBLE_DOT);
   }
@@ -87,7 +87,7 @@ abstract class RotationState extends TranslationState {
     return number(StateField.THETA_DOUBLE_DOT, value);
   }
 
-  /** Heading acceleration, of the Euler angle [rad/s²]; empty if absent. */
+  /** Heading acceleration (Euler angle) [rad/s²]; empty if absent. */
   public OptionalDouble psiDoubleDot() {
     return number(StateField.PSI_DOUBLE_DOT);
   }

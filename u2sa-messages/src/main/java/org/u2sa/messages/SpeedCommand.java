@@ -5,8 +5,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Turns an actuator at a speed, for those that announce a fullSpeed (thesis 3.2.3.9 foresees such
- * extensions).
+ * Commands a rotational speed, for actuators that announce a fullSpeed (an extension as foreseen by thesis 3.2.3.9).
  */
 public class SpeedCommand extends ActuatorCommand {
   private static final Schema<SpeedCommand> SCHEMA =
@@ -22,7 +21,7 @@ public class SpeedCommand extends ActuatorCommand {
     return TYPE;
   }
 
-  /** Speed of rotation [rad/s]; the direction of positive percentages is positive. */
+  /** Rotational speed [rad/s], with the sign of the percentage. */
   public double speed() {
     return require(SPEED);
   }
@@ -32,7 +31,7 @@ public class SpeedCommand extends ActuatorCommand {
     return put(SPEED, value);
   }
 
-  /** A command that holds until the next. */
+  /** Creates a command valid until the next one. */
   public static SpeedCommand of(String actuator, double speedRadPerS) {
     return new SpeedCommand().actuatorName(actuator).speed(speedRadPerS);
   }

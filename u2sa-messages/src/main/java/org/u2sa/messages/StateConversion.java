@@ -8,13 +8,12 @@ import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.frame.UtmGrid;
 
 /**
- * Finds the way from one frame to another for {@link StateInformation}, step by step, and refuses
- * where there is none.
+ * Finds a chain of conversions between two frames for {@link StateInformation}, or throws if there is none.
  */
 final class StateConversion {
   private static final double FULL_TURN = 2.0 * Math.PI;
 
-  /** One step puts into the target, a copy of the source in the new frame, what differs there. */
+  /** One step of the chain: overwrites the fields that differ in the target, a copy of the source labelled with the new frame. */
   private interface Step {
     void convert(StateInformation from, StateInformation to);
   }
@@ -22,7 +21,7 @@ final class StateConversion {
   private StateConversion() {}
 
   /**
-   * A copy in another frame.
+   * Copy in another frame.
    *
    * @param origin of the local frames; null if the caller has none
    */
@@ -115,8 +114,7 @@ final class StateConversion {
   }
 
   /**
-   * GLOBAL has east-north-up vectors and the attitude of NED, so that turn and exchange of axes
-   * fall apart.
+   * GLOBAL combines east-north-up vectors with NED attitude, so rotation and axis exchange are separate steps.
    */
   private static void globalToNed(StateInformation from, StateInformation to, Geodetic origin) {
     Geodetic place = origin;
@@ -147,16 +145,14 @@ final class StateConversion {
     return "StateInformation cannot be converted from " + source + " to " + target;
   }
 
-  /** The angle within 0…2π. */
+  /** Wraps an angle into 0…2π. */
   static double fullTurn(double angle) {
     double turned = angle % FULL_TURN;
     return turned < 0.0 ? turned + FULL_TURN : turned;
   }
 
   /**
-   * Conversions that turn east and north at the vehicle into those elsewhere: to a grid, or to a
-   * local origin. The transport rate, by which the axes turn as the vehicle moves over the earth
-   * (v/R, 40 µrad/s at 250 m/s), is left out.
+   * Conversions that rotate east and north at the vehicle into those of a grid or a local origin. The transport rate, the rotation of the axes as the vehicle moves over the earth (v/R, 40 µrad/s at 250 m/s), is neglected.
    */
   private static final class EarthRotation {
     private static final StateTriple[] VECTORS = {StateTriple.VELOCITY, StateTriple.ACCELERATION};
@@ -167,29 +163,27 @@ final class StateConversion {
     private EarthRotation() {}
 
     /**
-     * GLOBAL to UTM at a place, position apart: turned by the convergence and stretched by the
-     * grid's scale.
+     * Converts all but the position from GLOBAL to UTM: rotates by the convergence and scales by the grid's scale factor.
      */
     static void toGrid(StateInformation from, StateInformation to, UtmGrid grid, Geodetic place) {
       turnToGrid(from, to, grid.convergenceRad(place), grid.scale(place));
     }
 
-    /** The inverse of {@link #toGrid}. */
+    /** Inverse of {@link #toGrid}. */
     static void fromGrid(StateInformation from, StateInformation to, UtmGrid grid, Geodetic place) {
       turnToGrid(from, to, -grid.convergenceRad(place), 1.0 / grid.scale(place));
     }
 
     private static void turnToGrid(
         StateInformation from, StateInformation to, double gamma, double scale) {
-      // Grid azimuth = true azimuth - γ: a turn about up by +γ.
+      // Grid azimuth = true azimuth - γ: a rotation about up by +γ.
       Rotation turn = Rotation.aboutUp(gamma);
       turnVectors(from, to, turn, Point.of(scale, scale, 1.0));
       from.psi().ifPresent(psi -> to.psi(StateConversion.fullTurn(psi - gamma)));
     }
 
     /**
-     * Between east-north-up at the vehicle and east-north-up at an origin, position apart, attitude
-     * against north included.
+     * Converts all but the position between east-north-up at the vehicle and east-north-up at an origin, including attitude relative to north.
      */
     static void turn(StateInformation from, StateInformation to, Rotation enu) {
       turnVectors(from, to, enu, Point.of(1.0, 1.0, 1.0));

@@ -47,17 +47,17 @@ public enum StateField {
   THETA("theta", "rad"),
   /** Heading [rad]; clockwise from true north, 0…2π, in GLOBAL. */
   PSI("psi", "rad"),
-  /** Roll rate, of the Euler angle [rad/s]. */
+  /** Roll rate (Euler angle) [rad/s]. */
   PHI_DOT("phiDot", "rad/s"),
-  /** Pitch rate, of the Euler angle [rad/s]. */
+  /** Pitch rate (Euler angle) [rad/s]. */
   THETA_DOT("thetaDot", "rad/s"),
-  /** Heading rate, of the Euler angle [rad/s]. */
+  /** Heading rate (Euler angle) [rad/s]. */
   PSI_DOT("psiDot", "rad/s"),
-  /** Roll acceleration, of the Euler angle [rad/s²]. */
+  /** Roll acceleration (Euler angle) [rad/s²]. */
   PHI_DOUBLE_DOT("phiDoubleDot", "rad/s2"),
-  /** Pitch acceleration, of the Euler angle [rad/s²]. */
+  /** Pitch acceleration (Euler angle) [rad/s²]. */
   THETA_DOUBLE_DOT("thetaDoubleDot", "rad/s2"),
-  /** Heading acceleration, of the Euler angle [rad/s²]. */
+  /** Heading acceleration (Euler angle) [rad/s²]. */
   PSI_DOUBLE_DOT("psiDoubleDot", "rad/s2"),
   /** Standard deviation of {@link StateInformation#phi()} [rad]. */
   PHI_SIGMA("phiSigma", "rad"),
@@ -77,17 +77,17 @@ public enum StateField {
   THETA_DOUBLE_DOT_SIGMA("thetaDoubleDotSigma", "rad/s2"),
   /** Standard deviation of {@link StateInformation#psiDoubleDot()} [rad/s²]; empty if absent. */
   PSI_DOUBLE_DOT_SIGMA("psiDoubleDotSigma", "rad/s2"),
-  /** Velocity of the vehicle through the fluid along its own x (forward) axis [m/s]. */
+  /** Velocity of the vehicle relative to the fluid along its own x (forward) axis [m/s]. */
   FLUID_X_DOT("fluidxDot", "m/s"),
-  /** Velocity of the vehicle through the fluid along its own y (left in BODY) axis [m/s]. */
+  /** Velocity of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s]. */
   FLUID_Y_DOT("fluidyDot", "m/s"),
-  /** Velocity of the vehicle through the fluid along its own z (down in BODY) axis [m/s]. */
+  /** Velocity of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s]. */
   FLUID_Z_DOT("fluidzDot", "m/s"),
-  /** Acceleration of the vehicle against the fluid along its own x (forward) axis [m/s²]. */
+  /** Acceleration of the vehicle relative to the fluid along its own x (forward) axis [m/s²]. */
   FLUID_X_DOUBLE_DOT("fluidxDoubleDot", "m/s2"),
-  /** Acceleration of the vehicle against the fluid along its own y (left in BODY) axis [m/s²]. */
+  /** Acceleration of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s²]. */
   FLUID_Y_DOUBLE_DOT("fluidyDoubleDot", "m/s2"),
-  /** Acceleration of the vehicle against the fluid along its own z (down in BODY) axis [m/s²]. */
+  /** Acceleration of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s²]. */
   FLUID_Z_DOUBLE_DOT("fluidzDoubleDot", "m/s2"),
   /** Standard deviation of {@link StateInformation#fluidxDot()} [m/s]. */
   FLUID_X_DOT_SIGMA("fluidxDotSigma", "m/s"),
@@ -115,7 +115,7 @@ public enum StateField {
     return fieldName;
   }
 
-  /** Its unit; x and y are in degrees in GLOBAL. */
+  /** The field's unit; x and y are in degrees in GLOBAL. */
   public String unit() {
     return unit;
   }

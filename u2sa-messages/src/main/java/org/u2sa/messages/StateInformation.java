@@ -12,13 +12,10 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * All or part of a vehicle's state, from a sensor or from the State Estimator (thesis 3.2.3.2,
+ * The full or partial state of a vehicle, from a sensor or the State Estimator (thesis 3.2.3.2,
  * figure 6).
  *
- * <p>48 optional numbers: see {@link StateField}. All have a getter and a setter but the standard
- * deviations of accelerations, for which {@link #number(StateField)} stands. Their axes and senses
- * of rotation are those of {@link #referenceFrame()}; velocities and accelerations are metric in
- * every frame, standard deviations too.
+ * <p>48 optional numbers: see {@link StateField}. All have a getter and a setter except the standard deviations of accelerations, which are read by {@link #number(StateField)}. Axes and signs of rotation are those of {@link #referenceFrame()}; velocities, accelerations and standard deviations are metric in every frame.
  */
 public class StateInformation extends FluidState {
   private static final Schema<StateInformation> SCHEMA =
@@ -49,7 +46,7 @@ public class StateInformation extends FluidState {
     return TYPE;
   }
 
-  /** The sensor or estimator that the state is from; empty until set. */
+  /** Sensor or estimator that the state is from; empty until set. */
   public String sensorName() {
     return get(SENSOR_NAME);
   }
@@ -59,13 +56,13 @@ public class StateInformation extends FluidState {
     return put(SENSOR_NAME, name);
   }
 
-  /** The axes of position, velocity, acceleration and attitude; GLOBAL until set. */
+  /** Axes of position, velocity, acceleration and attitude; defaults to GLOBAL. */
   public ReferenceFrame referenceFrame() {
     return get(REFERENCE_FRAME);
   }
 
   /**
-   * Sets {@link #referenceFrame()}; changes no number: for that see {@link #in(ReferenceFrame)}.
+   * Sets {@link #referenceFrame()} without converting any number; to convert see {@link #in(ReferenceFrame)}.
    */
   public StateInformation referenceFrame(ReferenceFrame frame) {
     return put(REFERENCE_FRAME, frame);
@@ -88,25 +85,19 @@ public class StateInformation extends FluidState {
   }
 
   /**
-   * The same state in another frame, as a new message. Among GLOBAL and UTM, between LOCAL_ENU and
-   * LOCAL_NED, among the BODY frames. Positions, velocities, accelerations and standard deviations
-   * are turned (correlations between the latter are not known and dropped), attitude takes the
-   * frame's senses of rotation, motion through the fluid stays along the vehicle's own axes.
+   * Copy in another frame: among GLOBAL and UTM, between LOCAL_ENU and LOCAL_NED, or among the BODY frames. Positions, velocities, accelerations and standard deviations are rotated (correlations are unknown and dropped), attitude follows the frame's sign conventions, and motion relative to the fluid stays along the vehicle's own axes.
    *
-   * @throws IllegalArgumentException naming both frames, if this cannot be done without knowing
-   *     more
+   * @throws IllegalArgumentException naming both frames, if the conversion needs more information
    */
   public StateInformation in(ReferenceFrame frame) {
     return StateConversion.convert(this, frame, null);
   }
 
   /**
-   * As {@link #in(ReferenceFrame)}, and between the earth's frames and the local ones too. A state
-   * without position is taken to be at the origin, one without altitude at the origin's; angles
-   * that are absent count as 0 in turning the others.
+   * Like {@link #in(ReferenceFrame)}, and also between the geographic and the local frames. An absent position counts as the origin, an absent altitude as the origin's; absent angles count as 0 when rotating the others.
    *
-   * @param origin where the local frame's axes start and are level
-   * @throws IllegalArgumentException naming both frames, if this cannot be done
+   * @param origin origin of the local frame, where its axes are level
+   * @throws IllegalArgumentException naming both frames, if no conversion exists
    */
   public StateInformation in(ReferenceFrame frame, Geodetic origin) {
     return StateConversion.convert(this, frame, origin);

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Three fields of {@link StateInformation} that belong to the same axes or angles, for conversions.
+ * Three fields of {@link StateInformation} that form a vector or a set of angles, for conversions.
  */
 enum StateTriple {
   POSITION(StateField.X),
@@ -29,7 +29,7 @@ enum StateTriple {
     }
   }
 
-  /** Attitude and its derivatives as they are in {@code source}. */
+  /** Copies attitude and its derivatives from {@code source} unchanged. */
   static void copyAttitude(StateInformation source, StateInformation target) {
     for (StateTriple triple : new StateTriple[] {ANGLES, RATES, ANGULAR_ACCELERATIONS}) {
       triple.put(target, source, triple.values(source));
@@ -44,7 +44,7 @@ enum StateTriple {
     return Arrays.stream(fields).allMatch(field -> state.number(field).isPresent());
   }
 
-  /** The three values, absent ones 0. */
+  /** The three values, with 0 for absent ones. */
   Point values(StateInformation state) {
     return Point.of(
         state.number(fields[0]).orElse(0.0),
@@ -52,7 +52,7 @@ enum StateTriple {
         state.number(fields[2]).orElse(0.0));
   }
 
-  /** Puts the values of those fields that are present in {@code source}. */
+  /** Sets those of the fields that are present in {@code source}. */
   void put(StateInformation state, StateInformation source, Point values) {
     double[] put = {values.x(), values.y(), values.z()};
     for (int i = 0; i < put.length; i++) {
@@ -63,7 +63,7 @@ enum StateTriple {
   }
 
   /**
-   * Refuses a first value without the second or the other way round, where axes mix.
+   * Rejects a first value without the second and vice versa, because the axes mix.
    *
    * @param what names both frames
    */

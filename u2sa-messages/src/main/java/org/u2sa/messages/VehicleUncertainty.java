@@ -5,22 +5,19 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * What the vehicle's own uncertainty does to a place that is known from the vehicle alone: the
- * place of the vehicle, and a lever arm that its attitude turns. Absent standard deviations count
- * as 0: nothing is known to be added.
+ * Propagates the vehicle's pose uncertainty to a position measured relative to the vehicle: the vehicle's position error plus the attitude error times the lever arm. Absent standard deviations count as 0.
  *
- * @param place standard deviations along north, east and down [m]
+ * @param place position standard deviations along north, east and down [m]
  * @param yaw about down [rad]
  * @param pitch about the axis to the right of the heading, level [rad]
  * @param roll about the vehicle's forward axis [rad]
- * @param right that axis in north, east, down
- * @param forward that axis in north, east, down
+ * @param right pitch axis in north, east, down @param forward roll axis in north, east, down
  */
 record VehicleUncertainty(
     Point place, double yaw, double pitch, double roll, Point right, Point forward) {
   private static final Point DOWN = Point.of(0.0, 0.0, 1.0);
 
-  /** Of a state in GLOBAL or LOCAL_NED that has a heading. */
+  /** Takes the uncertainty of a state in GLOBAL or LOCAL_NED that has a heading. */
   static VehicleUncertainty of(StateInformation vehicle) {
     double psi = vehicle.psi().orElseThrow();
     Point sigma = StateTriple.POSITION_SIGMA.values(vehicle);
@@ -38,9 +35,9 @@ record VehicleUncertainty(
   }
 
   /**
-   * Standard deviations along north, east and down [m] that the vehicle adds to a place.
+   * Standard deviations along north, east and down [m] that the vehicle adds to a position.
    *
-   * @param arm from the vehicle to the place, north, east, down [m]
+   * @param arm lever arm from the vehicle to the position, north, east, down [m]
    */
   Point sigmaNed(Point arm) {
     // A small turn δ about an axis a moves the end of the arm r by δ·(a × r).

@@ -9,8 +9,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A place to reach (thesis 3.2.3.4, figure 8): some of x, y, z, and if need be attitude, time and
- * speed there.
+ * A position to reach (thesis 3.2.3.4, figure 8): any of x, y, z, and optionally attitude, time and speed on arrival.
  */
 public class Waypoint extends GoalInformation {
   private static final Schema<Waypoint> SCHEMA =
@@ -42,7 +41,7 @@ public class Waypoint extends GoalInformation {
     return TYPE;
   }
 
-  /** The axes of position and attitude; GLOBAL until set. */
+  /** Axes of position and attitude; defaults to GLOBAL. */
   public ReferenceFrame referenceFrame() {
     return get(REFERENCE_FRAME);
   }
@@ -52,7 +51,7 @@ public class Waypoint extends GoalInformation {
     return put(REFERENCE_FRAME, frame);
   }
 
-  /** Position along x [m]; longitude [deg, east +] in GLOBAL; empty if it does not matter. */
+  /** Position along x [m]; longitude [deg, east +] in GLOBAL; empty: any. */
   public OptionalDouble x() {
     return get(X);
   }
@@ -62,7 +61,7 @@ public class Waypoint extends GoalInformation {
     return put(X, value);
   }
 
-  /** Position along y [m]; latitude [deg, north +] in GLOBAL; empty if it does not matter. */
+  /** Position along y [m]; latitude [deg, north +] in GLOBAL; empty: any. */
   public OptionalDouble y() {
     return get(Y);
   }
@@ -72,7 +71,7 @@ public class Waypoint extends GoalInformation {
     return put(Y, value);
   }
 
-  /** Position along z [m]; altitude above mean sea level in GLOBAL; empty if it does not matter. */
+  /** Position along z [m]; altitude above mean sea level in GLOBAL; empty: any. */
   public OptionalDouble z() {
     return get(Z);
   }
@@ -82,7 +81,7 @@ public class Waypoint extends GoalInformation {
     return put(Z, value);
   }
 
-  /** Roll on arrival [rad]; empty if it does not matter. */
+  /** Roll on arrival [rad]; empty: any. */
   public OptionalDouble phi() {
     return get(PHI);
   }
@@ -92,7 +91,7 @@ public class Waypoint extends GoalInformation {
     return put(PHI, value);
   }
 
-  /** Pitch on arrival [rad]; empty if it does not matter. */
+  /** Pitch on arrival [rad]; empty: any. */
   public OptionalDouble theta() {
     return get(THETA);
   }
@@ -102,7 +101,7 @@ public class Waypoint extends GoalInformation {
     return put(THETA, value);
   }
 
-  /** Heading on arrival [rad]; empty if it does not matter. */
+  /** Heading on arrival [rad]; empty: any. */
   public OptionalDouble psi() {
     return get(PSI);
   }
@@ -112,7 +111,7 @@ public class Waypoint extends GoalInformation {
     return put(PSI, value);
   }
 
-  /** When to be there [s since the start of the mission]; empty if it does not matter. */
+  /** Time of arrival [s since the start of the mission]; empty: any. */
   public OptionalDouble time() {
     return get(TIME);
   }
@@ -122,7 +121,7 @@ public class Waypoint extends GoalInformation {
     return put(TIME, value);
   }
 
-  /** The waypoint is reached within this horizontal distance [m]. */
+  /** Horizontal distance within which the waypoint counts as reached [m]. */
   public double horizontalThreshold() {
     return require(HORIZONTAL_THRESHOLD);
   }
@@ -132,7 +131,7 @@ public class Waypoint extends GoalInformation {
     return put(HORIZONTAL_THRESHOLD, metres);
   }
 
-  /** The waypoint is reached within this difference of height [m]; empty if it does not matter. */
+  /** Altitude difference within which the waypoint counts as reached [m]; empty: any. */
   public OptionalDouble verticalThreshold() {
     return get(VERTICAL_THRESHOLD);
   }
@@ -142,7 +141,7 @@ public class Waypoint extends GoalInformation {
     return put(VERTICAL_THRESHOLD, value);
   }
 
-  /** Speed to fly there, through the fluid [m/s]; empty if it does not matter. */
+  /** Speed to go there, relative to the fluid [m/s]; empty: any. */
   public OptionalDouble speed() {
     return get(SPEED);
   }

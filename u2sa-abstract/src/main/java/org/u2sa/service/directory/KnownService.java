@@ -12,13 +12,13 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * What a {@link ServiceDirectory} knows of one service at a time; what was not heard is empty.
+ * Snapshot of a {@link ServiceDirectory}'s knowledge of one service; unknown parts are empty.
  *
  * @param name its name, unique in the system
- * @param discovery its answer to discovery: type, host, uptime, version, class
- * @param functionality its answer to what it publishes and subscribes to
- * @param health its newest health report, perhaps one that its launcher gave on its behalf
- * @param condition what the health monitor last said of it; empty if the system has none
+ * @param discovery its discovery response: type, host, uptime, version, class
+ * @param functionality its functionality response: publications and subscriptions
+ * @param health its latest health report, possibly a substitute by its launcher
+ * @param condition its last condition by the health monitor; empty without a monitor
  */
 public record KnownService(
     String name,
@@ -47,35 +47,35 @@ public record KnownService(
     return new KnownService(name, discovery, functionality, health, Optional.of(heard));
   }
 
-  /** Whether it has answered both what it is and what it offers. */
+  /** Whether it has answered both discovery and functionality requests. */
   public boolean isComplete() {
     return discovery.isPresent() && functionality.isPresent();
   }
 
-  /** Where it is in its life, by its newest word; empty before the first. */
+  /** Latest life-cycle status; empty before the first. */
   public Optional<ServiceStatus> status() {
     return health.isPresent()
         ? health.map(HealthReport::status)
         : discovery.map(DiscoveryResponse::status);
   }
 
-  /** Which start of the service this is; empty if it did not say. */
+  /** ID of this start of the service; empty if unknown. */
   public Optional<String> instance() {
     Optional<String> reported = health.flatMap(HealthReport::instance);
     return reported.isPresent() ? reported : discovery.flatMap(DiscoveryResponse::instance);
   }
 
-  /** Time between its health reports [s]; empty if it did not say. */
+  /** Period of its health reports [s]; empty if unknown. */
   OptionalDouble healthIntervalS() {
     return health.map(HealthReport::interval).orElse(OptionalDouble.empty());
   }
 
-  /** What it publishes; empty while it has not said. */
+  /** Its publications; empty while unknown. */
   public List<DataOffer> publishes() {
     return functionality.map(answer -> offers(answer.publishes())).orElse(List.of());
   }
 
-  /** What it subscribes to; empty while it has not said. */
+  /** Its subscriptions; empty while unknown. */
   public List<DataOffer> subscribes() {
     return functionality.map(answer -> offers(answer.subscribes())).orElse(List.of());
   }

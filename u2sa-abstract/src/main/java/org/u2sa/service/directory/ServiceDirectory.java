@@ -21,9 +21,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Who is there, and who offers which data: finds services by what they publish, not by name (thesis
- * 3.2.2.1, user story 7). A service or a tool hands it what it hears and asks it whenever it likes;
- * it asks the services by itself, and waits for nobody.
+ * Directory of the services present and the data they offer: finds services by what they publish, not by name (thesis 3.2.2.1, user story 7). A service or tool passes received messages to it and can query it at any time; it sends requests to services by itself and never blocks.
  *
  * <pre>{@code
  * private final ServiceDirectory directory = new ServiceDirectory(clock(), this::publish);
@@ -36,20 +34,19 @@ import org.u2sa.messages.schema.U2SAData;
  * }
  *
  * protected void step(double nowS) {
- *   directory.refresh(); // about once a second: asks newcomers, forgets who is silent
+ *   directory.refresh(); // about once a second: queries newcomers, drops silent services
  *   for (Found found : directory.publishersOf(StateInformation.TYPE)) { … }
  * }
  * }</pre>
  *
- * A service is known from its first word on, and forgotten when it ends, when its connection
- * breaks, or when nothing was heard of it for {@link #LOST_AFTER_S}. Safe for several threads.
+ * A service is known from its first message on, and forgotten when it ends, when its connection breaks, or when it has been silent for {@link #LOST_AFTER_S}. Thread-safe.
  */
 public final class ServiceDirectory {
-  /** What to subscribe to and hand to {@link #take}. */
+  /** Channels to subscribe to, whose messages go to {@link #take}. */
   public static final List<Channel<?>> CHANNELS =
       List.of(Channels.DISCOVERY, Channels.FUNCTIONALITY, Channels.HEALTH, Channels.CONDITIONS);
 
-  /** A service is forgotten when it was silent for so long [s], or for three of its intervals. */
+  /** Silence after which a service is forgotten [s], unless three of its intervals are longer. */
   public static final double LOST_AFTER_S = 4.0;
 
   private static final int MAX_SERVICES = 1_000;
@@ -59,16 +56,16 @@ public final class ServiceDirectory {
   private final Clock clock;
   private final Asking asking;
   private final Map<String, Entry> entries = new TreeMap<>();
-  private long askedMicros = Long.MIN_VALUE; // when all were asked last
+  private long askedMicros = Long.MIN_VALUE; // time of the last request to all
 
-  /** How requests leave: a service's or a connection's publish. */
+  /** Publishes requests: a service's or a connection's publish. */
   @FunctionalInterface
   public interface Asking {
-    /** Publishes a request; must not wait. What becomes of it shows in the answers. */
+    /** Publishes a request; must not block. Success shows in the answers. */
     void publish(Channel<?> channel, U2SAData request);
   }
 
-  /** A service and when it was heard last. */
+  /** A service and the time of its last message. */
   private static final class Entry {
     private KnownService service;
     private long heardMicros;
@@ -79,9 +76,9 @@ public final class ServiceDirectory {
   }
 
   /**
-   * An empty directory.
+   * Creates an empty directory.
    *
-   * @param clock the time of the run
+   * @param clock the run's clock
    * @param asking publishes requests
    */
   public ServiceDirectory(Clock clock, Asking asking) {
@@ -89,7 +86,7 @@ public final class ServiceDirectory {
     this.asking = asking;
   }
 
-  /** Asks all services who they are and what they offer. Call it once at the start. */
+  /** Requests identity and functionality of all services. Call it once at the start. */
   public void ask() {
     synchronized (this) {
       askedMicros = clock.micros();
@@ -99,9 +96,9 @@ public final class ServiceDirectory {
   }
 
   /**
-   * Takes note of a message.
+   * Processes a message.
    *
-   * @return whether the directory has a use for it
+   * @return whether the directory used it
    */
   public boolean take(U2SAData message) {
     if (message instanceof DiscoveryResponse response) {
@@ -120,7 +117,7 @@ public final class ServiceDirectory {
 
   private synchronized void note(String name, Function<KnownService, KnownService> change) {
     if (entries.size() >= MAX_SERVICES && !entries.containsKey(name)) {
-      return; // of a system that has far fewer: somebody invents names
+      return; // more than any real system: invented names
     }
     Entry entry = entries.computeIfAbsent(name, Entry::new);
     entry.service = change.apply(entry.service);
@@ -137,18 +134,18 @@ public final class ServiceDirectory {
       note(name, known -> restarted(known, report.instance()).with(report));
     } else if (entries.containsKey(name)
         && isSame(entries.get(name).service.instance(), report.instance())) {
-      entries.remove(name); // an end of another instance is no end of this one
+      entries.remove(name); // the end of another instance does not concern this one
     }
   }
 
   private synchronized void takeCondition(ServiceCondition condition) {
     Entry entry = entries.get(condition.serviceName());
-    if (entry != null) { // retained ones speak of services that are long gone
+    if (entry != null) { // retained ones may concern long-gone services
       entry.service = entry.service.with(condition);
     }
   }
 
-  /** The service as before, or with nothing known if this is another start of it. */
+  /** The service as known so far, or reset if it has been restarted. */
   private static KnownService restarted(KnownService known, Optional<String> instance) {
     return isSame(known.instance(), instance) ? known : KnownService.named(known.name());
   }
@@ -158,8 +155,7 @@ public final class ServiceDirectory {
   }
 
   /**
-   * Forgets who was silent for too long, and asks again while anybody has not said all. Call it
-   * about once a second.
+   * Drops services that have been silent for too long, and repeats requests that are still unanswered. Call it about once a second.
    */
   public void refresh() {
     boolean missing = false;
@@ -188,27 +184,27 @@ public final class ServiceDirectory {
     return all;
   }
 
-  /** The service of that name, if it is there. */
+  /** The service of that name, if present. */
   public synchronized Optional<KnownService> service(String name) {
     return Optional.ofNullable(entries.get(name)).map(entry -> entry.service);
   }
 
-  /** Who publishes messages of the type, subclasses included; the certain ones first. */
+  /** Publishers of messages of the type, including subclasses; certain ones first. */
   public List<Found> publishersOf(MessageType<?> type) {
     return publishersOf(type.chain());
   }
 
-  /** {@link #publishersOf(MessageType)} of a type that is known by its chain only, base first. */
+  /** {@link #publishersOf(MessageType)} for a type known only by its chain, topmost first. */
   public List<Found> publishersOf(List<String> typeChain) {
     return found(typeChain, KnownService::publishes);
   }
 
-  /** Who is handed messages of the type where they are published; the certain ones first. */
+  /** Subscribers that receive messages of the type when published; certain ones first. */
   public List<Found> subscribersOf(MessageType<?> type) {
     return subscribersOf(type.chain());
   }
 
-  /** {@link #subscribersOf(MessageType)} of a type that is known by its chain only, base first. */
+  /** {@link #subscribersOf(MessageType)} for a type known only by its chain, topmost first. */
   public List<Found> subscribersOf(List<String> typeChain) {
     return found(typeChain, KnownService::subscribes);
   }
@@ -231,12 +227,11 @@ public final class ServiceDirectory {
   }
 
   /**
-   * A service that has to do with a type of data, and how.
+   * A service related to a type of data.
    *
    * @param service the service
-   * @param offer the channel and the type that it named
-   * @param certain whether all that travels on the channel is of the type asked for; otherwise the
-   *     type is a subclass of the channel's, so that messages of it may travel there among others
+   * @param offer its channel and type
+   * @param certain whether all messages of the channel are of the requested type; otherwise the type is a subclass of the channel's, so that only some may be
    */
   public record Found(KnownService service, DataOffer offer, boolean certain) {}
 }

@@ -8,57 +8,57 @@ import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 
 /**
- * How autonomous a vehicle is, in the three dimensions of thesis 2.3, each with six levels.
+ * Autonomy of a vehicle in the three dimensions of thesis 2.3, with six levels each.
  *
- * @param perception what it makes of its surroundings (2.3.1)
- * @param decision what it decides by (2.3.2, there called intelligence)
- * @param independence what it does without people (2.3.3)
+ * @param perception perception of its surroundings (2.3.1)
+ * @param decision decision-making (2.3.2, there called intelligence)
+ * @param independence independence from people (2.3.3)
  */
 public record AutonomyLevels(Perception perception, Decision decision, Independence independence) {
   /** A level: counts from 1. */
   public interface Level {
-    /** Its name in code. */
+    /** Name in code. */
     String name();
 
-    /** Its place in the order, from 0. */
+    /** Ordinal, from 0. */
     int ordinal();
 
-    /** From 1, the least, to 6. */
+    /** Level, 1 (lowest) to 6. */
     default int number() {
       return ordinal() + 1;
     }
 
-    /** Its name in words, as the thesis has it. */
+    /** Name in the thesis's words. */
     default String words() {
       return name().toLowerCase(Locale.ROOT).replace('_', ' ');
     }
   }
 
-  /** What a system makes of its surroundings (thesis 2.3.1). */
+  /** How a system perceives its surroundings (thesis 2.3.1). */
   public enum Perception implements Level {
     /** No sensors. */
     NO_SENSING,
     /** Single data points, neither grouped nor classified. */
     DISCRETE,
-    /** Nearby data points are grouped to objects, all treated alike. */
+    /** Nearby data points are grouped into objects, all treated alike. */
     GROUPED,
-    /** Objects are told apart by characteristics that were programmed. */
+    /** Objects are classified by programmed characteristics. */
     CLASSIFICATION,
-    /** New objects are taught in a learning mode. */
+    /** New objects are learnt in a training mode. */
     STATIC_LEARNING,
     /** New objects are learnt in operation. */
     DYNAMIC_LEARNING
   }
 
-  /** What a system decides by (thesis 2.3.2). */
+  /** How a system makes decisions (thesis 2.3.2). */
   public enum Decision implements Level {
-    /** Manoeuvres by time alone. */
+    /** Time-triggered manoeuvres. */
     NO_DECISIONS,
     /** Programmed manoeuvres in a known, static environment. */
     STATIC_RESPONSE,
-    /** Remembers what is out of its sensors' range. */
+    /** Remembers objects out of sensor range. */
     MEMORY,
-    /** Foresees where moving objects will be. */
+    /** Predicts the motion of objects. */
     PROJECTION,
     /** Learns tasks in a learning mode. */
     STATIC_TASK_LEARNING,
@@ -66,19 +66,19 @@ public record AutonomyLevels(Perception perception, Decision decision, Independe
     DYNAMIC_TASK_LEARNING
   }
 
-  /** What a system does without people (thesis 2.3.3). */
+  /** How far a system works without people (thesis 2.3.3). */
   public enum Independence implements Level {
-    /** Nothing: it is remotely controlled. */
+    /** None: remotely controlled. */
     TELEOPERATION,
     /** Simple tasks, such as straight and level flight. */
     STABILIZED,
     /** Its task, once people have started it. */
     TASK_AUTONOMY,
-    /** As before, and it reports how it is. */
+    /** As before, and it reports its condition. */
     HEALTH_REPORTING,
-    /** It finds out what is wrong with it, acts on it, and refuses what it cannot do. */
+    /** Diagnoses its faults, reacts to them, and refuses tasks that it cannot do. */
     PROBLEM_DETECTION,
-    /** It finds what it needs, avoids danger and repairs itself. */
+    /** Finds the resources it needs, avoids danger and repairs itself. */
     SELF_PRESERVATION
   }
 

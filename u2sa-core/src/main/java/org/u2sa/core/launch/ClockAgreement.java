@@ -7,8 +7,7 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 
 /**
  * The offset of this process's clock from that of the services already running, from one request
- * and the timestamps of its answers (as in NTP, RFC 5905, section 8): an answer was stamped between
- * the request and its arrival. The fastest answer counts. Safe for several threads.
+ * and the timestamps of its answers (as in NTP, RFC 5905, section 8): an answer was stamped between the request and its arrival. The fastest answer counts. Thread-safe.
  */
 final class ClockAgreement {
   /** Smaller offsets are not corrected [µs]. */
@@ -18,7 +17,7 @@ final class ClockAgreement {
   private static final long REAL_SINCE_MICROS = 1_000_000_000_000_000L;
 
   private long askedMicros;
-  private String source = ""; // whose answer counts
+  private String source = ""; // service with the fastest answer
   private long aheadMicros;
   private long errorMicros = Clock.NEVER;
 
@@ -43,9 +42,9 @@ final class ClockAgreement {
   }
 
   /**
-   * How far the others are ahead [µs]; 0 if they agree within the accuracy, or none answered.
+   * Lead of the others' clock [µs]; 0 if it agrees within the accuracy, or none answered.
    *
-   * @param log told if they do not agree
+   * @param log receives a message if the clocks disagree
    */
   synchronized long aheadMicros(Consumer<String> log) {
     if (Math.abs(aheadMicros) <= TOLERATED_MICROS + (source.isEmpty() ? 0L : errorMicros)) {

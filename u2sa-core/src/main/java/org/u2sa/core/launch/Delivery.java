@@ -7,9 +7,9 @@ import org.u2sa.interfaces.xml.XmlElement;
 
 /** How messages travel between the services of one process. */
 public enum Delivery {
-  /** The publisher hands them to the subscribers' inboxes; the broker gets copies for others. */
+  /** The publisher puts them into the subscribers' inboxes; the broker gets copies for other processes. */
   DIRECT,
-  /** Each is sent to the broker by MQTT and comes back from there (thesis 3.2.1). */
+  /** Every message goes to the MQTT broker and back (thesis 3.2.1). */
   BROKER;
 
   private static final String ATTRIBUTE = "delivery";

@@ -30,13 +30,13 @@ final class HealthWatch implements AutoCloseable {
   private final Supplier<List<U2SAService>> services;
   private final Launcher launcher;
   private final Thread thread = new Thread(this::run, "u2sa-health-watch");
-  private long spokeMicros; // the monitor, for itself
+  private long spokeMicros; // last report by the monitor itself
   private long restartedMicros = Long.MIN_VALUE;
   private long failures;
   private volatile boolean closed;
 
   /**
-   * @param services those of the process at the moment
+   * @param services current services of the process
    * @param launcher publishes the reports
    */
   HealthWatch(Clock clock, Supplier<List<U2SAService>> services, Launcher launcher) {
@@ -62,7 +62,7 @@ final class HealthWatch implements AutoCloseable {
     }
   }
 
-  /** One look at all services in each turn but the first, which joins the others'. */
+  /** Checks all services in each turn except the first, which only synchronises with the other threads. */
   private final class Looks implements Clock.Turns {
     private boolean hasJoined;
 
@@ -81,12 +81,12 @@ final class HealthWatch implements AutoCloseable {
     }
   }
 
-  /** Looks at a service; what goes wrong with one keeps the watch from no other. */
+  /** Checks a service; an error with one does not affect the others. */
   private void lookAt(U2SAService service) {
     try {
       look(service);
     } catch (RuntimeException e) {
-      if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: it looks four times a second
+      if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: checks run four times a second
         launcher.trouble(
             "watching "
                 + service.getServiceName()
@@ -140,7 +140,7 @@ final class HealthWatch implements AutoCloseable {
     closed = true;
     waiter.close();
     try {
-      thread.join(); // never started: returns at once
+      thread.join(); // returns immediately if never started
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -22,7 +22,7 @@ import org.u2sa.service.U2SAService;
  *
  * <p>A swap replaces a running service by another class ({@link ServiceSwap}) with the same
  * configuration. A restart after it starts the class that ran last; the next run of the system
- * starts what the system file says.
+ * uses the system file again.
  */
 final class HostedServices implements ServiceHost {
   /** Longest wait for a service's thread to end. */
@@ -39,7 +39,7 @@ final class HostedServices implements ServiceHost {
   /**
    * A service.
    *
-   * @param entry of the system file, whose configuration it has
+   * @param entry its entry in the system file, with its configuration
    * @param className its class: the entry's until it is swapped
    */
   record Hosted(
@@ -49,7 +49,7 @@ final class HostedServices implements ServiceHost {
       U2SAService service) {}
 
   /**
-   * @param supervised whether somebody outside this process starts and restarts its service
+   * @param supervised whether an external supervisor starts and restarts it
    */
   HostedServices(ServiceMaker maker, boolean supervised, Consumer<String> console) {
     this.maker = maker;
@@ -57,7 +57,7 @@ final class HostedServices implements ServiceHost {
     this.console = console;
   }
 
-  /** Makes the services of a system file; none is started. */
+  /** Creates the services of a system file without starting them. */
   void makeAll(List<SystemFile.Entry> entries) {
     List<XmlConfiguration> configurations = new ArrayList<>();
     for (SystemFile.Entry entry : entries) {
@@ -72,12 +72,12 @@ final class HostedServices implements ServiceHost {
     list.add(hosted);
   }
 
-  /** The services at this moment, in the order of the system file. */
+  /** Snapshot of the services, in the order of the system file. */
   synchronized List<U2SAService> services() {
     return list.stream().map(Hosted::service).collect(Collectors.toList());
   }
 
-  /** The service of that name, whether it runs or has ended. */
+  /** The service of that name, running or ended. */
   synchronized Optional<Hosted> present(String serviceName) {
     return list.stream()
         .filter(hosted -> hosted.service().getServiceName().equals(serviceName))
@@ -85,9 +85,9 @@ final class HostedServices implements ServiceHost {
   }
 
   /**
-   * Puts a service in the place of another one, unless the system is ending.
+   * Replaces a service by another, unless the system is ending.
    *
-   * @return whether it was done; otherwise the caller ends the new one
+   * @return whether it was replaced; if not, the caller ends the new one
    */
   synchronized boolean replace(Hosted old, Hosted successor) {
     int place = list.indexOf(old);
@@ -133,7 +133,7 @@ final class HostedServices implements ServiceHost {
         made.log("declares no " + configuration.withoutEffect() + ": no effect");
       }
       return refusal;
-    } catch (RuntimeException | LinkageError e) { // no such class, wrong variable, half a jar
+    } catch (RuntimeException | LinkageError e) { // missing class, invalid variable, broken jar
       return Optional.of(e instanceof BadInputException ? e.getMessage() : e.toString());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -148,7 +148,7 @@ final class HostedServices implements ServiceHost {
         configuration.override("SERVICE NAME", old.service().getServiceName());
         configuration.tolerate(old.configuration().tolerated());
       }
-      // A file that has become invalid refuses the order before the running service is ended.
+      // An invalid file rejects the order before the running service is ended.
       old.configuration().declared().forEach(configuration::getVariable);
       configuration.refuseUndeclared();
       end(old.service());
@@ -164,7 +164,7 @@ final class HostedServices implements ServiceHost {
       }
       successor.service().start();
       return Optional.empty();
-    } catch (RuntimeException e) { // a wrong file, a missing device, no Communication Manager
+    } catch (RuntimeException e) { // invalid file, missing device, no Communication Manager
       return Optional.of(String.valueOf(e.getMessage()));
     }
   }
@@ -201,7 +201,7 @@ final class HostedServices implements ServiceHost {
     return !service.isAlive() && !ending.isAlive();
   }
 
-  /** Ends all services, last started first. Nothing is started from here on. */
+  /** Ends all services, last started first. No service is started afterwards. */
   void close() {
     List<U2SAService> all;
     synchronized (this) {

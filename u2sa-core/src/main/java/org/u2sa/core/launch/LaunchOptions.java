@@ -52,8 +52,7 @@ public final class LaunchOptions {
   }
 
   /**
-   * Leaves configuration files as they are: what is changed while the system runs goes to copies in
-   * this folder, which is made at the first change.
+   * Leaves configuration files untouched: run-time changes go to copies in this folder, which is created at the first change.
    */
   public LaunchOptions changesTo(Path folder) {
     changes = Optional.of(folder);
@@ -66,24 +65,23 @@ public final class LaunchOptions {
     return this;
   }
 
-  /** Reads a configuration file, whose changes go where these options say. */
+  /** Reads a configuration file; its changes are saved according to these options. */
   XmlConfiguration load(Path file) {
     return changes
         .map(folder -> XmlConfiguration.load(file, copyOf(file.toAbsolutePath(), folder)))
         .orElseGet(() -> XmlConfiguration.load(file));
   }
 
-  /** Files of one name may come from several folders. */
+  /** Copies need unique names: files of the same name may come from several folders. */
   private static Path copyOf(Path file, Path folder) {
     Path parent = file.getParent().getFileName();
     return folder.resolve(parent == null ? "root" : parent.toString()).resolve(file.getFileName());
   }
 
   /**
-   * Says that this process runs one service of a system whose others run elsewhere.
+   * Declares that this process runs one service of a system whose others run elsewhere.
    *
-   * @param bySupervisor whether the process was started by one that starts it again if need be, so
-   *     that orders to start and restart are that one's concern
+   * @param bySupervisor whether a supervising process restarts this one if necessary, and therefore handles orders to start and restart
    */
   public LaunchOptions oneOfSeveral(boolean bySupervisor) {
     oneOfSeveral = true;
@@ -92,7 +90,7 @@ public final class LaunchOptions {
   }
 
   /**
-   * Sets a variable for this run, whatever the file says, without writing it there.
+   * Overrides a variable for this run, without writing it to the file.
    *
    * @param service the simple name of the service's class, or {@code CommunicationManager}
    */
@@ -102,11 +100,9 @@ public final class LaunchOptions {
   }
 
   /**
-   * Sets how services of a class are made, where its constructor {@code (ServiceContext)} does not
-   * know all: a board that a program simulates, a connection that only an Android application can
-   * open. Restarts and swaps to that class go the same way.
+   * Sets a factory for services of a class whose constructor {@code (ServiceContext)} is not sufficient: for example a board simulated by a program, or a connection that only an Android application can open. Restarts and swaps to that class use it too.
    *
-   * @param serviceClass as it stands in the system file
+   * @param serviceClass class as in the system file
    */
   public <S extends U2SAService> LaunchOptions making(
       Class<S> serviceClass, Function<ServiceContext, ? extends S> maker) {
@@ -115,8 +111,7 @@ public final class LaunchOptions {
   }
 
   /**
-   * Adds a service beside those of the system file, such as a recorder: made and started before
-   * them, so that it misses nothing, and ended after them.
+   * Adds a service to those of the system file, such as a recorder: created and started before them, so that it misses nothing, and ended after them.
    *
    * @param configuration its variables
    */
@@ -130,12 +125,12 @@ public final class LaunchOptions {
     return companions;
   }
 
-  /** A service beside those of the system file. */
+  /** A service in addition to those of the system file. */
   record Companion(
       XmlConfiguration configuration, Function<ServiceContext, ? extends U2SAService> maker) {}
 
   /**
-   * Refuses a class of which no service can be made, such as one that a swap is to start later.
+   * Rejects a class that cannot be instantiated as a service, such as one for a later swap.
    *
    * @throws org.u2sa.interfaces.BadInputException naming the class
    */
@@ -165,7 +160,7 @@ public final class LaunchOptions {
     return console;
   }
 
-  /** Says whether the services of this process ran before in this run, in another process. */
+  /** Sets whether the services of this process already ran in this run, in another process. */
   public LaunchOptions restart(boolean value) {
     restart = value;
     return this;
@@ -175,7 +170,7 @@ public final class LaunchOptions {
     return restart;
   }
 
-  /** Has the services of this process talk through its broker, whatever the system file says. */
+  /** Makes the services of this process communicate through its broker, whatever the system file says. */
   public LaunchOptions throughBroker() {
     throughBroker = true;
     return this;

@@ -20,18 +20,16 @@ import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.U2SAService;
 
 /**
- * A service of a system file as it would run: it is made with its configuration, asked what it is,
- * and never started.
+ * Description of a service of a system file as it would run: created with its configuration, inspected, and never started.
  *
- * @param entry where the file lists it
- * @param name its name; the class's if it could not be made
- * @param role what it is for, by {@link org.u2sa.service.ServiceRole}'s name; empty if it could not
- *     be made
- * @param publishes the channels on which it would publish
- * @param subscribes the channels that it would hear
- * @param variables all that it declares, with their values here
- * @param actuators what it would announce of each
- * @param refusal why it could not be made here, as for want of a device or jar; empty if it was
+ * @param entry entry in the system file
+ * @param name service name, or class name if it could not be created
+ * @param role name of its {@link org.u2sa.service.ServiceRole}; empty if it could not be created
+ * @param publishes channels on which it would publish
+ * @param subscribes channels to which it would subscribe
+ * @param variables declared variables with their configured values
+ * @param actuators its actuator announcements
+ * @param refusal why it could not be created here, such as a missing device or jar; empty if it was
  */
 public record PlannedService(
     SystemFile.Entry entry,
@@ -52,7 +50,7 @@ public record PlannedService(
   /**
    * All services of a system.
    *
-   * @throws IOException if there is no room for their log files
+   * @throws IOException if their log files cannot be created
    */
   public static List<PlannedService> of(SystemFile system) throws IOException {
     Path logs = Files.createTempDirectory("u2sa-describe");
@@ -73,7 +71,7 @@ public record PlannedService(
   }
 
   private static PlannedService planned(ServiceMaker maker, SystemFile.Entry entry) {
-    XmlConfiguration configuration = maker.configuration(entry); // wrong on any machine, if wrong
+    XmlConfiguration configuration = maker.configuration(entry); // throws: not machine-specific
     try {
       U2SAService service = maker.make(entry, configuration);
       PlannedService planned =
@@ -90,7 +88,7 @@ public record PlannedService(
               Optional.empty());
       service.shutDown();
       return planned;
-    } catch (RuntimeException | LinkageError e) { // a device, a jar that is not here
+    } catch (RuntimeException | LinkageError e) { // missing device or jar
       return new PlannedService(
           entry,
           entry.simpleName(),

@@ -15,11 +15,7 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Keeps a process from running a service that runs in another process of the same system: asks all
- * services for their names before the first is made here, and refuses to connect one of a name that
- * is already in use. The answers' timestamps show the offset between the clocks. A service that
- * hangs, or that another process starts at the same moment, does not answer; who watches the system
- * tells it from its namesake by its instance.
+ * Prevents a process from running a service that already runs in another process of the same system: asks all services for their names before the first one is created here, and refuses to connect a service whose name is in use. The answers' timestamps reveal clock offsets. Services that hang, or are being started elsewhere at the same moment, do not answer; observers distinguish duplicates by instance.
  */
 final class RollCall implements Transport, Receiver {
   /** Time to wait for answers. */
@@ -42,10 +38,10 @@ final class RollCall implements Transport, Receiver {
   }
 
   /**
-   * Asks, and returns the transport for services whose names are free.
+   * Asks, and returns a transport that only connects services with free names.
    *
    * @param clock real time
-   * @param log takes what goes wrong, a line each
+   * @param log receives problems, one per line
    */
   static RollCall before(Transport transport, Clock clock, Consumer<String> log) {
     RollCall call = new RollCall(transport, clock, log);
@@ -54,8 +50,7 @@ final class RollCall implements Transport, Receiver {
   }
 
   /**
-   * Asks for the time only, for restarted services whose names may still be known; the first answer
-   * is enough.
+   * Only asks for the time, for restarted services whose names may still be registered; the first answer suffices.
    */
   static RollCall forTime(Transport transport, Clock clock, Consumer<String> log) {
     RollCall call = new RollCall(transport, clock, log);
@@ -85,8 +80,7 @@ final class RollCall implements Transport, Receiver {
   }
 
   /**
-   * How far the system's time is ahead of the clock, by the answers [µs]; 0 if they agree or nobody
-   * answered. Logs any other offset.
+   * Lead of the system's time over the clock, from the answers [µs]; 0 if they agree or none arrived. Logs any other offset.
    */
   long systemAheadMicros() {
     return agreement.aheadMicros(log);

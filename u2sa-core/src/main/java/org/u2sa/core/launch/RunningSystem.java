@@ -32,7 +32,7 @@ public final class RunningSystem implements AutoCloseable {
   private volatile CommunicationManager manager;
   private volatile ServiceMaker maker;
   private volatile HostedServices hosted;
-  private volatile Launcher launcher; // null if there is no service to start
+  private volatile Launcher launcher; // null without services to start
   private volatile HealthWatch watch; // likewise
 
   private RunningSystem(SystemFile file, LaunchOptions options) {
@@ -41,8 +41,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Starts the Communication Manager, makes all services, checks all that can be checked, and only
-   * then starts the first thread. A system that cannot start leaves nothing behind.
+   * Starts the Communication Manager, creates all services, performs all checks, and only then starts the first thread. A failed start leaves nothing behind.
    *
    * @throws org.u2sa.interfaces.BadInputException if a file is wrong
    * @throws org.u2sa.interfaces.communication.CommunicationException if the Communication Manager
@@ -83,7 +82,7 @@ public final class RunningSystem implements AutoCloseable {
     }
   }
 
-  /** A folder that cannot be written now may become writable; a file never becomes a folder. */
+  /** Checks that the path is not a file: an unwritable folder may become writable later, but a file never becomes a folder. */
   private static void requireFolder(Path logs) {
     if (Files.exists(logs) && !Files.isDirectory(logs)) {
       throw new BadInputException(logs + ": is no folder, expected one for log files");
@@ -91,13 +90,12 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * The transport to the Communication Manager; if another process runs it, names are checked
-   * first.
+   * Transport to the Communication Manager; checks names first if another process runs it.
    */
   private Transport transport() {
     Transport transport = throughBroker() ? brokerTransport() : manager.transport();
     if (!manager.isExternal() || file.services().isEmpty()) {
-      return transport; // nobody else can run yet
+      return transport; // no other process can run yet
     }
     Clock clock = options.clock();
     boolean real = clock instanceof SystemClock;
@@ -117,7 +115,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   private Transport brokerTransport() {
-    if (options.clock() instanceof LockstepClock) { // it cannot wait for messages in transit
+    if (options.clock() instanceof LockstepClock) { // which cannot wait for messages in transit
       throw new BadInputException(
           file.file() + ": messages through the broker take real time; expected --realtime");
     }
@@ -165,8 +163,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * The services of the system file as they are at this moment, in the order of the file; one that
-   * was restarted or swapped stands in the place of the one before.
+   * Snapshot of the services of the system file, in file order, including restarted and swapped ones.
    */
   public List<U2SAService> services() {
     return hosted == null ? List.of() : hosted.services();
@@ -183,8 +180,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Waits until all services have ended, as after a stop command, including those restarted
-   * meanwhile.
+   * Waits until all services have ended, for example after a stop command, including those restarted meanwhile.
    */
   public void awaitEnd() throws InterruptedException {
     List<U2SAService> awaited;
@@ -204,8 +200,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Ends all services, last started first, and then the Communication Manager. Safe to call twice
-   * and from several threads: each call returns when all has ended.
+   * Ends all services, last started first, and then the Communication Manager. Idempotent and thread-safe: each call returns when everything has ended.
    */
   @Override
   public synchronized void close() {

@@ -7,12 +7,12 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
-/** Makes a service from the name of its class, as it stands in a system file or in an order. */
+/** Creates a service from a class name in a system file or an order. */
 public final class ServiceFactory {
   private ServiceFactory() {}
 
   /**
-   * Finds the class that a system file names.
+   * Finds the class of an entry in a system file.
    *
    * @throws BadInputException if there is no such class or it is no service; names file, line and
    *     class
@@ -31,7 +31,7 @@ public final class ServiceFactory {
   }
 
   /**
-   * Finds a class, without running anything of it.
+   * Finds a class without initialising it.
    *
    * @throws BadInputException if there is no such class or it is no service; names the class
    */
@@ -61,9 +61,9 @@ public final class ServiceFactory {
   }
 
   /**
-   * Makes the service that a system file names.
+   * Creates the service of an entry in a system file.
    *
-   * @throws BadInputException if it cannot be made; names file, line and class
+   * @throws BadInputException if it cannot be created; names file, line and class
    */
   static U2SAService create(SystemFile.Entry entry, ServiceContext context) {
     constructor(entry);
@@ -74,7 +74,7 @@ public final class ServiceFactory {
     }
   }
 
-  /** The class, not its code, is at fault. */
+  /** Thrown if the class itself, not its code, is at fault. */
   private static final class NotMadeException extends BadInputException {
     private static final long serialVersionUID = 1L;
 
@@ -83,8 +83,7 @@ public final class ServiceFactory {
     }
   }
 
-  /**
-   * Makes a service.
+  /** Creates a service.
    *
    * @throws BadInputException if there is no such class or it is no service; names the class
    * @throws RuntimeException what its constructor threw
@@ -94,7 +93,7 @@ public final class ServiceFactory {
       return constructor(className).newInstance(context);
     } catch (InvocationTargetException e) {
       if (e.getCause() instanceof RuntimeException cause) {
-        throw cause; // the service's own words: a wrong variable, a missing device
+        throw cause; // thrown by the service: invalid variable, missing device
       }
       if (e.getCause() instanceof Error cause) {
         throw cause;

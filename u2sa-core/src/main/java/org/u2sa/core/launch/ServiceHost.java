@@ -4,35 +4,33 @@ import java.util.Optional;
 import org.u2sa.messages.contract.ServiceOrder;
 
 /**
- * What a {@link Launcher} starts services with: the threads of its process, or processes. Called on
- * the launcher's thread, one order at a time; each call returns when the order is carried out.
+ * Starts services for a {@link Launcher}, as threads of its process or as processes. Called on the launcher's thread, one order at a time; each call returns when the order has been carried out.
  */
 public interface ServiceHost {
   /**
-   * Whether this host is the one to carry the order out. Every launcher of the system hears every
-   * order; one obeys.
+   * Whether this host must carry the order out. Every launcher of the system receives every order; exactly one obeys.
    */
   boolean isFor(ServiceOrder order);
 
   /**
-   * Starts a service that does not run.
+   * Starts a service that is not running.
    *
-   * @return why it was refused or could not be done; empty if it runs now
+   * @return reason for rejection or failure; empty if it runs now
    */
   Optional<String> start(String serviceName);
 
   /**
-   * Restarts a service, whatever state it is in, with its configuration read again.
+   * Restarts a service, whatever its state, and reloads its configuration.
    *
-   * @return why it was refused or could not be done; empty if it runs now
+   * @return reason for rejection or failure; empty if it runs now
    */
   Optional<String> restart(String serviceName);
 
   /**
-   * Puts another class in the place of a service that runs.
+   * Replaces a running service by another class.
    *
    * @param className full name of the class
-   * @return why it was refused or could not be done; empty if the new one runs now
+   * @return reason for rejection or failure; empty if the new one runs now
    */
   Optional<String> swap(String serviceName, String className);
 }

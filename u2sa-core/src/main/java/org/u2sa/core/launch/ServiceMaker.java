@@ -11,13 +11,13 @@ import org.u2sa.service.Execution;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
-/** Makes the services of one system: gives each its configuration, clock, transport and seed. */
+/** Creates the services of one system, each with its configuration, clock, transport and seed. */
 final class ServiceMaker {
   private final String systemId;
   private final LaunchOptions options;
   private final MessageTypes types;
   private final Transport transport;
-  private volatile Execution.Keeper keeper; // null if nobody keeps executions
+  private volatile Execution.Keeper keeper; // null if executions are not recorded
 
   ServiceMaker(String systemId, LaunchOptions options, MessageTypes types, Transport transport) {
     this.systemId = systemId;
@@ -26,7 +26,7 @@ final class ServiceMaker {
     this.transport = transport;
   }
 
-  /** Reads a configuration file, or takes the variables' defaults, with the run's overrides. */
+  /** Reads a configuration file, or uses the variables' defaults, and applies the run's overrides. */
   static XmlConfiguration configuration(
       LaunchOptions options, String service, Optional<Path> path) {
     XmlConfiguration configuration =
@@ -54,7 +54,7 @@ final class ServiceMaker {
   }
 
   /**
-   * Makes a service that is connected and not yet started; should that fail, nothing is left of it.
+   * Creates and connects a service without starting it; cleans up if that fails.
    *
    * @throws org.u2sa.interfaces.BadInputException if its class or configuration is wrong
    * @throws org.u2sa.interfaces.communication.CommunicationException if it cannot connect
@@ -64,18 +64,18 @@ final class ServiceMaker {
   }
 
   /**
-   * Makes a service that stands in no system file.
+   * Creates a service that is not in the system file.
    *
-   * @throws RuntimeException if its constructor refuses
+   * @throws RuntimeException if its constructor throws
    */
   U2SAService make(LaunchOptions.Companion companion) {
     return make(context(companion.configuration()), companion.maker());
   }
 
   /**
-   * Makes a service anew that ran before in this run, of a class that may stand in no system file.
+   * Recreates a service that already ran in this run, of a class that need not be in the system file.
    *
-   * @throws RuntimeException if the class is no service or its constructor refuses
+   * @throws RuntimeException if the class is not a service or its constructor throws
    */
   U2SAService makeAnew(String className, XmlConfiguration configuration) {
     ServiceContext context = builder(configuration).restart(true).build();
@@ -83,9 +83,9 @@ final class ServiceMaker {
   }
 
   /**
-   * Makes a service that is to take the place of one that runs; it is not connected.
+   * Creates a replacement for a running service, without connecting it.
    *
-   * @throws RuntimeException if the class is no service or its constructor refuses
+   * @throws RuntimeException if the class is not a service or its constructor throws
    */
   U2SAService makeInPlaceOf(U2SAService running, String className, XmlConfiguration configuration) {
     ServiceContext context = builder(configuration).inPlaceOf(running).build();
@@ -103,8 +103,7 @@ final class ServiceMaker {
   }
 
   /**
-   * The context of a service whose execution is kept, if somebody keeps any. That of a service with
-   * a device of its own could not be repeated.
+   * Context of a service, recording its execution if executions are recorded. Services with their own devices are excluded, because they cannot be replayed.
    */
   private ServiceContext kept(String className, ServiceContext context) {
     Execution.Keeper present = keeper;
@@ -123,7 +122,7 @@ final class ServiceMaker {
       }
       return service;
     } catch (RuntimeException | Error e) {
-      context.abandon(); // nobody else knows the half-made service
+      context.abandon(); // nothing else references the partial service
       throw e;
     }
   }

@@ -17,7 +17,7 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 
 /**
- * The list of a vehicle's services (thesis 3.2): what runs, with which configuration.
+ * The list of a vehicle's services (thesis 3.2): classes and configurations.
  *
  * <pre>{@code
  * <system id="cessna">
@@ -30,14 +30,13 @@ import org.u2sa.interfaces.xml.XmlReader;
  * <p>The communication and each service may name their {@code host} for systems on several machines
  * ({@link #onHost}); a system on one machine needs none.
  *
- * @param file where it was read
+ * @param file path of the file
  * @param systemId the vehicle's ID
- * @param communication the Communication Manager's configuration file; without one, its defaults
- *     hold
+ * @param communication the Communication Manager's configuration file; empty for defaults
  * @param delivery how messages travel between the services of one process
  * @param communicationHost the host that runs the Communication Manager; empty: any
- * @param autonomy what the file states of the vehicle's autonomy (thesis 2.3); empty if nothing
- * @param services in the order in which they are started
+ * @param autonomy the vehicle's stated autonomy (thesis 2.3); empty if not stated
+ * @param services services in start order
  */
 public record SystemFile(
     Path file,
@@ -51,9 +50,9 @@ public record SystemFile(
    * One service.
    *
    * @param className its class, with a public constructor that takes a ServiceContext
-   * @param configuration its configuration file; without one, the defaults of its variables hold
-   * @param host the host on which it runs in a system on several; empty if the file does not say
-   * @param element where the file says so, for error messages
+   * @param configuration its configuration file; empty for the variables' defaults
+   * @param host host on which it runs, in systems on several hosts; empty if not given
+   * @param element its XML element, for error messages
    */
   public record Entry(
       String className, Optional<Path> configuration, String host, XmlElement element) {
@@ -125,9 +124,9 @@ public record SystemFile(
   }
 
   /**
-   * The same system with some of its services only.
+   * Copy with some of the services only.
    *
-   * @param simpleNames of the services' classes
+   * @param simpleNames simple class names of the services
    * @throws BadInputException if the file lists no service of one of the names, or several
    */
   public SystemFile only(Collection<String> simpleNames) {
@@ -154,7 +153,7 @@ public record SystemFile(
   }
 
   /**
-   * The same system, each of whose services can be run in a process of its own.
+   * Checked copy whose services can each run in their own process.
    *
    * @throws BadInputException if two classes have the same simple name
    */
@@ -168,10 +167,9 @@ public record SystemFile(
   }
 
   /**
-   * The same system with the services of one host only; perhaps none, on a host that runs only the
-   * Communication Manager.
+   * Copy with the services of one host only; possibly none, on a host that only runs the Communication Manager.
    *
-   * @throws BadInputException if the file names no such host, or a service has none
+   * @throws BadInputException if the file does not mention the host, or a service has no host
    */
   public SystemFile onHost(String host) {
     Set<String> known = new TreeSet<>();
@@ -192,7 +190,7 @@ public record SystemFile(
     return with(entry -> entry.host().equals(host));
   }
 
-  /** The same system with its Communication Manager only. */
+  /** Copy with the Communication Manager only. */
   public SystemFile withoutServices() {
     return with(entry -> false);
   }

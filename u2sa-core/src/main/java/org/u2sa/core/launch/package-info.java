@@ -1,5 +1,4 @@
 /**
- * Starts and stops what a system file lists: the Communication Manager and the services of a
- * vehicle. How a service is written does not belong here.
+ * Starts and stops the Communication Manager and the services of a system file. Base classes of services are elsewhere.
  */
 package org.u2sa.core.launch;

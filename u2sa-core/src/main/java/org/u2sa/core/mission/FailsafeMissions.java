@@ -14,7 +14,7 @@ import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.FailsafeAction;
 
-/** The goals of a vehicle that returns or lands because something is wrong. */
+/** The goals for the failsafes RETURN and LAND. */
 final class FailsafeMissions {
   private final MissionManager manager;
   private final MissionFiles files;
@@ -24,7 +24,7 @@ final class FailsafeMissions {
   private final Map<FailsafeAction, GoalInformation> homes = new EnumMap<>(FailsafeAction.class);
 
   /**
-   * Reads the files that the configuration names.
+   * Reads the configured files.
    *
    * @throws org.u2sa.interfaces.BadInputException if one is wrong
    */
@@ -41,7 +41,7 @@ final class FailsafeMissions {
         || variables.contains(MissionSettings.DEFAULT_THRESHOLD);
   }
 
-  /** How many goals there are to land by. */
+  /** Number of goals for LAND. */
   int landGoals() {
     return goals.get(FailsafeAction.LAND).size();
   }
@@ -78,7 +78,7 @@ final class FailsafeMissions {
         .collect(Collectors.toList());
   }
 
-  /** Names must differ from the mission's, so that a planner sees that the goal is another. */
+  /** Renames goals, because names equal to the mission's would hide the change from planners. */
   private static GoalInformation renamed(GoalInformation goal, String prefix) {
     GoalInformation copy = goal.copy();
     copy.uid(prefix + goal.uid());
@@ -96,9 +96,9 @@ final class FailsafeMissions {
   }
 
   /**
-   * What to pursue at that action; empty if the mission goes on, or is merely held.
+   * Goals for the action; empty if the mission continues or is merely held.
    *
-   * @param home of the mission
+   * @param home home of the mission
    */
   Optional<GoalSequence> sequence(FailsafeAction action, Optional<Waypoint> home) {
     if (action != FailsafeAction.RETURN && action != FailsafeAction.LAND) {
@@ -123,7 +123,7 @@ final class FailsafeMissions {
     return Optional.of(sequence);
   }
 
-  /** Goals of which none is left: the planner holds as at a mission's end. */
+  /** An empty set of goals: the planner holds as at the end of a mission. */
   private static GoalSequence ended() {
     GoalInformation none = new Waypoint().uid("none").horizontalThreshold(1.0);
     GoalSequence sequence =

@@ -13,10 +13,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalResult;
 
 /**
- * Which goals follow a goal, by what came of it: those that it names for this result, else its
- * repetition, else its {@code next}. If no goal of the mission has a {@code next}, each is followed
- * by the one after it in the file. A goal that timed out and names none for that has failed; one
- * that was skipped counts as done.
+ * Determines the goals that follow a goal, by its result: those it names for this result, else its repetition, else its {@code next}. If no goal of the mission has a {@code next}, goals follow in file order. A timed-out goal without its own followers counts as failed; a skipped goal counts as done.
  */
 final class Followers {
   private final GoalBook book;
@@ -27,7 +24,7 @@ final class Followers {
     this.order = List.copyOf(order);
   }
 
-  /** The names in the order of the file; none if a goal has a {@code next}. */
+  /** Names in file order; empty if a goal has a {@code next}. */
   static List<String> orderOf(Collection<? extends GoalInformation> goals) {
     List<String> names = new ArrayList<>();
     for (GoalInformation goal : goals) {
@@ -39,20 +36,20 @@ final class Followers {
     return names;
   }
 
-  /** Whether a goal says itself what comes after it in the usual case. */
+  /** Whether a goal names its own followers for the regular case. */
   static boolean isLinked(GoalInformation goal) {
     return !goal.next().isEmpty() || goal.nextIf(GoalResult.DONE).isPresent();
   }
 
-  /** The names in the order of the file; none if the goals are linked. */
+  /** Names in file order; empty if the goals are linked. */
   List<String> order() {
     return order;
   }
 
   /**
-   * What follows a goal now.
+   * Returns the goals that follow a goal now.
    *
-   * @param repeats how often repetitions were begun; brought up to date
+   * @param repeats counters of started repetitions; updated
    */
   List<String> after(String uid, GoalResult result, Map<String, Long> repeats) {
     Optional<List<String>> own = own(book.goal(uid), result);
@@ -62,7 +59,7 @@ final class Followers {
       repeats.put(uid, begun + 1);
       return Collections.singletonList(again.get());
     }
-    repeats.remove(uid); // left: next time it begins anew
+    repeats.remove(uid); // finished: the next repetition starts over
     return own.map(this::known).orElseGet(() -> otherwise(uid));
   }
 
@@ -83,7 +80,7 @@ final class Followers {
     }
   }
 
-  /** What follows a goal that is done, repetitions aside. */
+  /** Followers of a completed goal, without repetitions. */
   List<String> usual(String uid) {
     return own(book.goal(uid), GoalResult.DONE).map(this::known).orElseGet(() -> otherwise(uid));
   }
@@ -96,14 +93,14 @@ final class Followers {
         : Collections.singletonList(order.get(place + 1));
   }
 
-  /** An update may name goals that are still to come. */
+  /** Ignores unknown names, because an update may name goals that are added later. */
   private List<String> known(List<String> names) {
     List<String> known = new ArrayList<>(names);
     known.removeIf(name -> !book.knows(name));
     return known;
   }
 
-  /** What may follow a goal, by result. A goal without a time limit does not time out. */
+  /** Possible followers of a goal, by result. Goals without a time limit cannot time out. */
   Map<GoalResult, List<String>> possible(String uid) {
     Map<GoalResult, List<String>> possible = new LinkedHashMap<>();
     for (GoalResult result : List.of(GoalResult.DONE, GoalResult.FAILED, GoalResult.TIMED_OUT)) {
@@ -115,7 +112,7 @@ final class Followers {
     return possible;
   }
 
-  /** All goals that may come, beginning with these. */
+  /** All goals reachable from these, including themselves. */
   Set<String> reachable(Collection<String> from) {
     Set<String> reachable = new LinkedHashSet<>();
     List<String> open = new ArrayList<>(from);

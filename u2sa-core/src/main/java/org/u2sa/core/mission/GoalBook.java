@@ -14,9 +14,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.service.HandOver;
 
 /**
- * The goals of a mission by name: each as it is defined, and as it is now, with what the Path
- * Planner changed in it (thesis 4.2.1.3: shots fired, time of arrival). A goal that is pursued once
- * more begins as it is defined. Belongs to one thread.
+ * The goals of a mission by name: each as defined, and in its current state with the Path Planner's changes (thesis 4.2.1.3: shots fired, time of arrival). A goal pursued again is reset to its definition. Not thread-safe.
  */
 final class GoalBook {
   private static final List<String> KEPT =
@@ -29,7 +27,7 @@ final class GoalBook {
           "nextIfFailed",
           "nextIfTimedOut",
           "repeatFrom",
-          "repeatTimes"); // the order is the Mission Manager's, which may have changed it since
+          "repeatTimes"); // the order is up to the Mission Manager and may have changed
 
   private final Map<String, GoalInformation> defined = new LinkedHashMap<>();
   private final Map<String, GoalInformation> present = new LinkedHashMap<>();
@@ -48,38 +46,38 @@ final class GoalBook {
     return present.containsKey(uid);
   }
 
-  /** The names in the order in which the goals came to be known. */
+  /** Names in the order in which the goals were added. */
   List<String> names() {
     return new ArrayList<>(present.keySet());
   }
 
-  /** The goal as it is now. */
+  /** Current state of the goal. */
   GoalInformation goal(String uid) {
     return present.get(uid);
   }
 
-  /** The goals as they are now. */
+  /** Current state of the goals. */
   List<GoalInformation> named(Collection<String> names) {
     List<GoalInformation> list = new ArrayList<>();
     names.forEach(name -> list.add(present.get(name)));
     return list;
   }
 
-  /** How often the goal was completed or given up. */
+  /** How often the goal was completed or abandoned. */
   long timesFinished(String uid) {
     return finished.getOrDefault(uid, 0L);
   }
 
-  /** The goal is to be pursued again: whatever came of it before is forgotten. */
+  /** Resets a goal that is pursued again to its definition. */
   void renew(String uid) {
     present.put(uid, defined.get(uid));
   }
 
   /**
-   * Takes note of what came of a goal.
+   * Records the result of a goal.
    *
-   * @param report the fields of which replace the mission's; empty if the planner made none
-   * @param micros when that was [µs of the run's clock]
+   * @param report planner's report, whose fields replace the mission's; empty if none
+   * @param micros time of the result [µs of the run's clock]
    */
   void finish(
       String uid, GoalResult result, Optional<GoalInformation> report, String reason, long micros) {
@@ -101,7 +99,7 @@ final class GoalBook {
     present.put(uid, now);
   }
 
-  /** Takes times of arrival from another process's clock to that of this run [µs later]. */
+  /** Converts times of arrival from another process's clock to this run's [µs later]. */
   void shiftArrivals(long micros) {
     for (Map.Entry<String, GoalInformation> each : present.entrySet()) {
       GoalInformation goal = each.getValue();
@@ -120,7 +118,7 @@ final class GoalBook {
   }
 
   /**
-   * Takes over the fields that are set in an update; a goal that is not known is added.
+   * Merges the set fields of an update; unknown goals are added.
    *
    * @return whether it was known
    */
@@ -140,7 +138,7 @@ final class GoalBook {
     return goal;
   }
 
-  @SuppressWarnings("unchecked") // both are of the type
+  @SuppressWarnings("unchecked") // both have this type
   static <T extends GoalInformation> GoalInformation merged(
       GoalInformation into, GoalInformation from, Collection<String> except) {
     MessageType<?> type = from.type();
@@ -155,14 +153,14 @@ final class GoalBook {
 
   void handOver(HandOver state, String name) {
     List<GoalInformation> changed = new ArrayList<>(defined.values());
-    changed.removeIf(goal -> goal == present.get(goal.uid())); // as most are
+    changed.removeIf(goal -> goal == present.get(goal.uid())); // unchanged, as most are
     state
         .messages(name + " GOALS", present.values())
         .messages(name + " DEFINED", changed)
         .texts(name + " TIMES", Position.texts(finished));
   }
 
-  /** The book that was handed over under a name; empty if there is none. */
+  /** Restores the book handed over under a name; empty if none. */
   static Optional<GoalBook> takenOver(HandOver state, String name) {
     List<GoalInformation> goals = state.messages(name + " GOALS", GoalInformation.class);
     if (goals.isEmpty()) {

@@ -9,7 +9,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
-/** The classes of goals that a mission may hold, by the names of their elements. */
+/** Goal classes of missions, by element name. */
 final class GoalClasses {
   private final MessageTypes types;
 
@@ -18,9 +18,9 @@ final class GoalClasses {
   }
 
   /**
-   * The class that an element names.
+   * The goal class of an element.
    *
-   * @throws org.u2sa.interfaces.BadInputException if it names none
+   * @throws org.u2sa.interfaces.BadInputException if there is none
    */
   MessageType<? extends GoalInformation> of(XmlElement element) {
     MessageType<?> type =

@@ -14,9 +14,9 @@ import org.u2sa.messages.schema.Kind;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
 
-/** A goal and the elements of the file that it was read from, so that errors can say where. */
+/** A goal with its XML elements, so that errors can name the line. */
 final class GoalElement {
-  /** Fields that messages have and files have not, or say in another way. */
+  /** Message fields that are absent in files or written differently. */
   static final List<String> NOT_IN_FILES =
       Arrays.asList(
           "systemId",
@@ -57,7 +57,7 @@ final class GoalElement {
     GoalLinks links = new GoalLinks(element);
     Map<String, List<XmlElement>> byField = byField(element, type, links);
     ReferenceFrame frame = ReferenceFrame.GLOBAL;
-    if (byField.containsKey(FRAME)) { // first, for the units of the others depend on it
+    if (byField.containsKey(FRAME)) { // first: the units of the others depend on it
       fill(message, type.field(FRAME).orElseThrow(), byField.get(FRAME), frame);
       frame = (ReferenceFrame) type.field(FRAME).orElseThrow().get(message).orElseThrow();
     }
@@ -70,7 +70,7 @@ final class GoalElement {
     return new GoalElement(element, message, fields, links);
   }
 
-  /** The same with another goal, which has what the elements say and more. */
+  /** Copy with another goal that extends the elements' content. */
   GoalElement with(GoalInformation other) {
     return new GoalElement(element, other, fields, links);
   }
@@ -156,12 +156,12 @@ final class GoalElement {
     return message;
   }
 
-  /** What it says of the goals that come after it. */
+  /** Its links to following goals. */
   GoalLinks links() {
     return links;
   }
 
-  /** The element of a field, by the field's own name; empty if the file leaves it out. */
+  /** Element of a field, by field name; empty if omitted in the file. */
   Optional<XmlElement> field(String name) {
     return Optional.ofNullable(fields.get(name));
   }

@@ -10,14 +10,14 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.messages.GoalInformation;
 
-/** Which goals of a file lead to which, whatever comes of them. */
+/** Graph of the goals of a file, with edges for every result. */
 final class GoalGraph {
   private final Map<String, GoalElement> goals;
-  private final Collection<String> further; // known, though no goals of the file
+  private final Collection<String> further; // known goals from outside the file
   private final Followers followers;
 
   /**
-   * @param further names that goals may name besides each other's
+   * @param further additional names that goals may refer to
    */
   GoalGraph(Map<String, GoalElement> goals, Collection<String> further) {
     this.goals = goals;
@@ -27,25 +27,24 @@ final class GoalGraph {
     followers = new Followers(new GoalBook(messages), Followers.orderOf(messages));
   }
 
-  /** The names that a goal may name. */
+  /** Names that a goal may refer to. */
   Set<String> known() {
     Set<String> known = new LinkedHashSet<>(goals.keySet());
     known.addAll(further);
     return known;
   }
 
-  /** Refuses what names no goal. */
+  /** Rejects references to unknown goals. */
   void refuseUnknownSuccessors() {
     Set<String> known = known();
     goals.values().forEach(goal -> goal.links().refuseOthers(known));
   }
 
   /**
-   * A warning for each goal that nothing leads to from the first one, and for goals from which
-   * nothing leads to an end.
+   * Warnings for goals that are unreachable from the first one, and for goals from which no end is reachable.
    *
-   * @param also where the mission goes when its time limit passes
-   * @param ends whether it ends anyway, by its time limit
+   * @param also goals that follow when the mission's time limit expires
+   * @param ends whether the time limit ends the mission anyway
    */
   List<String> warnings(Collection<String> also, boolean ends) {
     List<String> from = new ArrayList<>(also);
@@ -74,7 +73,7 @@ final class GoalGraph {
     return warnings;
   }
 
-  /** The goals from which the mission can reach no end, whatever comes of each. */
+  /** Goals from which no end of the mission is reachable, whatever their results. */
   private Set<String> endless(Set<String> reachable) {
     Set<String> ending = new LinkedHashSet<>();
     boolean grows = true;
@@ -96,7 +95,7 @@ final class GoalGraph {
     return endless;
   }
 
-  /** Whether a goal of another file, or the home, follows it. */
+  /** Whether it is followed by the home or a goal of another file. */
   private boolean leadsFurther(String name) {
     GoalInformation goal = goals.get(name).message();
     return !Collections.disjoint(goal.next(), further)

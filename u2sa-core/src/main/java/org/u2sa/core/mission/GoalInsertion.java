@@ -9,14 +9,14 @@ import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * Puts goals into the middle of a mission: they follow a goal, and what followed it follows them.
+ * Inserts goals into a mission between a goal and its followers.
  */
 final class GoalInsertion {
   private final GoalSequence mission;
   private final List<GoalInformation> goals;
 
   /**
-   * @param goals at least one, with names that the mission has not
+   * @param goals at least one, with names not used in the mission
    */
   GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
     this.mission = mission;
@@ -26,7 +26,7 @@ final class GoalInsertion {
   /**
    * Inserts them after a goal.
    *
-   * @param after a goal that is known
+   * @param after name of a known goal
    */
   void after(String after) {
     add(mission.followers().usual(after));
@@ -46,7 +46,7 @@ final class GoalInsertion {
     return (GoalInformation) type.create();
   }
 
-  /** Inserts them before the current goals, which are pursued again after them. */
+  /** Inserts the goals before the current ones, which are pursued again afterwards. */
   void now() {
     Set<String> current = mission.currentNames();
     add(new ArrayList<>(current));
@@ -57,7 +57,7 @@ final class GoalInsertion {
     return goals.get(0).uid();
   }
 
-  /** Adds the goals; those that end what is inserted lead on to others. */
+  /** Adds the goals and links those without followers to the given ones. */
   private void add(List<String> exit) {
     boolean ordered = goals.stream().noneMatch(Followers::isLinked);
     for (int i = 0; i < goals.size(); i++) {

@@ -14,11 +14,11 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalResult;
 
 /**
- * What a goal's element says of the goals after it, beyond a plain {@code <next>}: {@code <next
+ * Links of a goal's element to following goals, beyond a plain {@code <next>}: {@code <next
  * if="failed">}, {@code <end if="failed"/>} and {@code <repeat from="gate" times="2"/>}.
  */
 final class GoalLinks {
-  /** The elements that are no fields. */
+  /** Elements that are not fields. */
   static final List<String> ELEMENTS = List.of("repeat", "end");
 
   private static final String IF = "if";
@@ -34,14 +34,14 @@ final class GoalLinks {
   private final XmlElement goal;
   private final Map<GoalResult, List<String>> byResult = new EnumMap<>(GoalResult.class);
   private final Map<GoalResult, XmlElement> ends = new EnumMap<>(GoalResult.class);
-  private final Map<XmlElement, List<String>> names = new LinkedHashMap<>(); // as each names them
-  private XmlElement repeat; // null: none
+  private final Map<XmlElement, List<String>> names = new LinkedHashMap<>(); // by element
+  private XmlElement repeat; // null if none
 
   GoalLinks(XmlElement goal) {
     this.goal = goal;
   }
 
-  /** Whether the child is one of these, and no field; if so it is remembered. */
+  /** Records the child if it is a link; false if it is a field. */
   boolean takes(XmlElement child) {
     if (child.name().equals("end")) {
       end(child);
@@ -51,7 +51,7 @@ final class GoalLinks {
       next(child);
     } else {
       if (child.name().equals("next")) {
-        names.put(child, split(child.text())); // a field, too
+        names.put(child, split(child.text())); // also a field
       }
       return false;
     }
@@ -138,7 +138,7 @@ final class GoalLinks {
     return parts;
   }
 
-  /** Sets what is said here, and refuses what cannot be. */
+  /** Sets the links in the goal, and rejects impossible ones. */
   void readInto(GoalInformation message) {
     byResult.forEach(message::nextIf);
     if (repeat != null) {
@@ -169,7 +169,7 @@ final class GoalLinks {
   }
 
   /**
-   * Refuses a name that is none of these.
+   * Rejects names that are not among these.
    *
    * @throws org.u2sa.interfaces.BadInputException at the element that names it
    */

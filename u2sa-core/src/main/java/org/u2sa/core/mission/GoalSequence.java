@@ -15,18 +15,16 @@ import org.u2sa.messages.GoalResult;
 import org.u2sa.service.HandOver;
 
 /**
- * The order in which the goals of a mission become current (thesis 3.2.3.2, 3.2.3.3): {@link
- * Followers} says what follows a goal, this class what that means for the goals beside it.
+ * The order in which the goals of a mission become current (thesis 3.2.3.2, 3.2.3.3): {@link Followers} determines the followers of a goal, this class the effect on other current goals.
  *
- * <p>A goal that is finished does not become current again, unless all that could follow are
- * finished: then a new lap begins. Belongs to one thread.
+ * <p>A finished goal does not become current again unless all possible followers are finished: then a new lap starts. Not thread-safe.
  */
 final class GoalSequence {
-  /** What becomes of several goals that are current at the same time. */
+  /** How to treat several current goals. */
   enum Options {
-    /** All are to be finished, in whatever order, before what follows them. */
+    /** All must be finished, in any order, before their followers. */
     ALL,
-    /** One is to be finished; its {@code next} names what follows. */
+    /** One must be finished; its {@code next} names the followers. */
     ANY
   }
 
@@ -39,7 +37,7 @@ final class GoalSequence {
   private Options options;
 
   /**
-   * @param goals at least one, with unique names; the first is where the mission begins
+   * @param goals at least one, with unique names, starting with the first goal of the mission
    * @param loop whether the mission restarts when no goal is left
    */
   GoalSequence(List<? extends GoalInformation> goals, boolean loop, Options options) {
@@ -58,7 +56,7 @@ final class GoalSequence {
     followers = new Followers(book, order);
   }
 
-  /** Writes down how far it is, under a name, for a Mission Manager that takes over. */
+  /** Saves the progress under a name for a succeeding Mission Manager. */
   void handOver(HandOver state, String name) {
     book.handOver(state, name);
     at.handOver(state, name);
@@ -68,7 +66,7 @@ final class GoalSequence {
         .text(name + " FIRST", first);
   }
 
-  /** The sequence that was handed over under a name, as far as it was; empty if there is none. */
+  /** Restores the sequence handed over under a name, with its progress; empty if none. */
   static Optional<GoalSequence> takenOver(
       HandOver state, String name, boolean loop, Options options) {
     return GoalBook.takenOver(state, name)
@@ -88,35 +86,34 @@ final class GoalSequence {
             });
   }
 
-  /** Changes how the mission goes on from here. */
+  /** Changes the rules from here on. */
   void rules(boolean newLoop, Options newOptions) {
     loop = newLoop;
     options = newOptions;
   }
 
-  /** All its goals, as they are now. */
+  /** Current state of all goals. */
   GoalBook book() {
     return book;
   }
 
-  /** What follows each goal. */
+  /** Followers of each goal. */
   Followers followers() {
     return followers;
   }
 
-  /** The current goals; none if the mission is over. */
+  /** Current goals; empty if the mission is over. */
   List<GoalInformation> current() {
     return book.named(at.current);
   }
 
-  /** The names of the goals to be pursued now. */
+  /** Names of the current goals. */
   Set<String> currentNames() {
     return Collections.unmodifiableSet(at.current);
   }
 
   /**
-   * What becomes current after one of the current goals, as {@link
-   * org.u2sa.messages.GoalList#upcoming} has it.
+   * Goals that become current after one of the current goals, for {@link org.u2sa.messages.GoalList#upcoming}.
    */
   List<GoalInformation> upcoming() {
     if (at.current.size() == 1) {
@@ -140,17 +137,17 @@ final class GoalSequence {
     return at.current.isEmpty();
   }
 
-  /** {@link #finish(String, GoalResult, Optional, String, long)} of a goal that was reached. */
+  /** {@link #finish(String, GoalResult, Optional, String, long)} for a completed goal. */
   boolean finish(String uid) {
     return finish(uid, GoalResult.DONE, Optional.empty(), "", 0);
   }
 
   /**
-   * Goes on from a goal that was completed or given up.
+   * Advances from a goal that was completed or abandoned.
    *
-   * @param report the Path Planner's; empty if there is none
-   * @param reason why it was given up; empty if it was not, or if the report says so
-   * @param micros the time now [µs of the run's clock]
+   * @param report the Path Planner's report; empty if none
+   * @param reason why it was abandoned; empty if it was not, or if the report contains the reason
+   * @param micros current time [µs of the run's clock]
    * @return false if the goal is not current
    */
   boolean finish(
@@ -169,7 +166,7 @@ final class GoalSequence {
     return true;
   }
 
-  /** Moves a position on from a current goal. */
+  /** Advances a position from a current goal. */
   private void move(Position from, String uid, GoalResult result) {
     from.current.remove(uid);
     from.finished.add(uid);
@@ -215,14 +212,13 @@ final class GoalSequence {
   }
 
   /**
-   * Makes a known goal the only current one; the mission goes on from there, and finished goals are
-   * open again.
+   * Makes a known goal the only current one; the mission continues from there, and finished goals are reopened.
    */
   void changeTo(String uid) {
     changeTo(List.of(uid));
   }
 
-  /** {@link #changeTo(String)} with several of which the planner chooses. */
+  /** Like {@link #changeTo(String)} for several goals from which the planner chooses. */
   void changeTo(Collection<String> uids) {
     at = new Position();
     at.current.addAll(uids);
@@ -230,18 +226,18 @@ final class GoalSequence {
     uids.forEach(book::renew);
   }
 
-  /** How far it is, to come back to. */
+  /** Current position, for {@link #backTo}. */
   Position position() {
     return new Position(at);
   }
 
-  /** Goes back to where it was. */
+  /** Returns to a position. */
   void backTo(Position before) {
     at = new Position(before);
     at.current.forEach(book::renew);
   }
 
-  /** Ends: no goal is current any more. */
+  /** Ends the sequence: no goal is current. */
   void end() {
     at = new Position();
     pursuedMicros.clear();
@@ -249,8 +245,7 @@ final class GoalSequence {
   }
 
   /**
-   * Takes over the fields that are set in an update; a goal that is not known is added, but nothing
-   * leads to it.
+   * Merges the set fields of an update; an unknown goal is added, but no goal leads to it.
    *
    * @return whether it was known
    */
@@ -258,12 +253,12 @@ final class GoalSequence {
     return book.update(update);
   }
 
-  /** Whether what follows the current goals depends on more than their own fields. */
+  /** Whether the followers of the current goals depend on more than their own fields. */
   boolean isInTheMiddleOfOptions() {
     return at.wanted > 0 || !at.pending.isEmpty();
   }
 
-  /** Pursues a goal before the current ones, which its {@code next} names. */
+  /** Pursues a goal before the current ones, which follow by its {@code next}. */
   void putBefore(String uid) {
     at.current.clear();
     at.current.add(uid);
@@ -271,15 +266,14 @@ final class GoalSequence {
     pursuedMicros.keySet().retainAll(at.current);
   }
 
-  /** Takes note that the current goals were pursued for another while [µs]. */
+  /** Adds to the time for which the current goals were pursued [µs]. */
   void pursuedFor(long micros) {
     at.current.forEach(uid -> pursuedMicros.merge(uid, micros, Long::sum));
     pursuedMicros.keySet().retainAll(at.current);
   }
 
   /**
-   * A current goal whose time limit has passed. Whatever the limit, that takes some time: a loop of
-   * goals without any would never end.
+   * A current goal whose time limit has expired. This always takes some time, however short the limit, because a loop of goals that expire at once would not terminate.
    */
   Optional<GoalInformation> timedOut() {
     return current().stream()

@@ -7,14 +7,13 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Where a mission's vehicle starts and returns to: runway threshold, dock.
+ * Start and return position of the vehicle: runway threshold, dock.
  *
  * @param referenceFrame the axes of x, y and z
  * @param x along x [m]; longitude [deg, east +] in GLOBAL
  * @param y along y [m]; latitude [deg, north +] in GLOBAL
- * @param z along z [m]; altitude above mean sea level, up, in GLOBAL; empty if the mission does not
- *     say
- * @param headingRad [rad, clockwise from true north, 0…2π); empty if the mission does not say
+ * @param z along z [m]; altitude above mean sea level, up, in GLOBAL; empty if not given
+ * @param headingRad [rad, clockwise from true north, 0…2π); empty if not given
  */
 public record Home(
     ReferenceFrame referenceFrame,
@@ -23,8 +22,7 @@ public record Home(
     OptionalDouble z,
     OptionalDouble headingRad) {
   /**
-   * The place on the earth, at altitude 0 if the mission gives none; empty if the frame is a local
-   * one.
+   * Geographic position, at altitude 0 if none is given; empty in a local frame.
    */
   public Optional<Geodetic> geodetic() {
     return referenceFrame.equals(ReferenceFrame.GLOBAL)
@@ -33,8 +31,7 @@ public record Home(
   }
 
   /**
-   * A waypoint over this place, at whatever altitude the vehicle has: an aircraft is not to descend
-   * to its runway.
+   * Waypoint above this position at the vehicle's current altitude: an aircraft must not descend to its runway.
    */
   Waypoint waypoint(String name, double thresholdM) {
     return new Waypoint()

@@ -10,8 +10,7 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A loaded file: tells when it has changed since. What was loaded stays in force, but a restart of
- * the service would load something else, or fail. Belongs to one thread.
+ * Detects changes of a file since it was loaded. The loaded content stays in force, but a restart of the service would load different content or fail. Not thread-safe.
  */
 public final class LoadedFile {
   private record Stamp(FileTime modified, long bytes, Object key) {}
@@ -23,9 +22,9 @@ public final class LoadedFile {
   private Optional<String> fault = Optional.empty();
 
   /**
-   * Takes note of the file as it is now; to be called before it is read.
+   * Records the file's current state; call it before reading the file.
    *
-   * @param reader reads it once more, and throws a {@link BadInputException} if it is wrong
+   * @param reader re-reads the file, and throws a {@link BadInputException} if it is invalid
    */
   public LoadedFile(Path file, Consumer<Path> reader) {
     this.file = file;
@@ -39,14 +38,14 @@ public final class LoadedFile {
       BasicFileAttributes now = Files.readAttributes(file, BasicFileAttributes.class);
       return Optional.of(new Stamp(now.lastModifiedTime(), now.size(), now.fileKey()));
     } catch (IOException e) {
-      return Optional.empty(); // the reader says why
+      return Optional.empty(); // the reader reports the reason
     }
   }
 
-  /** What is wrong with the file now, beginning with its name; empty if it is as it was loaded. */
+  /** Current fault of the file, starting with its name; empty if unchanged. */
   public Optional<String> fault() {
     Optional<Stamp> now = stamp();
-    if (!now.equals(judged)) { // read again only then
+    if (!now.equals(judged)) { // re-read only after a change
       judged = now;
       fault = now.equals(loaded) ? Optional.empty() : Optional.of(judge());
     }

@@ -13,9 +13,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * A mission as read from its file (docs/missions.md): the goals in file order, and where the
- * vehicle starts. Its goals have unique names and are frozen, but for waypoints that lack a
- * threshold (see {@link #load(Path)}): nobody can publish those.
+ * A mission as read from its file (docs/missions.md): the goals in file order, and the home. Its goals have unique names and are frozen, except waypoints without a threshold (see {@link #load(Path)}), which cannot be published.
  */
 public final class Mission {
   private final String origin;
@@ -40,9 +38,7 @@ public final class Mission {
   }
 
   /**
-   * Reads a mission with all goal classes on the class path, as its file has it: a waypoint for
-   * which the file gives no horizontal threshold has none, and asking for it throws. What it is
-   * then depends on the vehicle (variable DEFAULT THRESHOLD of its Mission Manager).
+   * Reads a mission with all goal classes on the class path, without defaults: a waypoint whose horizontal threshold is omitted has none, and its getter throws. The default depends on the vehicle (variable DEFAULT THRESHOLD of its Mission Manager).
    *
    * @throws BadInputException naming file, line, element, value and what was expected
    */
@@ -54,7 +50,7 @@ public final class Mission {
   /**
    * Reads a mission.
    *
-   * @param types among which goal classes are looked up
+   * @param types registry of goal classes
    * @param defaultThresholdM horizontal threshold of waypoints that give none [m], positive
    * @throws BadInputException naming file, line, element, value and what was expected
    */
@@ -66,41 +62,41 @@ public final class Mission {
     return new MissionReader(types, defaultThresholdM).read(root);
   }
 
-  /** The file, as the user named it. */
+  /** The file name as given by the user. */
   public String origin() {
     return origin;
   }
 
-  /** Where the vehicle starts; empty if the mission does not say. */
+  /** Start position of the vehicle; empty if not given. */
   public Optional<Home> home() {
     return home;
   }
 
-  /** The goals in the order of the file; at least one. */
+  /** Goals in file order; at least one. */
   public List<GoalInformation> goals() {
     return goals;
   }
 
-  /** How long the mission may take [s], above 0; empty: as long as it takes. */
+  /** Time limit of the mission [s], above 0; empty: unlimited. */
   public OptionalDouble timeLimit() {
     return limit.isPresent() ? OptionalDouble.of(limit.get().seconds()) : OptionalDouble.empty();
   }
 
-  /** The goals that are pursued when {@link #timeLimit()} has passed; none: the mission ends. */
+  /** Goals to pursue when {@link #timeLimit()} has expired; empty: the mission ends. */
   public List<String> afterTimeLimit() {
     return limit.map(MissionLimit::next).orElse(Collections.emptyList());
   }
 
-  /** {@link #timeLimit()}, and what comes when it has passed. */
+  /** {@link #timeLimit()}, and the goals that follow. */
   Optional<MissionLimit> limit() {
     return limit;
   }
 
   /**
-   * What is wrong with the home for somebody who cannot start there: names file, line and element.
+   * Error to report if a vehicle cannot start at this home; names file, line and element.
    *
-   * @param child of {@code <home>} that is wrong, such as {@code y}
-   * @param what value and what was expected
+   * @param child invalid child of {@code <home>}, such as {@code y}
+   * @param what value and expected value
    */
   public BadInputException homeError(String child, String what) {
     XmlElement element = root.child("home").orElse(root);
@@ -108,10 +104,10 @@ public final class Mission {
   }
 
   /**
-   * What is wrong with a goal for somebody who cannot use it: names file, line and element.
+   * Error to report if a goal cannot be used; names file, line and element.
    *
-   * @param index of the goal in {@link #goals}
-   * @param what is wrong, and what was expected
+   * @param index index of the goal in {@link #goals}
+   * @param what problem and expected value
    */
   public BadInputException goalError(int index, String what) {
     return root.children().stream()

@@ -11,8 +11,7 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Reads the mission files that variables of the {@link MissionManager} name, and says when one is
- * no longer what was loaded from it.
+ * Reads the mission files named by variables of the {@link MissionManager}, and detects when one has changed since loading.
  */
 final class MissionFiles {
   private static final List<String> VARIABLES =
@@ -28,10 +27,10 @@ final class MissionFiles {
   }
 
   /**
-   * The mission of a file, which is watched from then on in place of the variable's file before.
+   * Reads a mission file and monitors it from now on, instead of the variable's previous file.
    *
-   * @param path as the variable has it
-   * @throws BadInputException naming the variable, and what is wrong where in the file
+   * @param path path in the variable
+   * @throws BadInputException naming the variable, the position in the file and the error
    */
   Mission load(String variable, String path, double thresholdM) {
     Path file = context.configuration().resolve(path);
@@ -41,7 +40,7 @@ final class MissionFiles {
     return mission;
   }
 
-  /** The variable names no file any more. */
+  /** Stops monitoring a variable's file. */
   void forget(String variable) {
     loaded.remove(variable);
   }
@@ -51,13 +50,13 @@ final class MissionFiles {
       return Mission.load(file, context.messageTypes(), thresholdM);
     } catch (BadInputException e) {
       if (variable.equals(MissionSettings.MISSION)) {
-        throw e; // the file that everybody knows of
+        throw e; // the main mission file needs no further context
       }
       throw new BadInputException("variable \"" + variable + "\": " + e.getMessage(), e);
     }
   }
 
-  /** What is wrong with the files now; remembers that it was said. */
+  /** Current faults of the files; marks them as reported. */
   List<String> faults() {
     List<String> faults = new ArrayList<>();
     loaded.forEach(
@@ -66,16 +65,16 @@ final class MissionFiles {
     return faults;
   }
 
-  /** Whether {@link #faults} would say something else than last. */
+  /** Whether {@link #faults} has changed since the last call. */
   boolean haveNews() {
     List<String> before = said;
     return !faults().equals(before);
   }
 
   /**
-   * Why a file that these values name could not be loaded; empty if all can.
+   * Why a file named by these values cannot be loaded; empty if all can.
    *
-   * @param before the present values: what they name already is not read again
+   * @param before current values, whose files are not re-read
    */
   Optional<String> refusal(Map<String, Object> values, Configurator before) {
     double thresholdM = (Double) values.get(MissionSettings.DEFAULT_THRESHOLD);

@@ -6,10 +6,10 @@ import java.util.List;
 import org.u2sa.interfaces.xml.XmlElement;
 
 /**
- * How long a mission may take: {@code <timeLimit unit="min" next="home">20</timeLimit>}.
+ * Time limit of a mission: {@code <timeLimit unit="min" next="home">20</timeLimit>}.
  *
- * @param seconds above 0
- * @param next the goals that are pursued when it has passed; none: the mission ends
+ * @param seconds time limit, above 0
+ * @param next goals to pursue when it has expired; empty: the mission ends
  */
 record MissionLimit(double seconds, List<String> next) {
   static final String ELEMENT = "timeLimit";

@@ -28,22 +28,15 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
- * goal-updates, goal-commands, mission, failsafe, arming-state. Out: goals, at the start, at each
- * change, and in answer to a report of a goal that is not current; mission, in answer to requests
- * and orders.
+ * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports, goal-updates, goal-commands, mission, failsafe, arming-state. Out: goals, at the start, on every change, and in answer to a report on a goal that is not current; mission, in answer to requests and orders.
  *
- * <p>A mission's home is a goal too, named "home". A list without goals says that the mission is
- * over. A failsafe to return or to land has goals of its own; afterwards the mission resumes where
- * it was left. After a restart in the same run it resumes where it was, unless the mission file has
- * changed.
+ * <p>A mission's home is a goal too, named "home". An empty list means that the mission is over. The failsafes RETURN and LAND have their own goals; afterwards the mission resumes where it was left. After a restart in the same run it resumes too, unless the mission file has changed.
  */
 public final class MissionManager extends PeriodicService {
   /**
-   * Defaults for what a mission omits. Itself required: near enough for an aircraft is another
-   * place for a rover.
+   * Defaults for values omitted in a mission. Required, because an aircraft's tolerance differs from a rover's.
    *
-   * @param defaultThreshold horizontal threshold of waypoints that give none [m]
+   * @param defaultThreshold default horizontal threshold of waypoints [m]
    */
   public record Defaults(
       @Variable(
@@ -53,7 +46,7 @@ public final class MissionManager extends PeriodicService {
               text = "Horizontal threshold of waypoints without one.")
           double defaultThreshold) {}
 
-  /** The goal to which a vehicle returns on command. */
+  /** Name of the goal to which a vehicle returns on command. */
   static final String HOME = "home";
 
   private static final String NAME = "MissionManager";
@@ -68,14 +61,14 @@ public final class MissionManager extends PeriodicService {
   private final TimeLimits limits = new TimeLimits(this);
   private final RepeatedReports reports = new RepeatedReports();
   private final Resumable resumable;
-  private Mission mission; // as its file has it
+  private Mission mission; // as in its file
   private MissionProgress progress;
   private Optional<Waypoint> home = Optional.empty();
-  private boolean beginsAnew = true; // false: it was taken over
-  private long repeatDueMicros; // of the current goals, to one who does not know them
+  private boolean beginsAnew = true; // false after a takeover
+  private long repeatDueMicros; // of the current goals, for a planner unaware of them
 
   /**
-   * Called by the launcher.
+   * Launcher constructor.
    *
    * @throws org.u2sa.interfaces.BadInputException if the mission file is wrong
    */
@@ -96,7 +89,7 @@ public final class MissionManager extends PeriodicService {
     subscribe(Channels.ARMING_STATE, this::onArming);
   }
 
-  /** Refuses a mission that cannot be read, before it takes the place of one that can. */
+  /** Rejects an unreadable mission before it replaces a readable one. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
     return files.refusal(values, this);
@@ -115,17 +108,17 @@ public final class MissionManager extends PeriodicService {
     return loaded;
   }
 
-  /** The mission as its file has it. */
+  /** The mission as in its file. */
   Mission mission() {
     return mission;
   }
 
-  /** Horizontal threshold of waypoints that give none [m]. */
+  /** Default horizontal threshold of waypoints [m]. */
   double thresholdM() {
     return defaults.get().defaultThreshold();
   }
 
-  /** How far the vehicle is. */
+  /** Mission progress. */
   MissionProgress progress() {
     return progress;
   }
@@ -210,7 +203,7 @@ public final class MissionManager extends PeriodicService {
   }
 
   private void onArming(ArmingState state) {
-    passTime(); // before, by what held until now
+    passTime(); // first, under the previous conditions
     if (limits.count(state.armed())) {
       publish(Channels.GOALS, goalList()); // the mission's time counts again from here
     }
@@ -236,7 +229,7 @@ public final class MissionManager extends PeriodicService {
         .report(requestId, resumable.where().or(() -> progress.backTo()));
   }
 
-  /** Ends a pause, or else goes back to where the mission was left. Returns what was done. */
+  /** Ends a pause, or else returns to where the mission was left. Returns a description. */
   String resumeMission() {
     Optional<MissionProgress> saved = resumable.taken();
     saved.ifPresent(before -> progress = before);
@@ -268,12 +261,12 @@ public final class MissionManager extends PeriodicService {
 
   private void onFailsafe(FailsafeState failsafe) {
     react(failsafe.action());
-    if (files.haveNews()) { // looked for each time that it is repeated
+    if (files.haveNews()) { // checked at each repetition
       publishGoals();
     }
   }
 
-  /** Turns to a failsafe's own mission, or back to where the mission was left. */
+  /** Switches to a failsafe's own mission, or back to where the mission was left. */
   private void react(FailsafeAction action) {
     if (action == progress.pursuedFor()) {
       return;
@@ -293,7 +286,7 @@ public final class MissionManager extends PeriodicService {
     if (goal.completed() || goal.abandoned()) {
       finish(goal);
     } else {
-      unexpected(goal); // it is under way: nothing follows from that
+      unexpected(goal); // already pursued: no consequences
     }
   }
 
@@ -373,9 +366,7 @@ public final class MissionManager extends PeriodicService {
   }
 
   /**
-   * Tells a planner that pursues another goal which ones are current: it may have missed them. Not
-   * at each report, or two that disagree for good would keep each other busy; a planner repeats its
-   * report.
+   * Repeats the current goals to a planner that pursues another goal and may have missed them. Rate-limited, so that a permanent disagreement does not cause a flood; planners repeat their reports.
    */
   private void repeatGoals() {
     long now = micros();

@@ -12,11 +12,11 @@ public final class MissionNumbers {
   private MissionNumbers() {}
 
   /**
-   * The number in an element, converted from its attribute {@code unit}.
+   * Number in an element, converted from its {@code unit} attribute.
    *
-   * @param ifUnset unit if there is no such attribute
-   * @param to unit of the answer
-   * @throws org.u2sa.interfaces.BadInputException if it is no number, or has another kind of unit
+   * @param ifUnset unit without the attribute
+   * @param to unit of the result
+   * @throws org.u2sa.interfaces.BadInputException if it is not a number, or its unit is of another dimension
    */
   public static double converted(XmlElement element, String ifUnset, String to) {
     String unit = element.optionalAttribute("unit").orElse(ifUnset);
@@ -35,17 +35,17 @@ public final class MissionNumbers {
     }
   }
 
-  /** Refuses what is no longitude. */
+  /** Rejects an invalid longitude. */
   public static void checkLongitude(XmlElement element, double longitudeDeg) {
     within(element, longitudeDeg, -180.0, 180.0, "deg of longitude");
   }
 
-  /** Refuses what is no latitude. */
+  /** Rejects an invalid latitude. */
   public static void checkLatitude(XmlElement element, double latitudeDeg) {
     within(element, latitudeDeg, -90.0, 90.0, "deg of latitude (x is longitude, y is latitude)");
   }
 
-  /** Refuses a number outside a range. */
+  /** Rejects a number outside a range. */
   private static void within(
       XmlElement element, double value, double min, double max, String what) {
     if (!(value >= min && value <= max)) {

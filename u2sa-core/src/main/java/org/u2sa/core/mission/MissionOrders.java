@@ -43,7 +43,7 @@ final class MissionOrders {
     this.types = types;
   }
 
-  /** Carries an order out, unless it was before. Returns the answer. */
+  /** Carries out an order unless already done. Returns the answer. */
   MissionOrderResult obey(MissionOrder order) {
     MissionOrderResult before = answered.get(order.requestId());
     if (before != null) {

@@ -23,16 +23,16 @@ final class MissionProgress {
   private static final String LEFT = "LEFT";
   private static final String BEFORE = "BEFORE";
 
-  private GoalSequence pursued; // the mission, or a failsafe's
-  private GoalSequence left; // the mission, for a failsafe; null while it is pursued
+  private GoalSequence pursued; // the mission's or a failsafe's
+  private GoalSequence left; // the mission's while a failsafe is pursued; else null
   private FailsafeAction pursuedFor = FailsafeAction.CONTINUE;
   private Optional<Position> before = Optional.empty(); // where the mission was before a GOTO
-  private String commanded = ""; // the goal that the newest GOTO named
+  private String commanded = ""; // goal of the latest GOTO
   private final Set<String> completed = new LinkedHashSet<>();
   private final Set<String> abandoned = new LinkedHashSet<>();
   private OptionalLong beganMicros = OptionalLong.empty();
   private OptionalLong beganElsewhere = OptionalLong.empty(); // by another process's clock
-  private long elapsedMicros; // of the mission, failsafes left out
+  private long elapsedMicros; // of the mission, without failsafes
   private boolean limitPassed;
   private boolean paused;
 
@@ -40,22 +40,22 @@ final class MissionProgress {
     pursued = mission;
   }
 
-  /** The goals that are pursued: the mission's, or a failsafe's. */
+  /** The pursued goals: the mission's or a failsafe's. */
   GoalSequence pursued() {
     return pursued;
   }
 
-  /** The mission's goals, also while they are left for a failsafe's. */
+  /** The mission's goals, even while a failsafe's are pursued. */
   GoalSequence mission() {
     return left == null ? pursued : left;
   }
 
-  /** Whether a failsafe's own goals are pursued in place of the mission's. */
+  /** Whether a failsafe's own goals are pursued instead of the mission's. */
   boolean isLeft() {
     return left != null;
   }
 
-  /** Begins another mission: at once, or when the failsafe is over. */
+  /** Starts another mission: immediately, or after the failsafe. */
   void begin(GoalSequence mission) {
     if (left == null) {
       pursued = mission;
@@ -77,7 +77,7 @@ final class MissionProgress {
     mission().rules(loop, options);
   }
 
-  /** Why the present goals are pursued: CONTINUE for the mission itself. */
+  /** Failsafe action in effect: CONTINUE for the mission itself. */
   FailsafeAction pursuedFor() {
     return pursuedFor;
   }
@@ -85,8 +85,8 @@ final class MissionProgress {
   /**
    * Handles a change of the failsafe.
    *
-   * @param own its own goals; empty if it has none
-   * @return whether other goals are pursued now
+   * @param own the failsafe's own goals; empty if none
+   * @return whether the pursued goals changed
    */
   boolean turnTo(FailsafeAction action, Optional<GoalSequence> own) {
     pursuedFor = action;
@@ -104,9 +104,9 @@ final class MissionProgress {
   }
 
   /**
-   * Handles a goal that was completed or given up.
+   * Handles a goal that was completed or abandoned.
    *
-   * @param micros the time now [µs of the run's clock]
+   * @param micros current time [µs of the run's clock]
    * @return false if it is not pursued
    */
   boolean finish(
@@ -115,7 +115,7 @@ final class MissionProgress {
       return false;
     }
     if (left == null && !uid.equals(commanded)) {
-      before = Optional.empty(); // the mission has gone on past the goal that GOTO named
+      before = Optional.empty(); // the mission has passed the GOTO goal
     }
     if (result == GoalResult.DONE) {
       completed.add(uid);
@@ -126,22 +126,22 @@ final class MissionProgress {
     return true;
   }
 
-  /** Pauses the mission, or ends a pause. A failsafe's goals are pursued all the same. */
+  /** Pauses the mission, or ends a pause. A failsafe's goals are not affected. */
   void pause(boolean pauses) {
     paused = pauses;
   }
 
-  /** Whether the mission is paused, also while a failsafe's goals are pursued. */
+  /** Whether the mission is paused, even while a failsafe's goals are pursued. */
   boolean isPaused() {
     return paused;
   }
 
-  /** Whether the vehicle is to hold: the mission is paused, and nothing else is pursued. */
+  /** Whether the vehicle must hold: the mission is paused and no failsafe's goals are pursued. */
   boolean isHeld() {
     return paused && left == null && !pursued.isOver();
   }
 
-  /** Takes note that another while has passed, until now [µs]; while paused, it does not count. */
+  /** Adds elapsed time up to now [µs]; does not count while paused. */
   void pursuedFor(long micros, long nowMicros) {
     if (beganMicros.isEmpty() && micros > 0) {
       long began = Math.max(0, nowMicros - micros - elapsedMicros);
@@ -158,7 +158,7 @@ final class MissionProgress {
     }
   }
 
-  /** Whether the mission's time limit has just passed; true once. */
+  /** Whether the mission's time limit has just expired; true only once. */
   boolean passes(OptionalDouble limitS) {
     boolean passes =
         limitS.isPresent()
@@ -170,19 +170,18 @@ final class MissionProgress {
     return passes;
   }
 
-  /** When the mission's time began to count [µs of the run's clock]; empty until it has. */
+  /** Start of the mission time [µs of the run's clock]; empty before. */
   OptionalLong beganMicros() {
     return beganMicros;
   }
 
-  /** How long the mission has been pursued [s]. */
+  /** Elapsed mission time [s]. */
   double elapsedS() {
     return Clock.seconds(elapsedMicros);
   }
 
   /**
-   * Pursues another goal of the mission or failsafe, even if the mission is paused; it remembers
-   * where the mission was, until that goes on past the goal.
+   * Pursues another goal of the mission or failsafe, even if the mission is paused; remembers the mission's position until the mission passes that goal.
    */
   void changeTo(String uid) {
     paused = false;
@@ -194,8 +193,7 @@ final class MissionProgress {
   }
 
   /**
-   * Goes back to where the mission was before {@link #changeTo}, the first of several in a row;
-   * false if nowhere.
+   * Returns to where the mission was before {@link #changeTo}, or the first of several in a row; false if there is no such position.
    */
   boolean goBack() {
     if (left != null || before.isEmpty()) {
@@ -206,7 +204,7 @@ final class MissionProgress {
     return true;
   }
 
-  /** The goals to which {@link #goBack} would go. */
+  /** Goals to which {@link #goBack} would return. */
   Optional<String> backTo() {
     return left != null
         ? Optional.empty()
@@ -218,7 +216,7 @@ final class MissionProgress {
     return completed.isEmpty() && abandoned.isEmpty();
   }
 
-  /** What came of the goals so far, in words. */
+  /** Summary of the goals' results. */
   String words() {
     return "completed " + completed + ", given up " + abandoned;
   }
@@ -241,14 +239,14 @@ final class MissionProgress {
     beganMicros.ifPresent(micros -> state.number("BEGAN", Clock.seconds(micros)));
   }
 
-  /** How far another one was; empty if it did not say so. */
+  /** Restores the progress of a predecessor; empty if it saved none. */
   static Optional<MissionProgress> takenOver(
       HandOver state, boolean loop, GoalSequence.Options options) {
     Optional<GoalSequence> left = GoalSequence.takenOver(state, LEFT, loop, options);
     return GoalSequence.takenOver(
             state,
             PURSUED,
-            loop && !left.isPresent(), // a failsafe's goals have rules of their own
+            loop && !left.isPresent(), // a failsafe's goals have their own rules
             left.isPresent() ? GoalSequence.Options.ALL : options)
         .map(
             pursued -> {
@@ -277,7 +275,7 @@ final class MissionProgress {
     }
   }
 
-  /** Leaves a failsafe's goals: what another process returned from is over. */
+  /** Leaves a failsafe's goals, because the failsafe of another process is over. */
   void forgetFailsafe() {
     pursued = mission();
     left = null;

@@ -15,7 +15,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.schema.MessageTypes;
 
-/** Reads {@code <mission>} (thesis 3.2.3.2, 4.5.2.3) and refuses what contradicts itself. */
+/** Reads {@code <mission>} (thesis 3.2.3.2, 4.5.2.3) and rejects contradictions. */
 final class MissionReader {
   private final GoalClasses classes;
   private final OptionalDouble defaultThresholdM;
@@ -49,10 +49,9 @@ final class MissionReader {
   }
 
   /**
-   * Reads goals that are added to a mission: they may lead to the mission's, and have names that
-   * the mission's have not.
+   * Reads goals to add to a mission: they may lead to the mission's goals, and their names must be new.
    *
-   * @param mission the goals that the mission has
+   * @param mission existing goals of the mission
    */
   List<GoalInformation> readAdded(XmlElement root, GoalBook mission) {
     List<String> known = mission.names();
@@ -77,7 +76,7 @@ final class MissionReader {
    * Reads changed fields of goals.
    *
    * @param known the mission's goals
-   * @return a goal each with nothing but its name and the fields that change
+   * @return goals with only their names and the changed fields set
    */
   List<GoalInformation> readChanged(XmlElement root, GoalBook known) {
     refuseAllBut(root);

@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.contract.MissionReport;
 
-/** Says how the mission stands. */
+/** Creates mission reports. */
 final class MissionReportMaker {
   private final MissionManager manager;
 
@@ -16,9 +16,9 @@ final class MissionReportMaker {
   }
 
   /**
-   * The answer to a request.
+   * Creates the answer to a request.
    *
-   * @param resumable where the order resume would go; empty: nowhere
+   * @param resumable where RESUME would return to; empty: nowhere
    */
   MissionReport report(String requestId, Optional<String> resumable) {
     MissionProgress progress = manager.progress();

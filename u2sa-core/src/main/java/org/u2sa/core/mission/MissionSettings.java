@@ -30,13 +30,13 @@ record MissionSettings(
             text =
                 "Whether another process takes up the mission where this one ends: ALWAYS; on the order resume: ORDERED; or NEVER.")
         Resumption resume) {
-  /** Whether a mission goes on in another process. */
+  /** Whether a mission continues after a restart in another process. */
   enum Resumption {
-    /** It begins anew, and nothing is saved. */
+    /** Starts over; nothing is saved. */
     NEVER,
-    /** It begins anew, and is resumed on order. */
+    /** Starts over; resumed on order. */
     ORDERED,
-    /** It is resumed at once. */
+    /** Resumed immediately. */
     ALWAYS
   }
 

@@ -4,8 +4,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.HandOver;
 
 /**
- * The time that limits count: while the vehicle is armed, or always if nobody says whether it is.
- * Belongs to one thread.
+ * The clock of time limits: runs while the vehicle is armed, or always if the arming state is unknown. Not thread-safe.
  */
 final class MissionTime {
   private static final long NEVER = -1;
@@ -14,9 +13,9 @@ final class MissionTime {
   private boolean stands;
 
   /**
-   * Time counts, or it stands.
+   * Starts or stops the clock.
    *
-   * @return whether it stood until now and counts again
+   * @return whether it was stopped and runs again
    */
   boolean counts(boolean armed) {
     boolean resumes = stands && armed;
@@ -24,7 +23,7 @@ final class MissionTime {
     return resumes;
   }
 
-  /** The time that counted since this was asked last [µs]. */
+  /** Counted time since the last call [µs]. */
   long sinceLast(long nowMicros) {
     long counted = lastMicros == NEVER || stands ? 0 : Math.max(0, nowMicros - lastMicros);
     lastMicros = nowMicros;
@@ -38,7 +37,7 @@ final class MissionTime {
     }
   }
 
-  /** What passes between one Mission Manager and the next counts. */
+  /** Restores the clock; the time between two Mission Managers counts. */
   void takeOver(HandOver state) {
     stands = state.flag("TIME STANDS");
     state.number("TIME").ifPresent(seconds -> lastMicros = Clock.micros(seconds));

@@ -8,21 +8,21 @@ import java.util.Map;
 import java.util.Set;
 import org.u2sa.service.HandOver;
 
-/** How far a {@link GoalSequence} is: names of goals only. Belongs to one thread. */
+/** Position in a {@link GoalSequence}, by goal names only. Not thread-safe. */
 final class Position {
-  /** Pursued now. */
+  /** Current goals. */
   final Set<String> current = new LinkedHashSet<>();
 
-  /** What follows once the current ones are finished. */
+  /** Goals that follow once the current ones are finished. */
   final Set<String> pending = new LinkedHashSet<>();
 
   /** Finished in this lap. */
   final Set<String> finished = new LinkedHashSet<>();
 
-  /** How often a goal's repetition was begun, for goals in the middle of one. */
+  /** Started repetitions, for goals in the middle of one. */
   final Map<String, Long> repeats = new LinkedHashMap<>();
 
-  /** How many of the current goals are still to be completed, whichever; 0: as the options say. */
+  /** How many of the current goals must still be completed, no matter which; 0: as the options say. */
   long wanted;
 
   /** Whether a goal that was current with these has ended the mission, if nothing is pending. */
@@ -68,7 +68,7 @@ final class Position {
   }
 
   /**
-   * @throws IllegalArgumentException if one is not as {@link #texts} writes it
+   * @throws IllegalArgumentException if one is not in the format of {@link #texts}
    */
   static Map<String, Long> numbers(List<String> texts) {
     Map<String, Long> numbers = new LinkedHashMap<>();

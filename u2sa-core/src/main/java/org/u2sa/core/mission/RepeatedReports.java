@@ -11,7 +11,7 @@ import org.u2sa.messages.GoalInformation;
 final class RepeatedReports {
   private final Map<String, Long> newest = new HashMap<>(); // by goal [µs]
 
-  /** Whether the report came before; one without a time never did. */
+  /** Whether the report is a duplicate; false without a time. */
   boolean repeats(GoalInformation report) {
     if (report.timestamp().isEmpty()) {
       return false;
@@ -20,7 +20,7 @@ final class RepeatedReports {
     return before != null && before == report.timestamp().getAsLong();
   }
 
-  /** The goals are those of another mission. */
+  /** Resets for another mission. */
   void forget() {
     newest.clear();
   }

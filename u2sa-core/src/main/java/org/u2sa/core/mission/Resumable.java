@@ -9,8 +9,7 @@ import org.u2sa.core.mission.MissionSettings.Resumption;
 import org.u2sa.interfaces.log.LogLevelEnum;
 
 /**
- * What another process left of the mission, and what this one leaves, as the variable RESUME says.
- * Belongs to one thread.
+ * Saves mission progress and restores that of an earlier process, as configured by RESUME. Not thread-safe.
  */
 final class Resumable {
   private final MissionManager manager;
@@ -25,7 +24,7 @@ final class Resumable {
     this.settings = settings;
   }
 
-  /** Looks for what another process left. Returns what is to be pursued at once; empty: none. */
+  /** Loads the progress of an earlier process. Returns it if it must be resumed immediately; else empty. */
   Optional<MissionProgress> atStart() {
     Resumption rule = settings.get().resume();
     if (rule == Resumption.NEVER) {
@@ -54,19 +53,19 @@ final class Resumable {
     return Paths.get(manager.mission().origin());
   }
 
-  /** What another process left, once. */
+  /** Takes the loaded progress, once. */
   Optional<MissionProgress> taken() {
     Optional<MissionProgress> taken = found;
     found = Optional.empty();
     return taken;
   }
 
-  /** Where {@link #taken} would go on, in words. */
+  /** Where {@link #taken} would resume, in words. */
   Optional<String> where() {
     return found.map(before -> String.join(", ", before.mission().currentNames()));
   }
 
-  /** Saves how far the mission is; one that is over is not resumed. */
+  /** Saves the progress; a completed mission is not resumed. */
   void save(MissionProgress progress) {
     boolean keepsFound = found.isPresent() && progress.isFresh();
     if (settings.get().resume() == Resumption.NEVER || keepsFound) {
@@ -78,9 +77,9 @@ final class Resumable {
       } else {
         saved.write(progress, file());
       }
-    } catch (IOException e) { // such as a full disk: no reason not to go on
+    } catch (IOException e) { // such as a full disk: not fatal
       notSaved++;
-      if (Long.bitCount(notSaved) == 1) { // 1, 2, 4, 8…: it may last
+      if (Long.bitCount(notSaved) == 1) { // 1, 2, 4, 8…: may persist
         manager.log(
             LogLevelEnum.ERROR, "the mission was not saved, it cannot be resumed from here: " + e);
       }

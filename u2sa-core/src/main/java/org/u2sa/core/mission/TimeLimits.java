@@ -16,18 +16,18 @@ final class TimeLimits {
   }
 
   /**
-   * Time counts from now on, or it stands.
+   * Starts or stops counting.
    *
-   * @return whether it stood until now and counts again
+   * @return whether it was stopped and runs again
    */
   boolean count(boolean armed) {
     return time.counts(armed);
   }
 
   /**
-   * Lets time pass until now.
+   * Advances to the current time.
    *
-   * @return whether other goals are current now
+   * @return whether the current goals changed
    */
   boolean pass() {
     MissionProgress progress = manager.progress();

@@ -5,7 +5,7 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
 
-/** What must hold of the waypoints of a mission beyond what their fields allow. */
+/** Constraints on a mission's waypoints beyond single fields' bounds. */
 final class WaypointRules {
   private WaypointRules() {}
 
@@ -24,7 +24,7 @@ final class WaypointRules {
     }
   }
 
-  /** {@link #check(Collection)} of goals that join those of a mission. */
+  /** {@link #check(Collection)} for goals that are added to a mission. */
   static void check(Collection<GoalElement> goals, GoalBook mission) {
     check(goals);
     for (GoalElement goal : goals) {

@@ -5,8 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * What a user of the broker is for. It decides what the user may publish, by {@link AccessTable};
- * everyone may read.
+ * Role of a broker user. Determines what the user may publish, by {@link AccessTable}; everyone may read.
  */
 public enum AccessRole {
   /** Sensors, estimators, planners: measures, estimates, plans, and answers requests. */
@@ -35,7 +34,7 @@ public enum AccessRole {
     return ownChannels;
   }
 
-  /** The name as it stands in files and on the command line. */
+  /** Name in files and on the command line. */
   public String text() {
     return name().toLowerCase(Locale.ROOT);
   }

@@ -6,18 +6,17 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * One row of {@link AccessTable}: a type on the channel that carries it. Retained or not, QoS and
- * urgency are the channel's.
+ * One row of {@link AccessTable}: a type on the channel that carries it. Retention, QoS and urgency are the channel's.
  *
  * @param channel a standard channel
- * @param type the type; its subclasses go by the same rule
- * @param roles who may publish it
- * @param kind how much of it one client may send
- * @param mayBeWill whether it may be a client's MQTT will, which the broker publishes for it
+ * @param type message type; the rule includes its subclasses
+ * @param roles roles that may publish it
+ * @param kind class of message, which limits its rate per client
+ * @param mayBeWill whether it may be a client's MQTT will message
  */
 public record AccessRule(
     Channel<?> channel, MessageType<?> type, Set<AccessRole> roles, Kind kind, boolean mayBeWill) {
-  /** What a message asks of those who receive it. */
+  /** What a message demands of its receivers. */
   public enum Kind {
     /** Reports: measurements, states, plans, answers. */
     REPORT,
@@ -29,9 +28,9 @@ public record AccessRule(
     URGENT
   }
 
-  private static final int LONGEST_QUESTION = 4 * 1_024; // names a service or none
+  private static final int LONGEST_QUESTION = 4 * 1_024; // at most names a service
   private static final int LONGEST_URGENT = 16 * 1_024;
-  private static final int LONGEST_CHANGE = 64 * 1_024; // 256 variables, the most of one change
+  private static final int LONGEST_CHANGE = 64 * 1_024; // 256 variables, the maximum per change
 
   public AccessRule {
     roles = Set.copyOf(roles);
@@ -47,8 +46,7 @@ public record AccessRule(
   }
 
   /**
-   * The longest payload [bytes]. Every service reads all questions and configuration changes, its
-   * own or not, between states and commands: long ones would delay those.
+   * Maximum payload [bytes]. Every service reads all questions and configuration changes, even those for others, between states and commands, which long ones would delay.
    */
   public int longestPayload() {
     switch (kind) {
@@ -63,7 +61,7 @@ public record AccessRule(
     }
   }
 
-  /** MQTT's quality of service: 1 where each message matters. */
+  /** MQTT quality of service: 1 where no message may be lost. */
   public int quality() {
     return channel.deliversEvery() || channel.isRetained() ? 1 : 0;
   }

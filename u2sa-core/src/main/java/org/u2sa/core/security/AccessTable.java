@@ -41,7 +41,7 @@ import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * Which message travels on which channel, and who may publish it; anything not listed is refused.
+ * Access control list: message types by channel, and who may publish them; anything not listed is refused.
  * The embedded broker's rules, Mosquitto's and the table in docs/security.md are derived from it.
  */
 public final class AccessTable {
@@ -129,10 +129,10 @@ public final class AccessTable {
   }
 
   /**
-   * The row of a message: of its type, or of its nearest ancestor that has one.
+   * Rule for a message: that of its type, or of the nearest ancestor with a rule.
    *
    * @param channel a standard channel's name
-   * @param known what the message will be read as, {@link
+   * @param known type as which the message will be read, {@link
    *     org.u2sa.messages.schema.MessageTypes#nearest(List)}
    */
   public static Optional<AccessRule> rule(String channel, MessageType<?> known) {

@@ -9,21 +9,20 @@ import javax.crypto.SecretKeyFactory;
 import javax.crypto.spec.PBEKeySpec;
 
 /**
- * A stored password: PBKDF2 with HMAC-SHA-512, salted, so that equal passwords do not show. Each
- * guess against a stolen file costs as much time as a log-in.
+ * A stored password: PBKDF2 with HMAC-SHA-512, salted so that equal passwords are not recognisable. Each guess against a stolen file costs as much time as a log-in.
  *
- * @param iterations rounds of the function
- * @param salt random, another for each user
+ * @param iterations number of iterations
+ * @param salt random salt, different for each user
  * @param hash 64 bytes
  */
 public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
-  /** OWASP's advice for PBKDF2-HMAC-SHA512 (Password Storage Cheat Sheet, 2023). */
+  /** OWASP's recommended iterations for PBKDF2-HMAC-SHA512 (Password Storage Cheat Sheet, 2023). */
   public static final int ITERATIONS = 210_000;
 
   private static final String NAME = "pbkdf2-sha512";
   private static final String ALGORITHM = "PBKDF2WithHmacSHA512";
   private static final int MOST_ITERATIONS = 10_000_000;
-  private static final int SALT_BYTES = 12; // Mosquitto takes no other length
+  private static final int SALT_BYTES = 12; // Mosquitto accepts no other length
   private static final int HASH_BYTES = 64;
   private static final int PARTS = 4;
 
@@ -47,7 +46,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
     return of(password, random, ITERATIONS);
   }
 
-  /** As {@link #of(char[], SecureRandom)}, with another number of rounds. */
+  /** Like {@link #of(char[], SecureRandom)}, with a given number of iterations. */
   public static PasswordHash of(char[] password, SecureRandom random, int iterations) {
     byte[] salt = new byte[SALT_BYTES];
     random.nextBytes(salt);
@@ -80,7 +79,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
   }
 
   /**
-   * Reads {@link #toString}.
+   * Parses the format of {@link #toString}.
    *
    * @throws IllegalArgumentException if it is not of that form
    */
@@ -99,7 +98,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
     return new PasswordHash(iterations, salt, hash);
   }
 
-  /** As it stands in Mosquitto's password file: {@code $7$iterations$salt$hash}. */
+  /** Format of Mosquitto's password file: {@code $7$iterations$salt$hash}. */
   public String forMosquitto() {
     Base64.Encoder base64 = Base64.getEncoder();
     return "$7$"
@@ -110,7 +109,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
         + base64.encodeToString(hash);
   }
 
-  /** By content: reading a line twice gives equal users. */
+  /** Compares contents, so that parsing a line twice gives equal users. */
   @Override
   public boolean equals(Object other) {
     return other instanceof PasswordHash hashed
@@ -124,7 +123,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
     return Arrays.hashCode(hash);
   }
 
-  /** As it stands in the users' file. */
+  /** Format of the users' file. */
   @Override
   public String toString() {
     return NAME + forMosquitto().substring(2);

@@ -43,9 +43,9 @@ public final class SecretFile {
   }
 
   /**
-   * When root writes another user's file, that user stays its owner.
+   * Preserves the owner when root writes another user's file.
    *
-   * @throws IOException if this user may not give it away
+   * @throws IOException if this user may not change the owner
    */
   private static void giveToOwnerOf(Path file, Path own) throws IOException {
     if (!isPosix(file)) {
@@ -64,8 +64,7 @@ public final class SecretFile {
   }
 
   /**
-   * What is wrong with a folder's permissions; empty if only its owner may put files into it and
-   * take them out.
+   * Problem with a folder's permissions; empty if only its owner may add and remove files.
    */
   public static Optional<String> tooOpenFolder(Path folder) {
     try {
@@ -84,7 +83,7 @@ public final class SecretFile {
     }
   }
 
-  /** What is wrong with the file's permissions; empty if only its owner may read and write it. */
+  /** Problem with the file's permissions; empty if only its owner may read and write it. */
   public static Optional<String> tooOpen(Path file) {
     try {
       if (!isPosix(file)) {

@@ -6,12 +6,12 @@ import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * The folder with everything that a secured Communication Manager needs.
+ * The folder with the certificates, keys and users of a secured Communication Manager.
  *
  * @param path the folder
  */
 public record SecurityDirectory(Path path) {
-  /** Certificate of the local authority (PEM): what clients trust. */
+  /** Certificate of the local authority (PEM), the clients' trust anchor. */
   public Path authority() {
     return path.resolve("ca.pem");
   }
@@ -56,8 +56,7 @@ public record SecurityDirectory(Path path) {
   }
 
   /**
-   * Checks that only the owner may read or replace keys and users, including the authority's key if
-   * it is here: with it, anybody can set up a broker that clients trust.
+   * Checks that only the owner may read or replace keys and users, including the authority's key if present: with it, anyone could set up a broker that clients trust.
    *
    * @throws BadInputException if one is too open; says how to close it
    */

@@ -12,13 +12,13 @@ import org.u2sa.interfaces.communication.Topic;
  * One user of the broker: a person, a service or a host.
  *
  * @param name 1…64 letters, digits, '_', '.' or '-'
- * @param roles what the user may do: all that any of them allows; at least one
- * @param systems in which systems; at least one, {@link #EVERY_SYSTEM} for all
- * @param password its hash
+ * @param roles at least one; the permissions of all roles add up
+ * @param systems accessible systems; at least one, or {@link #EVERY_SYSTEM} for all
+ * @param password password hash
  */
 public record User(
     String name, Set<AccessRole> roles, List<String> systems, PasswordHash password) {
-  /** In place of system IDs: every system on the broker. */
+  /** Stands for every system on the broker. */
   public static final String EVERY_SYSTEM = "*";
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_.-]{0,63}");
@@ -43,12 +43,12 @@ public record User(
     systems = List.copyOf(systems);
   }
 
-  /** Whether the user may act and listen in the system. */
+  /** Whether the user may publish and subscribe in the system. */
   public boolean mayEnter(String systemId) {
     return systems.contains(EVERY_SYSTEM) || systems.contains(systemId);
   }
 
-  /** Whether the user may clear an emergency stop; others may at most set one. */
+  /** Whether the user may clear an emergency stop; others can only set one. */
   public boolean mayClearEmergencyStop() {
     return roles.contains(AccessRole.OPERATOR);
   }
@@ -58,13 +58,13 @@ public record User(
     return roles.stream().sorted().map(AccessRole::text).collect(Collectors.joining(","));
   }
 
-  /** As it stands in the users' file. */
+  /** Format of the users' file. */
   String line() {
     return name + ":" + rolesText() + ":" + String.join(",", systems) + ":" + password;
   }
 
   /**
-   * Reads {@link #line}.
+   * Parses the format of {@link #line}.
    *
    * @throws IllegalArgumentException if it is not of that form
    */
@@ -77,7 +77,7 @@ public record User(
   }
 
   /**
-   * The roles of a text such as {@code control,launcher}.
+   * Parses roles from a text such as {@code control,launcher}.
    *
    * @throws IllegalArgumentException if one is unknown
    */

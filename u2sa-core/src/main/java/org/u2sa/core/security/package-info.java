@@ -1,5 +1,4 @@
 /**
- * Who may do what over the network: users, their passwords and roles, and the files that hold them.
- * How a broker enforces it does not belong here.
+ * Access control: users, passwords and roles, and their files. Enforcement is up to the broker.
  */
 package org.u2sa.core.security;

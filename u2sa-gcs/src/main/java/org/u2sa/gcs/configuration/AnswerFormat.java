@@ -8,7 +8,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** How a command prints its answer: in lines, or as JSON. */
+/** Output format of a command: text lines or JSON. */
 final class AnswerFormat {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
@@ -24,7 +24,7 @@ final class AnswerFormat {
   void print(Supplier<String> asJson, Supplier<List<String>> asLines) {
     PrintWriter out = command.commandLine().getOut();
     if (json) {
-      out.print(asJson.get()); // has lines of its own
+      out.print(asJson.get()); // contains its own line breaks
       out.println();
     } else {
       asLines.get().forEach(out::println);

@@ -21,7 +21,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa config}: alone it prints its help; list, get, set and undo are its methods. */
+/** {@code u2sa config}: prints its help; list, get, set and undo are subcommands, implemented as methods. */
 @Command(
     name = "config",
     description = {
@@ -183,13 +183,13 @@ public final class ConfigCommand implements Runnable {
     return ExitCode.DONE;
   }
 
-  /** Configurations as a table for people. */
+  /** Formats configurations as a table. */
   private static final class ConfigurationTable {
     private static final double WHOLE_BELOW = 1.0e15;
 
     private ConfigurationTable() {}
 
-    /** A head line for each service, then its variables. */
+    /** A heading line per service, followed by its variables. */
     static List<String> lines(List<ConfigurationResponse> services) {
       List<String> lines = new ArrayList<>();
       for (ConfigurationResponse service : services) {

@@ -9,7 +9,7 @@ import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
-/** Configurations for programs. What is not known is left out. */
+/** Formats configurations as JSON. Unknown values are omitted. */
 final class ConfigurationJson {
   private ConfigurationJson() {}
 

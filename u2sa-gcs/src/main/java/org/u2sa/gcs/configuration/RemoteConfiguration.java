@@ -24,7 +24,7 @@ import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.schema.U2SAData;
 
-/** The configuration of a running system's services, asked for and changed over its line. */
+/** Reads and changes the configuration of a running system's services over its link. */
 final class RemoteConfiguration {
   private final RemoteLink link;
 
@@ -32,16 +32,16 @@ final class RemoteConfiguration {
     this.link = link;
   }
 
-  /** What every service answers, by name: of all that are heard, or within the link's time. */
+  /** Answers of all services by name: until all heard services have answered, or the link times out. */
   List<ConfigurationResponse> all() throws InterruptedException {
     return answersOr(Set.of());
   }
 
   /**
-   * What one service answers.
+   * Answer of one service.
    *
-   * @throws BadInputException if others answer and it does not
-   * @throws RunFailedException if nobody answers
+   * @throws BadInputException if other services answer but not this one
+   * @throws RunFailedException if no service answers
    */
   ConfigurationResponse of(String service) throws InterruptedException {
     List<ConfigurationResponse> answers = answersOr(Set.of(service));
@@ -67,8 +67,7 @@ final class RemoteConfiguration {
   }
 
   /**
-   * The answers of these, where they answer; else of everybody who is heard. Everybody is asked
-   * even where one is meant: who does answer helps those who mistyped a name.
+   * Answers of the given services if they answer; otherwise of all. All are asked even for a single one, so that a mistyped name can be reported with the existing names.
    */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {
     DirectoryObservation heard = DirectoryObservation.begin(link);
@@ -103,10 +102,10 @@ final class RemoteConfiguration {
   }
 
   /**
-   * Has a service change variables.
+   * Changes variables of a service.
    *
    * @param transaction without request ID and author
-   * @throws RunFailedException if it was refused, in the service's words, or not answered
+   * @throws RunFailedException if rejected, with the service's reason, or not answered
    */
   ConfigurationTransactionResult change(ConfigurationTransaction transaction)
       throws InterruptedException {
@@ -116,9 +115,9 @@ final class RemoteConfiguration {
   }
 
   /**
-   * Has a service take its last change back.
+   * Undoes a service's last change.
    *
-   * @throws RunFailedException if it was refused, in the service's words, or not answered
+   * @throws RunFailedException if rejected, with the service's reason, or not answered
    */
   ConfigurationTransactionResult undo(String service) throws InterruptedException {
     String id = UUID.randomUUID().toString();
@@ -150,7 +149,7 @@ final class RemoteConfiguration {
             service, link.systemId(), link.timeoutS()));
   }
 
-  /** What was changed, a line for each variable, and the revision. */
+  /** Text of a change: one line per variable, and the revision. */
   static List<String> told(ConfigurationTransactionResult result, ConfigurationResponse before) {
     List<String> lines =
         result.assignments().stream()

@@ -6,14 +6,14 @@ import org.u2sa.interfaces.configuration.NumberWithUnit;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
- * {@code VARIABLE=VALUE} of the command line.
+ * An assignment {@code VARIABLE=VALUE} on the command line.
  *
  * @param variable the variable's name
- * @param value as typed, perhaps a number with a unit
+ * @param value as typed, possibly a number with a unit
  */
 record VariableText(String variable, String value) {
   /**
-   * @throws IllegalArgumentException if there is no {@code =} behind a name
+   * @throws IllegalArgumentException if there is no {@code =} after a name
    */
   static VariableText parse(String text) {
     int equals = text.indexOf('=');
@@ -24,8 +24,7 @@ record VariableText(String variable, String value) {
   }
 
   /**
-   * The value as its service takes it: a number in the declared unit; what is no number with a unit
-   * is left for the service to judge.
+   * The value as the service expects it: a number converted to the declared unit. Other text is left for the service to validate.
    *
    * @throws BadInputException if the unit cannot be converted
    */

@@ -13,17 +13,16 @@ import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A variable of a running service: its value, and each that it is given later by way of messages. A
- * change that a service makes to its own file is not heard.
+ * Watches a variable of a running service: its value, and each later change by messages. Changes that a service makes to its own file are not seen.
  */
 public final class VariableWatch implements AutoCloseable {
   /**
    * A value.
    *
-   * @param micros when it was heard [µs of real time]
-   * @param text in the declared unit
-   * @param unit the declared one; empty if it has none
-   * @param author who set it, by what they say themselves; empty of the first value
+   * @param micros time of receipt [µs of real time]
+   * @param text value in the declared unit
+   * @param unit declared unit; empty if none
+   * @param author self-declared author of the change; empty for the first value
    */
   public record Value(long micros, String text, String unit, String author) {}
 
@@ -41,7 +40,7 @@ public final class VariableWatch implements AutoCloseable {
   }
 
   /**
-   * Asks for the value, and listens on.
+   * Requests the value and starts listening.
    *
    * @throws org.u2sa.interfaces.BadInputException if there is no such service or variable
    */
@@ -68,7 +67,7 @@ public final class VariableWatch implements AutoCloseable {
     }
   }
 
-  /** The next value; empty if none comes in that time. */
+  /** Returns the next value; empty on timeout. */
   public Optional<Value> next(long millis) throws InterruptedException {
     return Optional.ofNullable(values.poll(millis, TimeUnit.MILLISECONDS));
   }

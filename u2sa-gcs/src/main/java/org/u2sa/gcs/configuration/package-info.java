@@ -1,5 +1,4 @@
 /**
- * The commands that tell and change the configuration of a running system's services. How they
- * reach it belongs to {@code org.u2sa.gcs.remote}.
+ * Commands that show and change the configuration of a running system's services. The connection is in {@code org.u2sa.gcs.remote}.
  */
 package org.u2sa.gcs.configuration;

@@ -40,14 +40,14 @@ public final class DependenciesCommand implements Callable<Integer> {
       description = "List all known advisories, including those that do not affect our versions.")
   private boolean advisories;
 
-  /** Of this program, today. */
+  /** Uses this program's libraries and the current date. */
   public DependenciesCommand() {
     this(null, new SystemClock()::micros);
   }
 
   /**
-   * @param data what to list; null: what the jar has, read when the command runs
-   * @param clockMicros now, since 1970 [us]
+   * @param data libraries to list; null to read those in the jar when the command runs
+   * @param clockMicros current time since 1970 [us]
    */
   DependenciesCommand(DependencyData data, LongSupplier clockMicros) {
     this.data = data;

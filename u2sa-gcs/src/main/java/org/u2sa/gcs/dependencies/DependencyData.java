@@ -12,9 +12,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The contents of libraries.txt and advisories.txt.
+ * Contents of libraries.txt and advisories.txt.
  *
- * @param lookedUp when advisories were looked for last
+ * @param lookedUp date of the last search for advisories
  */
 record DependencyData(List<Library> libraries, List<Advisory> advisories, LocalDate lookedUp) {
   private static final Pattern LOOKED_UP =
@@ -77,18 +77,18 @@ record DependencyData(List<Library> libraries, List<Advisory> advisories, LocalD
    * A third-party library.
    *
    * @param name group:artifact
-   * @param released when this version was built
-   * @param use "run", "test", "android" or "build": to compile against
+   * @param released release date of this version
+   * @param use "run", "test", "android" or "build" (compile-time only)
    */
   record Library(String name, String version, LocalDate released, String use, String licence) {}
 
   /**
-   * A published weakness.
+   * A published vulnerability.
    *
-   * @param library group:artifact, or group:* for all of a group
-   * @param introduced first version that has it
-   * @param fixed first version without it, or "never"
-   * @param reached whether our use of the library reaches it
+   * @param library group:artifact, or group:* for a whole group
+   * @param introduced first affected version
+   * @param fixed first fixed version, or "never"
+   * @param reached whether our use of the library is affected
    */
   record Advisory(
       String id, String library, String introduced, String fixed, boolean reached, String what) {
@@ -105,7 +105,7 @@ record DependencyData(List<Library> libraries, List<Advisory> advisories, LocalD
           && (fixed.equals(NEVER) || compare(used.version(), fixed) < 0);
     }
 
-    /** By numbers, part by part; words such as Final count for nothing. */
+    /** Compares versions by numeric parts; words such as Final are ignored. */
     static int compare(String one, String other) {
       String[] left = one.split("[.-]");
       String[] right = other.split("[.-]");

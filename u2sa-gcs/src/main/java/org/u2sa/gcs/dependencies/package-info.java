@@ -1,5 +1,4 @@
 /**
- * The command that lists the libraries U2SA is made with, their age and the advisories published on
- * them, from two dated files in the jar. Nothing is asked over the network.
+ * The command that lists U2SA's libraries, their age and published advisories, from two dated files in the jar. Works offline.
  */
 package org.u2sa.gcs.dependencies;

@@ -11,13 +11,13 @@ import org.u2sa.core.control.allocation.DegreeOfFreedom;
 import org.u2sa.core.control.allocation.Effector;
 import org.u2sa.gcs.describe.VehicleComposition.AnnouncedActuator;
 
-/** What actuators that announce their effects in numbers can do together, axis by axis. */
+/** Combined forces and moments per axis of actuators with numeric effects. */
 final class ActuatorStrength {
   private static final double LEAST = 1e-6; // [N, N m]: rounding
 
   private ActuatorStrength() {}
 
-  /** By axis [N, N m], in the weaker direction, if nothing else is asked for. */
+  /** Maximum per axis [N, N m], in the weaker direction, with no demand on the other axes. */
   static Map<DegreeOfFreedom, Double> of(VehicleComposition vehicle) {
     List<Effector> effectors = new ArrayList<>();
     for (AnnouncedActuator each : vehicle.actuators()) {
@@ -33,7 +33,7 @@ final class ActuatorStrength {
     return strength;
   }
 
-  /** For people; empty if no actuator says its effect in numbers. */
+  /** Readable text; empty if no actuator has a numeric effect. */
   static String words(VehicleComposition vehicle) {
     List<String> words = new ArrayList<>();
     of(vehicle)
@@ -43,7 +43,7 @@ final class ActuatorStrength {
     return String.join(", ", words);
   }
 
-  /** Of forces or of moments. */
+  /** Text for forces or moments. */
   static String unit(DegreeOfFreedom axis) {
     return axis.ordinal() < DegreeOfFreedom.ROLL.ordinal() ? "N" : "N m";
   }

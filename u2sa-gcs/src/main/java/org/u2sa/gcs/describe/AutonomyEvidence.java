@@ -13,8 +13,7 @@ import org.u2sa.core.launch.AutonomyLevels.Perception;
 import org.u2sa.interfaces.communication.Channels;
 
 /**
- * Which levels of autonomy (thesis 2.3) a vehicle's services and channels show. What they cannot
- * show, such as classification or learning, only the system file states.
+ * Derives autonomy levels (thesis 2.3) from a vehicle's services and channels. Levels without such evidence, such as classification or learning, can only be stated in the system file.
  */
 final class AutonomyEvidence {
   private static final String SENSED_STATE = Channels.SENSED_STATE.name();
@@ -29,12 +28,12 @@ final class AutonomyEvidence {
   /**
    * One dimension.
    *
-   * @param stated by the system file; empty if it states none
-   * @param shown by services and channels
-   * @param because what shows it
+   * @param stated level in the system file; empty if not stated
+   * @param shown level derived from services and channels
+   * @param because evidence for it
    */
   record Finding(String dimension, Optional<Level> stated, Level shown, String because) {
-    /** Whether more is stated than is shown. */
+    /** Whether the stated level exceeds the derived one. */
     boolean isUnproven() {
       return stated.filter(level -> level.number() > shown.number()).isPresent();
     }

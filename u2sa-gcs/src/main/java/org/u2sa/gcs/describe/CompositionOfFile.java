@@ -15,12 +15,12 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 
-/** What a vehicle is made of, from its system file alone. */
+/** Determines a vehicle's composition from its system file alone. */
 final class CompositionOfFile {
   private CompositionOfFile() {}
 
   /**
-   * @throws IOException if the services cannot be made for want of room for their log files
+   * @throws IOException if the services cannot be created because their log files cannot
    */
   static VehicleComposition of(SystemFile system) throws IOException {
     List<ComposedService> services = new ArrayList<>();

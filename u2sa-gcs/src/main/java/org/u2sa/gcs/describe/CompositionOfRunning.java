@@ -20,9 +20,9 @@ import org.u2sa.service.directory.DataOffer;
 import org.u2sa.service.directory.KnownService;
 import org.u2sa.service.directory.ServiceDirectory;
 
-/** What a vehicle is made of, as its services say and as its sensors are heard. */
+/** Determines a running vehicle's composition from its services' answers and its sensors' messages. */
 final class CompositionOfRunning {
-  /** Long enough to hear each source that measures more often than once a second [s]. */
+  /** Listening time, sufficient for sources faster than 1 Hz [s]. */
   private static final double LISTEN_S = 2.0;
 
   private static final List<Channel<?>> MEASURED =
@@ -38,10 +38,9 @@ final class CompositionOfRunning {
     directory = new ServiceDirectory(link.clock(), link::publish);
   }
 
-  /**
-   * Listens for a while.
+  /** Listens for a fixed time.
    *
-   * @param stated what the vehicle's file states
+   * @param stated autonomy stated in the vehicle's file
    */
   static VehicleComposition of(RemoteLink link, String origin, Optional<AutonomyLevels> stated)
       throws InterruptedException {

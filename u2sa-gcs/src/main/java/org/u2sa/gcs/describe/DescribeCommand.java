@@ -19,7 +19,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa describe}: what a vehicle is made of, and how autonomous it is. */
+/** {@code u2sa describe}: shows a vehicle's composition and autonomy. */
 @Command(
     name = "describe",
     description = {
@@ -87,7 +87,7 @@ public final class DescribeCommand implements Callable<Integer> {
   private void print(VehicleComposition vehicle) {
     PrintWriter out = command.commandLine().getOut();
     if (json) {
-      out.print(DescriptionJson.text(vehicle)); // has lines of its own
+      out.print(DescriptionJson.text(vehicle)); // contains its own line breaks
       out.println();
     } else {
       Terminal terminal = Terminal.detect(out, System.getenv());

@@ -13,7 +13,7 @@ import org.u2sa.gcs.describe.VehicleComposition.AnnouncedActuator;
 import org.u2sa.gcs.describe.VehicleComposition.ComposedService;
 import org.u2sa.gcs.describe.VehicleComposition.HeardSource;
 
-/** What a vehicle is made of, for programs. What is not known is left out. */
+/** Formats a vehicle's composition as JSON. Unknown values are omitted. */
 final class DescriptionJson {
   private final JsonGenerator json;
 

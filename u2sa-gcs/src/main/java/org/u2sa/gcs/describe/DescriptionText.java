@@ -12,7 +12,7 @@ import org.u2sa.gcs.describe.VehicleComposition.HeardSource;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.gcs.terminal.TextTable;
 
-/** What a vehicle is made of, for people. */
+/** Formats a vehicle's composition as text. */
 final class DescriptionText {
   private final VehicleComposition vehicle;
   private final Terminal terminal;
@@ -20,7 +20,7 @@ final class DescriptionText {
   private final List<String> lines = new ArrayList<>();
 
   /**
-   * @param variables whether what the configuration files set is told too
+   * @param variables whether to include the variables set in configuration files
    */
   DescriptionText(VehicleComposition vehicle, Terminal terminal, boolean variables) {
     this.vehicle = vehicle;
@@ -112,7 +112,7 @@ final class DescriptionText {
     }
   }
 
-  /** Channels with those at their other ends; those without any on a line of their own. */
+  /** Channels with the services at their other ends; those without any on separate lines. */
   private void channels(
       String what,
       String direction,

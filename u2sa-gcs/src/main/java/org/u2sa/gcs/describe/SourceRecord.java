@@ -14,7 +14,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.U2SAData;
 
-/** What was heard of one source: its newest message of one type, and how often it comes. */
+/** Observation of one source: its latest message of one type, and its rate. */
 final class SourceRecord {
   private static final List<String> ABOUT_THE_MESSAGE =
       List.of("systemId", "timestamp", "sensorName", "referenceFrame", "uid");
@@ -46,12 +46,12 @@ final class SourceRecord {
     return message instanceof RangeScan scan ? scan.sensorName() : "";
   }
 
-  /** What tells it from other sources. */
+  /** Identity among other sources. */
   String key() {
     return channel + "\n" + sensor + "\n" + type;
   }
 
-  /** The same source with another message. Fields that come at times only are kept. */
+  /** Copy updated with another message. Fields that are only set occasionally are kept. */
   SourceRecord with(SourceRecord newer) {
     facts.putAll(newer.facts);
     lastMicros = newer.lastMicros;
@@ -75,12 +75,12 @@ final class SourceRecord {
         channel, sensor, type, spanS > 0.0 ? (messages - 1) / spanS : 0.0, fields, sigmas);
   }
 
-  /** The fields that a message sets, with their units. */
+  /** Set fields of a message, with units. */
   static Map<String, String> facts(U2SAData message, Predicate<String> wanted) {
     return factsOf(message, message.type().fields(), wanted);
   }
 
-  @SuppressWarnings("unchecked") // the fields are the message's own
+  @SuppressWarnings("unchecked") // the fields belong to the message
   private static <T extends U2SAData> Map<String, String> factsOf(
       T message, List<? extends MessageField<?>> fields, Predicate<String> wanted) {
     Map<String, String> facts = new LinkedHashMap<>();
@@ -97,7 +97,7 @@ final class SourceRecord {
     return facts;
   }
 
-  /** A value for people: numbers with four digits. */
+  /** Formats a value; numbers with four digits. */
   static String text(Object value) {
     if (value instanceof Double number) {
       return number == Math.rint(number) && Math.abs(number) < 1e9

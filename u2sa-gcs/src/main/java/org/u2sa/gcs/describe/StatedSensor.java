@@ -8,15 +8,15 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
-/** What a sensor's configuration states of its data: device, standard deviations, rate, place. */
+/** Properties of a sensor's data from its configuration: device, standard deviations, rate, mounting. */
 final class StatedSensor {
   private static final List<Channel<?>> MEASURED =
       List.of(Channels.SENSED_STATE, Channels.SENSED_OBJECTS, Channels.SCANS);
-  private static final String DRIVER = "Kind of "; // as Devices describes the driver's variable
+  private static final String DRIVER = "Kind of "; // as in Devices' description
 
   private StatedSensor() {}
 
-  /** By variable, with unit; empty of a service that measures nothing. */
+  /** Values by variable, with unit; empty for a service that is not a sensor. */
   static Map<String, String> of(PlannedService service) {
     Map<String, String> stated = new LinkedHashMap<>();
     if (MEASURED.stream().anyMatch(service.publishes()::contains)) {

@@ -11,15 +11,15 @@ import org.u2sa.core.launch.AutonomyLevels;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
- * What a vehicle is made of, by its files or as it runs.
+ * Composition of a vehicle, from its files or while running.
  *
- * @param systemId the vehicle
+ * @param systemId ID of the vehicle
  * @param origin the system file, or the broker's address
- * @param live whether it was asked while it runs
- * @param stated the levels of autonomy that its file states; empty if it states none
- * @param services in the order in which they are started, or by name
- * @param sources what was heard of sensors; only of a vehicle that runs
- * @param actuators what was heard of actuators, or what they would announce
+ * @param live whether it was queried while running
+ * @param stated autonomy levels stated in its file; empty if not stated
+ * @param services services in start order, or sorted by name
+ * @param sources observed sensors; only of a running vehicle
+ * @param actuators observed actuator announcements, or those they would publish
  */
 record VehicleComposition(
     String systemId,
@@ -38,14 +38,13 @@ record VehicleComposition(
   /**
    * A service of it.
    *
-   * @param role by {@link org.u2sa.service.ServiceRole}'s name; empty if it is not known
-   * @param configuration its file; empty if it has none, or if it is not known
-   * @param variables what the file sets, by name, with unit
-   * @param stated what the configuration states of a sensor's data, by variable, with unit; only of
-   *     a file
-   * @param publishes the channels on which it publishes
-   * @param subscribes the channels that it hears
-   * @param note what is to be said besides; empty if nothing
+   * @param role name of its {@link org.u2sa.service.ServiceRole}; empty if unknown
+   * @param configuration its configuration file; empty if none or unknown
+   * @param variables variables set in the file, by name, with unit
+   * @param stated configured properties of a sensor's data, by variable, with unit; only from files
+   * @param publishes channels on which it publishes
+   * @param subscribes subscribed channels
+   * @param note additional remark; empty if none
    */
   record ComposedService(
       String name,
@@ -64,14 +63,14 @@ record VehicleComposition(
   }
 
   /**
-   * What one sensor, or the estimator, measures.
+   * Data of one sensor or of the estimator.
    *
-   * @param channel where
+   * @param channel channel of the data
    * @param sensor its name
-   * @param type of its messages
-   * @param rateHz how often it was heard; 0 if only once
-   * @param fields the fields that it sets
-   * @param sigmas the standard deviations that it gives, with unit
+   * @param type message type
+   * @param rateHz message rate; 0 if heard only once
+   * @param fields fields that it sets
+   * @param sigmas standard deviations that it provides, with unit
    */
   record HeardSource(
       String channel,
@@ -82,9 +81,9 @@ record VehicleComposition(
       Map<String, String> sigmas) {}
 
   /**
-   * What an actuator says it can do.
+   * Announcement of an actuator.
    *
-   * @param facts what it announces, by the field's name, with unit
+   * @param facts announced values by field name, with unit
    */
   record AnnouncedActuator(
       String name, Map<String, String> facts, ActuatorAnnouncement announcement) {
@@ -96,17 +95,17 @@ record VehicleComposition(
     }
   }
 
-  /** The services that publish on a channel. */
+  /** Services that publish on a channel. */
   List<String> publishersOf(String channel) {
     return names(services.stream().filter(service -> service.publishes().contains(channel)));
   }
 
-  /** The services that hear a channel. */
+  /** Services that subscribe to a channel. */
   List<String> subscribersOf(String channel) {
     return names(services.stream().filter(service -> service.subscribes().contains(channel)));
   }
 
-  /** The services of a role. */
+  /** Services of a role. */
   List<String> ofRole(String role) {
     return names(services.stream().filter(service -> service.role().equals(role)));
   }

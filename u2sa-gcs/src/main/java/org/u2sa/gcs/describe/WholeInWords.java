@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import org.u2sa.gcs.describe.VehicleComposition.AnnouncedActuator;
 import org.u2sa.interfaces.communication.Channels;
 
-/** From what is measured to what moves, in a few sentences for someone who sees it first. */
+/** Summary of the data flow from sensors to actuators, in a few sentences for newcomers. */
 final class WholeInWords {
   private final VehicleComposition vehicle;
 
@@ -16,7 +16,7 @@ final class WholeInWords {
     this.vehicle = vehicle;
   }
 
-  /** One sentence a step. */
+  /** One sentence per step. */
   List<String> sentences() {
     List<String> all = new ArrayList<>();
     List<String> around = new ArrayList<>(publishers(Channels.SENSED_OBJECTS.name()));

@@ -1,5 +1,4 @@
 /**
- * {@code u2sa describe}: what a vehicle is made of, and how autonomous it is. What the levels mean
- * is {@code AutonomyLevels}' concern in core.
+ * {@code u2sa describe}: shows a vehicle's composition and autonomy. The levels are defined by {@code AutonomyLevels} in core.
  */
 package org.u2sa.gcs.describe;

@@ -22,7 +22,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa doctor}: what this machine has and lacks. */
+/** {@code u2sa doctor}: checks this machine for what U2SA needs. */
 @Command(
     name = "doctor",
     description = {
@@ -76,7 +76,7 @@ public final class DoctorCommand implements Callable<Integer> {
     return all;
   }
 
-  /** Whether something takes connections there; what it lets one do, others find out. */
+  /** Whether a server accepts connections there; its permissions are checked elsewhere. */
   private Finding broker() {
     boolean named = command.commandLine().getParseResult().hasMatchedOption("--broker");
     String where = remote.brokerAddress();

@@ -1,23 +1,23 @@
 package org.u2sa.gcs.doctor;
 
 /**
- * What one check found.
+ * Result of one check.
  *
- * @param subject what was looked at
- * @param grade how it is
- * @param found what there is
- * @param advice what to do about it; empty if nothing
+ * @param subject subject of the check
+ * @param grade assessment
+ * @param found what was found
+ * @param advice remedy; empty if none is needed
  */
 record Finding(String subject, Grade grade, String found, String advice) {
-  /** How it is, best first. */
+  /** Assessment, best first. */
   enum Grade {
     /** As it should be. */
     OK,
-    /** Not there, and needed for some uses only. */
+    /** Missing, but only needed for some uses. */
     OPTIONAL,
-    /** Something will not work, or not well. */
+    /** Something will not work well or at all. */
     WARNING,
-    /** Nothing runs like this. */
+    /** Nothing will run. */
     FAILURE
   }
 

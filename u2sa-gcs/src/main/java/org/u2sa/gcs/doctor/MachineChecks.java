@@ -28,7 +28,7 @@ final class MachineChecks {
   private final Path devices;
 
   /**
-   * @param devices the folder of the system's devices, /dev
+   * @param devices device folder, /dev
    */
   MachineChecks(Path devices) {
     this.devices = devices;
@@ -92,7 +92,7 @@ final class MachineChecks {
     }
   }
 
-  /** The date, and how late a wait of 20 ms ends: control waits so. */
+  /** Checks the date, and the delay of 20 ms waits as used by control. */
   Finding clock(Clock clock) throws InterruptedException {
     List<Double> lateMs = new ArrayList<>();
     try (Clock.Waiter waiter = clock.newWaiter("doctor")) {
@@ -118,7 +118,7 @@ final class MachineChecks {
         : Finding.ok("clock", found);
   }
 
-  /** Serial ports, and whether this account may open them. */
+  /** Checks serial ports, and whether this account may open them. */
   Finding serialPorts() {
     List<Path> ports;
     try (Stream<Path> files = Files.list(devices)) {

@@ -12,14 +12,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Programs that the shell would find, and what they say. */
+/** Finds programs as the shell would, and runs them. */
 final class Programs {
   private static final int WAIT_S = 5;
   private static final int FIRST_BYTES = 4096;
 
   private final List<Path> folders;
 
-  /** Looked for in the folders of the variable PATH. */
+  /** Searches the folders in PATH. */
   Programs(Map<String, String> environment) {
     folders =
         Stream.of(environment.getOrDefault("PATH", "").split(File.pathSeparator))
@@ -28,7 +28,7 @@ final class Programs {
             .collect(Collectors.toList());
   }
 
-  /** The first one of that name. */
+  /** First program of that name. */
   Optional<Path> find(String name) {
     return folders.stream()
         .map(folder -> folder.resolve(name))
@@ -37,8 +37,7 @@ final class Programs {
   }
 
   /**
-   * The first line that a program prints, on either output; empty if it prints none within five
-   * seconds or cannot be started.
+   * First line of a program's output, on stdout or stderr; empty if there is none within five seconds or it cannot be started.
    */
   Optional<String> firstLine(Path program, String... arguments) throws InterruptedException {
     List<String> command =

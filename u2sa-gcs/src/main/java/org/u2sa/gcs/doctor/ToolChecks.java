@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Programs that some uses need: Mosquitto, FlightGear, a virtual screen, Android's tools. */
+/** Checks for programs that some uses need: Mosquitto, FlightGear, a virtual screen, Android's tools. */
 final class ToolChecks {
   private final Programs programs;
   private final Map<String, String> environment;
@@ -69,7 +69,7 @@ final class ToolChecks {
     return Finding.ok(subject, file.get() + ", " + version);
   }
 
-  /** Debian's folder of FlightGear, which not every account has on its PATH. */
+  /** Debian's folder of FlightGear, which is not on every account's PATH. */
   private Optional<Path> games(String program) {
     return Optional.of(gamesFolder.resolve(program)).filter(Files::isExecutable);
   }

@@ -1,5 +1,4 @@
 /**
- * What this machine has and lacks for running vehicles, and what to do about each. Nothing is
- * changed; a system that runs is looked at elsewhere.
+ * Checks this machine's prerequisites for running vehicles, and suggests remedies. Changes nothing; running systems are inspected elsewhere.
  */
 package org.u2sa.gcs.doctor;

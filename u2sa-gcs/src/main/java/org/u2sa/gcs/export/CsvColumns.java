@@ -14,20 +14,19 @@ import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The columns of one table: the fields that any of its messages has. A field has a column for each
- * unit that it comes in, as coordinates do in different frames; a point has one for each axis.
+ * Columns of one table: the union of its messages' fields. A field has one column per unit, because coordinates have different units in different frames; a point has one per axis.
  */
 final class CsvColumns {
   private static final String TIME = "time [s]";
 
   private final Set<String> heads = new LinkedHashSet<>();
 
-  /** Takes note of the fields that a message has. */
+  /** Adds the fields of a message. */
   void learn(U2SAData message) {
     heads.addAll(cells(message).keySet());
   }
 
-  /** The first line. */
+  /** Header line. */
   String head() {
     List<String> row = new ArrayList<>();
     row.add(TIME);
@@ -36,9 +35,9 @@ final class CsvColumns {
   }
 
   /**
-   * The line of a message.
+   * Row of a message.
    *
-   * @param timeS when it was recorded [s from the recording's beginning]
+   * @param timeS time of recording [s from the start of the recording]
    */
   String row(double timeS, U2SAData message) {
     Map<String, String> cells = cells(message);

@@ -17,8 +17,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapChannel;
 
 /**
- * A table for each topic of a recording (RFC 4180, UTF-8). The recording is read twice: first to
- * learn which columns there are.
+ * Exports one table per topic of a recording (RFC 4180, UTF-8). Reads the recording twice: first to determine the columns.
  */
 final class CsvTables {
   private static final String SUFFIX = ".csv";
@@ -30,7 +29,7 @@ final class CsvTables {
   private final Map<Topic, CsvColumns> columns = new LinkedHashMap<>();
 
   /**
-   * @param everyS least time between two rows of one source in a table [s]
+   * @param everyS minimum time between two rows of one source in a table [s]
    */
   CsvTables(
       RecordedMessages recording, RecordedSpan span, Predicate<McapChannel> wanted, double everyS) {
@@ -40,7 +39,7 @@ final class CsvTables {
     this.everyS = everyS;
   }
 
-  /** Writes them into a folder; returns the files and how many rows each has. */
+  /** Writes the tables to a folder; returns the files with their numbers of rows. */
   Map<Path, Long> write(Path folder) throws IOException {
     forEach((topic, message, timeS) -> columnsOf(topic).learn(message));
     Files.createDirectories(folder);
@@ -51,7 +50,7 @@ final class CsvTables {
       for (Map.Entry<Topic, CsvColumns> table : columns.entrySet()) {
         String name = name(table.getKey());
         Path file = folder.resolve(name + SUFFIX);
-        for (int i = 2; rows.containsKey(file); i++) { // sources may differ in what is no letter
+        for (int i = 2; rows.containsKey(file); i++) { // sources may differ in non-letters only
           file = folder.resolve(name + "-" + i + SUFFIX);
         }
         BufferedWriter writer = Files.newBufferedWriter(file);

@@ -24,7 +24,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa export}: a recording as tables, or as tracks for maps. */
+/** {@code u2sa export}: exports a recording as tables, or as tracks for maps. */
 @Command(
     name = "export",
     description = {
@@ -117,7 +117,7 @@ public final class ExportCommand implements Callable<Integer> {
     tables.write(target("-csv")).forEach((table, rows) -> say(table, Map.of("rows", rows)));
   }
 
-  /** A line of what was written, and how much of it. */
+  /** Prints a file written and its size. */
   private void say(Path written, Map<String, Long> counts) {
     PrintWriter printer = command.commandLine().getOut();
     if (json) {

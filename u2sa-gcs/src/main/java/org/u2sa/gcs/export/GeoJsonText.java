@@ -9,8 +9,7 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * GeoJSON (RFC 7946): a line for each track, with the time of each place in {@code coordTimes}; of
- * a track that crosses the antimeridian, several lines. A point for each goal.
+ * Formats GeoJSON (RFC 7946): one line per track, with the times of its positions in {@code coordTimes}; several lines if the track crosses the antimeridian; one point per goal.
  */
 final class GeoJsonText {
   private static final double DEGREE_STEPS = 1e9;

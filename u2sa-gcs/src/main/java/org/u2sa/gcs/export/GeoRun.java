@@ -21,7 +21,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapChannel;
 
-/** What of a recording has a place on the earth: tracks, and goals. */
+/** Geographic content of a recording: tracks and goals. */
 final class GeoRun {
   private static final long NANOS = 1_000_000_000L;
   private static final double NANOS_PER_MICRO = 1e3;
@@ -31,23 +31,23 @@ final class GeoRun {
   private final Map<String, Goal> goals = new LinkedHashMap<>();
 
   /**
-   * A place of the vehicle.
+   * A position of the vehicle.
    *
-   * @param nanos when it was measured [ns of the run's clock]
+   * @param nanos time of measurement [ns of the run's clock]
    * @param longitudeDeg east positive [deg, -180…180]
-   * @param altitudeM above mean sea level [m]; empty: not known
+   * @param altitudeM altitude above mean sea level [m]; empty if unknown
    */
   record Fix(long nanos, double longitudeDeg, double latitudeDeg, OptionalDouble altitudeM) {
-    /** In simulated time, the run begins with the year 1970. */
+    /** Whether the run is in simulated time, which starts in 1970. */
     Instant time() {
       return Instant.ofEpochSecond(Math.floorDiv(nanos, NANOS), Math.floorMod(nanos, NANOS));
     }
   }
 
   /**
-   * A goal, as it was heard of last.
+   * A goal in its last recorded state.
    *
-   * @param altitudeM above mean sea level [m]; empty: at any
+   * @param altitudeM altitude above mean sea level [m]; empty: any
    */
   record Goal(
       String name,
@@ -60,11 +60,11 @@ final class GeoRun {
   private GeoRun() {}
 
   /**
-   * Reads it.
+   * Reads a recording.
    *
-   * @param channels of the states; empty: state
-   * @param everyS least time between two places of a track [s]
-   * @throws BadInputException if there is no state with a place on the earth
+   * @param channels channels of the states; empty for state
+   * @param everyS minimum time between two positions of a track [s]
+   * @throws BadInputException if there is no state with a geographic position
    */
   static GeoRun read(
       RecordedMessages recording, RecordedSpan span, List<String> channels, double everyS)
@@ -117,7 +117,7 @@ final class GeoRun {
     }
   }
 
-  /** Into -180…180: a message may say 180.5 instead of -179.5. */
+  /** Wraps into -180…180: a message may contain 180.5 instead of -179.5. */
   private static double longitude(double degrees) {
     return Math.abs(degrees) > TURN_DEG / 2.0 ? Math.IEEEremainder(degrees, TURN_DEG) : degrees;
   }
@@ -145,17 +145,17 @@ final class GeoRun {
     }
   }
 
-  /** Places by track, each track in the order of recording. */
+  /** Positions by track, each track in recording order. */
   Map<String, List<Fix>> tracks() {
     return tracks;
   }
 
-  /** Places of all tracks. */
+  /** Number of positions in all tracks. */
   int points() {
     return tracks.values().stream().mapToInt(List::size).sum();
   }
 
-  /** Goals in the order in which they were first heard of. */
+  /** Goals in order of first appearance. */
   List<Goal> goals() {
     return List.copyOf(goals.values());
   }

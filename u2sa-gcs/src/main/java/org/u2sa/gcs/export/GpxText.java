@@ -9,12 +9,11 @@ import java.util.OptionalDouble;
 import org.u2sa.gcs.command.EscapedXml;
 
 /**
- * GPX 1.1 (topografix.com/GPX/1/1): tracks with times, goals as waypoints. Longitudes are at least
- * -180 and less than 180 degrees.
+ * Formats GPX 1.1 (topografix.com/GPX/1/1): tracks with times, goals as waypoints. Longitudes are in -180 (inclusive) to 180 (exclusive) degrees.
  */
 final class GpxText {
   private static final double HALF_TURN_DEG = 180.0;
-  private static final double DEGREE_STEPS = 1e9; // digits that are written
+  private static final double DEGREE_STEPS = 1e9; // resolution of the output
 
   private GpxText() {}
 

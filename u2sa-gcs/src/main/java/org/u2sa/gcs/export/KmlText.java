@@ -8,7 +8,7 @@ import java.util.Map;
 import org.u2sa.gcs.command.EscapedXml;
 
 /**
- * KML 2.2 with Google's tracks, whose places have times, cut at the antimeridian; goals as points.
+ * Formats KML 2.2 with Google's timestamped tracks, cut at the antimeridian; goals as points.
  */
 final class KmlText {
   private static final String ON_THE_GROUND = "clampToGround";

@@ -7,25 +7,25 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Leaves out what comes too soon after what was last taken of the same kind. */
+/** Thins items by a minimum time spacing per kind. */
 final class Spacing {
   private final double everyS;
   private final Map<Object, Double> takenS = new HashMap<>();
 
   /**
-   * @param everyS least time between two that are taken [s]; 0: all are
+   * @param everyS minimum time between two accepted items [s]; 0 accepts all
    */
   Spacing(double everyS) {
     this.everyS = everyS;
   }
 
-  /** Whether a message is to be taken at that time [s]; each source of a topic counts by itself. */
+  /** Whether to accept a message at this time [s]; each source of a topic is counted separately. */
   boolean takes(Topic topic, U2SAData message, double timeS) {
     String source = Channels.namedOrNew(topic.channel()).sourceOf(message);
     return takes(List.of(topic, source), timeS);
   }
 
-  /** Whether one of that kind is to be taken at that time [s]. */
+  /** Whether to accept an item of this kind at this time [s]. */
   boolean takes(Object kind, double timeS) {
     Double last = takenS.get(kind);
     if (last != null && timeS < last + everyS) {

@@ -5,8 +5,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * Cuts tracks where they cross the antimeridian, as RFC 7946 (3.1.9) wants of lines: otherwise one
- * would be drawn around the world the other way.
+ * Cuts tracks at the antimeridian, as RFC 7946 (3.1.9) requires for lines, which would otherwise be drawn around the world.
  */
 final class TrackParts {
   private static final double HALF_TURN_DEG = 180.0;
@@ -15,8 +14,7 @@ final class TrackParts {
   private TrackParts() {}
 
   /**
-   * The parts of a track; one that crosses nowhere is the only one. Each but the last ends on the
-   * antimeridian, where the next begins with the other sign.
+   * Parts of a track; only one if it does not cross. Each part except the last ends on the antimeridian, where the next one starts with the opposite sign.
    */
   static List<List<GeoRun.Fix>> of(List<GeoRun.Fix> track) {
     List<List<GeoRun.Fix>> parts = new ArrayList<>();

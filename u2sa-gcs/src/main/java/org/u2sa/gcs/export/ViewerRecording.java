@@ -26,8 +26,7 @@ import org.u2sa.recorder.mcap.McapSchema;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /**
- * A recording for viewers that know no CBOR, such as Foxglove and Lichtblick: the same topics and
- * times, messages as JSON, views as they are. Executions, attachments and metadata are left out.
+ * Converts a recording for viewers without CBOR support, such as Foxglove and Lichtblick: same topics and times, messages as JSON, views unchanged. Executions, attachments and metadata are omitted.
  */
 final class ViewerRecording {
   private static final String VIEW = "protobuf";
@@ -42,9 +41,9 @@ final class ViewerRecording {
   private final Set<Integer> channels = new HashSet<>();
 
   /**
-   * @param wanted which messages
-   * @param withViews whether views, too
-   * @param everyS least time between two messages of one source on a topic [s]
+   * @param wanted filter of messages
+   * @param withViews whether to include views
+   * @param everyS minimum time between two messages of one source on a topic [s]
    */
   ViewerRecording(
       RecordedMessages recording,
@@ -61,7 +60,7 @@ final class ViewerRecording {
   }
 
   /**
-   * Writes it; what was there is replaced once all is written. Returns how many messages it holds.
+   * Writes the file; an existing one is replaced only when complete. Returns the number of messages.
    */
   long write(Path file, String library) throws IOException {
     Path part = file.resolveSibling("." + file.getFileName() + ".part");

@@ -1,5 +1,4 @@
 /**
- * A recording in formats of others: tables, and tracks on maps. Reading recordings is {@code
- * org.u2sa.gcs.record}'s.
+ * Export of recordings to other formats: tables, map tracks, viewers. Reading recordings is in {@code org.u2sa.gcs.record}.
  */
 package org.u2sa.gcs.export;

@@ -9,9 +9,8 @@ import org.u2sa.interfaces.configuration.NumberWithUnit;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * One comparison of a field: {@code x > 5}, {@code psi >= 90 deg}, {@code sensorName = GPS}, {@code
- * sensorName ~ gps} (contains, in either case). False where the field is absent; {@code !=} alone
- * holds there.
+ * A condition on a field: {@code x > 5}, {@code psi >= 90 deg}, {@code sensorName = GPS}, {@code
+ * sensorName ~ gps} (contains, case-insensitive). False if the field is absent, except {@code !=}.
  */
 public final class FieldCondition {
   private static final Pattern FORM =
@@ -31,9 +30,9 @@ public final class FieldCondition {
   }
 
   /**
-   * Reads a condition.
+   * Parses a condition.
    *
-   * @throws IllegalArgumentException if it is none
+   * @throws IllegalArgumentException if malformed
    */
   public static FieldCondition parse(String text) {
     Matcher form = FORM.matcher(text);
@@ -58,9 +57,9 @@ public final class FieldCondition {
   }
 
   /**
-   * Whether a message fulfils it.
+   * Whether a message satisfies the condition.
    *
-   * @throws IllegalArgumentException if the unit is not one of what the field measures
+   * @throws IllegalArgumentException if the unit does not match the field's dimension
    */
   public boolean holds(U2SAData message) {
     Optional<Object> value = path.value(message);

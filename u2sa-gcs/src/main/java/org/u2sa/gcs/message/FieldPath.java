@@ -12,7 +12,7 @@ import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Where in a message a value is: {@code psi}, {@code ranges[3]}, {@code point.x}, {@code
+ * Path to a value in a message: {@code psi}, {@code ranges[3]}, {@code point.x}, {@code
  * goals[0].uid}, {@code objects.size}. A negative index counts from the end.
  */
 public final class FieldPath {
@@ -26,9 +26,9 @@ public final class FieldPath {
   }
 
   /**
-   * Reads a path.
+   * Parses a path.
    *
-   * @throws IllegalArgumentException if it is none
+   * @throws IllegalArgumentException if malformed
    */
   public static FieldPath parse(String text) {
     FieldPath path = new FieldPath(text);
@@ -57,12 +57,12 @@ public final class FieldPath {
         "\"" + text + "\": expected a field, such as psi, ranges[3], point.x or goals[0].uid");
   }
 
-  /** The name of the message's own field that the path begins with. */
+  /** Name of the message field at the start of the path. */
   public String field() {
     return (String) steps.get(0);
   }
 
-  /** The value in a message; empty if it has none there. */
+  /** Value in a message; empty if absent. */
   public Optional<Object> value(U2SAData message) {
     Object at = message;
     for (Object step : steps) {
@@ -74,7 +74,7 @@ public final class FieldPath {
     return Optional.of(at);
   }
 
-  /** The value as a number: a flag is 0 or 1; empty if there is none, or it is no number. */
+  /** Value as a number, with flags as 0 or 1; empty if absent or not a number. */
   public OptionalDouble number(U2SAData message) {
     Object value = value(message).orElse(null);
     if (value instanceof Number number) {
@@ -86,7 +86,7 @@ public final class FieldPath {
     return OptionalDouble.empty();
   }
 
-  /** The unit of the value in that message; empty if it has none. */
+  /** Unit of the value in this message; empty if none. */
   public String unit(U2SAData message) {
     boolean counts = steps.get(steps.size() - 1).equals("size");
     return counts

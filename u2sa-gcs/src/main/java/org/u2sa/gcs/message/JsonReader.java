@@ -15,8 +15,7 @@ import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Reads JSON into maps, lists, texts, Long, Double and Boolean; null becomes an empty Optional. No
- * classes are made by what the text says.
+ * Parses JSON into maps, lists, texts, Long, Double and Boolean; null becomes an empty Optional. The text cannot instantiate other classes.
  */
 public final class JsonReader {
   private static final int DEEPEST = 32;
@@ -25,11 +24,10 @@ public final class JsonReader {
 
   private JsonReader() {}
 
-  /**
-   * One object.
+  /** Parses one object.
    *
-   * @param origin what the text is, for errors
-   * @throws BadInputException if it is no JSON, no object, holds a key twice or is nested deeply
+   * @param origin description of the text, for errors
+   * @throws BadInputException if it is not JSON, not an object, contains duplicate keys or is nested too deeply
    */
   public static Map<String, Object> object(String origin, String text) {
     try (JsonParser parser = FACTORY.createParser(text)) {

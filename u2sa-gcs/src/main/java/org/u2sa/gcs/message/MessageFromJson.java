@@ -17,23 +17,22 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Makes messages of JSON objects, checked by their type's schema. A number may be a text with a
- * unit, {@code "90 deg"}, which is converted into the field's own.
+ * Creates messages from JSON objects, validated by their type's schema. A number may be a text with a unit, {@code "90 deg"}, which is converted to the field's unit.
  */
 public final class MessageFromJson {
   private static final String TYPE = "type";
 
   private final MessageTypes types;
 
-  /** Of these types. */
+  /** Supports these types. */
   public MessageFromJson(MessageTypes types) {
     this.types = types;
   }
 
   /**
-   * A message; all its required fields are set.
+   * Creates a message with all required fields set.
    *
-   * @param origin what the JSON is, for errors
+   * @param origin description of the JSON, for errors
    * @throws BadInputException naming the field that is unknown, missing, of the wrong kind or unit,
    *     or out of range
    */
@@ -137,9 +136,9 @@ public final class MessageFromJson {
   }
 
   /**
-   * The type that an object names by {@code "type"}, or the given one.
+   * Type given by the object's {@code "type"}, or the default.
    *
-   * @throws BadInputException if it names one that is unknown, or none where one must be named
+   * @throws BadInputException if the type is unknown, or absent without a default
    */
   public MessageType<?> named(
       String origin, Map<String, Object> json, Optional<? extends MessageType<?>> otherwise) {
@@ -195,7 +194,7 @@ public final class MessageFromJson {
     throw expected(at, "a list", value);
   }
 
-  @SuppressWarnings("unchecked") // JsonReader makes maps of texts only
+  @SuppressWarnings("unchecked") // JsonReader only creates maps with text keys
   private static Map<String, Object> asMap(String at, Object value) {
     if (value instanceof Map<?, ?> map) {
       return (Map<String, Object>) map;

@@ -10,14 +10,12 @@ import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A message's fields as JSON, shaped as its CBOR map is: numbers in the field's unit, enums by
- * name, points as arrays, bytes in base64, messages within with their {@code type}. Absent fields
- * are left out.
+ * Formats a message's fields as JSON, structured like its CBOR map: numbers in the field's unit, enums by name, points as arrays, bytes in base64, nested messages with their {@code type}. Absent fields are omitted.
  */
 public final class MessageJson {
   private MessageJson() {}
 
-  /** The fields of a message that are set. */
+  /** Set fields of a message. */
   public static JsonText fields(U2SAData message) {
     JsonText json = new JsonText();
     for (FieldValue field : message.enumerateFields()) {
@@ -26,7 +24,7 @@ public final class MessageJson {
     return json;
   }
 
-  /** The units of the fields that are set and have one. */
+  /** Units of the set fields that have one. */
   public static JsonText units(U2SAData message) {
     JsonText json = new JsonText();
     for (FieldValue field : message.enumerateFields()) {
@@ -37,13 +35,13 @@ public final class MessageJson {
     return json;
   }
 
-  /** The name of the message's own type. */
+  /** Name of the message's own type. */
   public static String typeName(U2SAData message) {
     List<String> chain = message.typeChain();
     return chain.get(chain.size() - 1);
   }
 
-  /** A value of a field as {@link JsonText} takes it. */
+  /** Value of a field for {@link JsonText}. */
   public static Object plain(Object value) {
     if (value instanceof U2SAData message) {
       JsonText json = new JsonText().put("type", typeName(message));
@@ -63,7 +61,7 @@ public final class MessageJson {
       list.forEach(element -> plain.add(plain(element)));
       return plain;
     }
-    if (value instanceof Map<?, ?> map) { // of a field that is not known here
+    if (value instanceof Map<?, ?> map) { // of an unknown field
       JsonText json = new JsonText();
       map.forEach((key, inner) -> json.put(String.valueOf(key), plain(inner)));
       return json;

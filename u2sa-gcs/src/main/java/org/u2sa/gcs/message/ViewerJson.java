@@ -9,16 +9,14 @@ import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Messages and their schemas as Foxglove and Lichtblick read them. Their reader of JSON Schema
- * refuses a list of lists, so a point in a list is an object with x, y and z; all else is as in
- * {@link MessageJson}.
+ * Formats messages and schemas for Foxglove and Lichtblick. Their JSON Schema parser rejects lists of lists, so points in lists are objects with x, y and z; all else is as in {@link MessageJson}.
  */
 public final class ViewerJson {
   private static final List<String> POINT = List.of("x", "y", "z");
 
   private ViewerJson() {}
 
-  /** The fields of a message that are set. */
+  /** Set fields of a message. */
   public static JsonText fields(U2SAData message) {
     JsonText json = new JsonText();
     for (FieldValue field : message.enumerateFields()) {
@@ -46,11 +44,11 @@ public final class ViewerJson {
   }
 
   /**
-   * The schema of what {@link #fields} writes.
+   * Schema of the output of {@link #fields}.
    *
-   * @param origin whose schema it is, for errors
+   * @param origin owner of the schema, for errors
    * @param recorded JSON Schema of the message's CBOR map
-   * @throws org.u2sa.interfaces.BadInputException if that is not an object of JSON
+   * @throws org.u2sa.interfaces.BadInputException if that is not a JSON object
    */
   public static String schema(String origin, String recorded) {
     Map<String, Object> schema = JsonReader.object(origin, recorded);
@@ -69,7 +67,7 @@ public final class ViewerJson {
     Map<String, Object> coordinates = new LinkedHashMap<>();
     POINT.forEach(name -> coordinates.put(name, Map.of("type", "number")));
     Map<String, Object> point =
-        new LinkedHashMap<>(); // in order: a schema is the same text each run
+        new LinkedHashMap<>(); // ordered: schema text is reproducible
     point.put("type", "object");
     point.put("properties", coordinates);
     Map<Object, Object> changed = new LinkedHashMap<>(map);

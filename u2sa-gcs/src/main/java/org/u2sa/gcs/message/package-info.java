@@ -1,5 +1,4 @@
 /**
- * Messages as people and other programs write them: JSON by the schema of their types, paths to
- * fields, conditions on fields. What is done with a message is not here.
+ * Text forms of messages: JSON by their types' schema, field paths, conditions on fields. Commands that use them are elsewhere.
  */
 package org.u2sa.gcs.message;

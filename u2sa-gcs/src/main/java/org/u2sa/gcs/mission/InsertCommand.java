@@ -30,7 +30,7 @@ final class InsertCommand implements Callable<Integer> {
 
   @ArgGroup private Place place = new Place();
 
-  /** Only one at a time. */
+  /** Mutually exclusive options. */
   private static final class Place {
     @Option(
         names = "--after",

@@ -4,7 +4,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa mission}: alone it prints its help. */
+/** {@code u2sa mission}: prints its help. */
 @Command(
     name = "mission",
     description = {

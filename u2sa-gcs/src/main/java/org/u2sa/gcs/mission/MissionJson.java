@@ -12,7 +12,7 @@ import java.util.OptionalDouble;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.contract.MissionReport;
 
-/** A mission for programs. What is not known is left out. */
+/** Formats a mission as JSON. Unknown values are omitted. */
 final class MissionJson {
   private final JsonGenerator json;
   private final MissionView mission;

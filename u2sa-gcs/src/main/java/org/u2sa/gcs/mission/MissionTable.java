@@ -10,7 +10,7 @@ import org.u2sa.gcs.terminal.TextTable;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.contract.MissionReport;
 
-/** A mission as a table, one goal a line. */
+/** Formats a mission as a table, one goal per line. */
 final class MissionTable {
   private static final double FAR_M = 1_000.0;
 

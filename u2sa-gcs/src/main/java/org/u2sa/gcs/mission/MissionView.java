@@ -16,25 +16,25 @@ import org.u2sa.messages.contract.MissionReport;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
 
-/** A mission as operators are shown it. */
+/** A mission as shown to operators. */
 final class MissionView {
   private final MissionReport report;
   private final Optional<StateInformation> state;
 
   /**
-   * @param state where the vehicle is; empty if it does not say
+   * @param state vehicle state; empty if unknown
    */
   MissionView(MissionReport report, Optional<StateInformation> state) {
     this.report = report;
     this.state = state;
   }
 
-  /** What the Mission Manager says. */
+  /** The Mission Manager's report. */
   MissionReport report() {
     return report;
   }
 
-  /** How a goal stands, in words. */
+  /** Status of a goal, in words. */
   String status(GoalInformation goal) {
     if (report.current().contains(goal.uid())) {
       return "current";
@@ -50,7 +50,7 @@ final class MissionView {
     return result.name().toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
-  /** When the vehicle arrived [s since the mission began]; empty if it has not. */
+  /** Time of arrival [s since the start of the mission]; empty before. */
   OptionalDouble arrivedS(GoalInformation goal) {
     return goal.arrivedAt().isPresent() && report.began().isPresent()
         ? OptionalDouble.of(
@@ -58,7 +58,7 @@ final class MissionView {
         : OptionalDouble.empty();
   }
 
-  /** How far away a goal is on the level [m]; empty if it is no place, or if that is not known. */
+  /** Horizontal distance to a goal [m]; empty if it has no position or the distance is unknown. */
   OptionalDouble distanceM(GoalInformation goal) {
     if (!(goal instanceof Waypoint waypoint)
         || state.isEmpty()
@@ -74,7 +74,7 @@ final class MissionView {
               .y(waypoint.y().getAsDouble());
       return OptionalDouble.of(distanceM(place, state.get()));
     } catch (IllegalArgumentException e) {
-      return OptionalDouble.empty(); // not in each other's frames
+      return OptionalDouble.empty(); // no conversion between the frames
     }
   }
 
@@ -101,7 +101,7 @@ final class MissionView {
     return index < report.finished().size() ? Math.round(report.finished().get(index)) : 0;
   }
 
-  /** The names of the goals that follow a goal, by when: "", "if failed", "2 times". */
+  /** Names of the followers of a goal, by condition: "", "if failed", "2 times". */
   Map<String, List<String>> next(GoalInformation goal) {
     Map<String, List<String>> next = new LinkedHashMap<>();
     List<String> usual = new ArrayList<>(goal.next());

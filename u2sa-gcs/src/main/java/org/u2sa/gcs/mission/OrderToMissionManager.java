@@ -17,16 +17,15 @@ import org.u2sa.messages.contract.MissionAction;
 import org.u2sa.messages.contract.MissionOrder;
 import org.u2sa.messages.contract.MissionOrderResult;
 
-/** Gives an order to the Mission Manager, and says what came of it. */
+/** Sends an order to the Mission Manager and prints the result. */
 final class OrderToMissionManager {
   private OrderToMissionManager() {}
 
   /**
-   * An order that brings goals.
+   * Creates an order with goals.
    *
-   * @param file a mission file with nothing but goals, which the Mission Manager reads: it knows
-   *     the goals' classes
-   * @throws BadInputException if it is no mission file at all
+   * @param file a mission file with goals only; parsed by the Mission Manager, which knows the goal classes
+   * @throws BadInputException if it is not a mission file
    */
   static MissionOrder withGoals(MissionAction action, Path file) {
     XmlReader.read(file, "mission");
@@ -43,7 +42,7 @@ final class OrderToMissionManager {
    * Sends the order and waits for its result.
    *
    * @param order without request ID and operator
-   * @throws RunFailedException if it was refused, or if nobody answered in time
+   * @throws RunFailedException if it was rejected or not answered in time
    */
   static int give(RemoteSystem remote, MissionOrder order, PrintWriter out)
       throws InterruptedException {
@@ -68,7 +67,7 @@ final class OrderToMissionManager {
     }
   }
 
-  /** What to say when nobody answers. */
+  /** Message for a missing answer. */
   static RunFailedException nobody(RemoteSystem remote, RemoteLink link)
       throws InterruptedException {
     return new RunFailedException(

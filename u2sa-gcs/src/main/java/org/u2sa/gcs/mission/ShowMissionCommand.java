@@ -26,7 +26,7 @@ import picocli.CommandLine.Spec;
       "Show the goals of the mission: what came of each, when, how far away it is, what follows."
     })
 final class ShowMissionCommand implements Callable<Integer> {
-  /** Vehicles publish their state several times in this [s]. */
+  /** Time to wait for a state; several publishing periods [s]. */
   private static final double STATE_WITHIN_S = 0.6;
 
   @Spec private CommandSpec command;
@@ -64,7 +64,7 @@ final class ShowMissionCommand implements Callable<Integer> {
   private void print(String systemId, MissionView mission) {
     PrintWriter out = command.commandLine().getOut();
     if (json) {
-      out.print(MissionJson.text(systemId, mission)); // has lines of its own
+      out.print(MissionJson.text(systemId, mission)); // contains its own line breaks
       out.println();
     } else {
       Terminal terminal = Terminal.detect(out, System.getenv());

@@ -5,21 +5,21 @@ import java.util.List;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * A chart of a run: lines, and a band of twice a standard deviation around zero where there is one.
+ * A chart of a run: lines, and optionally a ±2 σ band around zero.
  *
- * @param title what is shown, the same in all runs
- * @param unit of the values; empty: none
+ * @param title quantity shown, the same in all runs
+ * @param unit unit of the values; empty if none
  * @param lines the quantities
- * @param sigma standard deviation, or null
+ * @param sigma standard deviation; null if none
  */
 public record Chart(String title, String unit, List<Trace> lines, Trace sigma) {
-  /** Whether there is anything to draw. */
+  /** Whether the chart contains data. */
   public boolean isEmpty() {
     return lines.stream().allMatch(line -> line.size() == 0)
         && (sigma == null || sigma.size() == 0);
   }
 
-  /** For the page. */
+  /** JSON content for the page. */
   public JsonText json() {
     List<JsonText> all = new ArrayList<>();
     for (Trace line : lines) {

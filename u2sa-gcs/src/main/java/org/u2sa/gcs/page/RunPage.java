@@ -9,17 +9,16 @@ import java.util.List;
 import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.interfaces.JsonText;
 
-/** Writes the page: a template with style and script in it, and the runs as JSON. */
+/** Writes the page: a template with embedded style and script, and the runs as JSON. */
 public final class RunPage {
   private static final List<String> PARTS = List.of("page.css", "page.js");
 
   private RunPage() {}
 
   /**
-   * Writes the page, as a whole or not at all.
+   * Writes the page atomically.
    *
-   * @param runs name, durationS, figures, charts, timeline and facts of each; map and latency where
-   *     the page is to have them
+   * @param runs name, durationS, figures, charts, timeline and facts of each; map and latency are optional
    * @throws org.u2sa.gcs.command.RunFailedException if it cannot be written
    */
   public static void write(Path file, String title, List<JsonText> runs) {
@@ -32,7 +31,7 @@ public final class RunPage {
     ReportFile.writeText(file, out -> out.write(whole));
   }
 
-  /** JSON that ends no script element and begins no comment, whatever texts it holds. */
+  /** JSON that is safe inside a script element: no contained text can end it or start a comment. */
   static String inScript(String json) {
     return json.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029");
   }

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.u2sa.interfaces.JsonText;
 
-/** A quantity over time, thinned where it is drawn: of each stretch its least and greatest stay. */
+/** A quantity over time, decimated for drawing: each interval keeps its minimum and maximum. */
 public final class Trace {
   private static final int MOST_POINTS = 1_600;
   private static final double DIGITS = 1e5;
@@ -19,17 +19,17 @@ public final class Trace {
   private double[] values = new double[256];
   private int size;
 
-  /** An empty one of that name. */
+  /** Creates an empty trace. */
   public Trace(String name) {
     this.name = name;
   }
 
-  /** What it is called. */
+  /** Name of the quantity. */
   public String name() {
     return name;
   }
 
-  /** Adds a value at a time of the run [s], not before the last one. */
+  /** Adds a value at a time of the run [s]; times must not decrease. */
   public void add(double timeS, double value) {
     if (size == times.length) {
       times = Arrays.copyOf(times, 2 * size);
@@ -39,12 +39,12 @@ public final class Trace {
     values[size++] = value;
   }
 
-  /** How many values there are. */
+  /** Number of values. */
   public int size() {
     return size;
   }
 
-  /** When a value was [s of the run]. */
+  /** Time of a value [s of the run]. */
   public double time(int index) {
     return times[index];
   }
@@ -54,7 +54,7 @@ public final class Trace {
     return values[index];
   }
 
-  /** The quantile of the values by the nearest rank; 0 without any. */
+  /** Quantile of the values by nearest rank; 0 if empty. */
   public double quantile(double share) {
     if (size == 0) {
       return 0.0;
@@ -64,7 +64,7 @@ public final class Trace {
     return sorted[Math.max(0, (int) Math.ceil(share * size) - 1)];
   }
 
-  /** Root of the mean square; 0 without any. */
+  /** Root mean square; 0 if empty. */
   public double rootMeanSquare() {
     double sum = 0.0;
     for (int i = 0; i < size; i++) {
@@ -73,7 +73,7 @@ public final class Trace {
     return size == 0 ? 0.0 : Math.sqrt(sum / size);
   }
 
-  /** The largest value without sign; 0 without any. */
+  /** Largest absolute value; 0 if empty. */
   public double greatestMagnitude() {
     double greatest = 0.0;
     for (int i = 0; i < size; i++) {
@@ -82,7 +82,7 @@ public final class Trace {
     return greatest;
   }
 
-  /** The points that are drawn, in order. */
+  /** The points to draw, in order. */
   public int[] kept() {
     if (size <= MOST_POINTS) {
       int[] all = new int[size];
@@ -121,8 +121,7 @@ public final class Trace {
   }
 
   /**
-   * Five digits behind the point are below what is seen, and above what a file can hold cheaply. Of
-   * a number so small that they say little, six digits are kept.
+   * Five decimals are finer than visible and keep the file small. Very small numbers keep six significant digits instead.
    */
   public static double rounded(double value) {
     return Math.abs(value) < SMALL

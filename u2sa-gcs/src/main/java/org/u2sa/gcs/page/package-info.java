@@ -1,5 +1,4 @@
 /**
- * A page with charts, events and tables of one or several runs, which needs no network. What runs
- * there are, and what is said of them, is its users'.
+ * A self-contained page with charts, events and tables of one or several runs. The content comes from its callers.
  */
 package org.u2sa.gcs.page;

@@ -17,7 +17,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa compare}: several recorded runs on one page. */
+/** {@code u2sa compare}: compares several recorded runs on one page. */
 @Command(
     name = "compare",
     description = {

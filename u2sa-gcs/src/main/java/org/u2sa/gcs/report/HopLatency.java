@@ -9,8 +9,7 @@ import org.u2sa.gcs.page.Trace;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * How old messages were when the recorder heard them, by channel: from the time when what they tell
- * was measured. In simulated time, which stands still while services work, it is the steps between.
+ * Age of messages at the recorder, by channel, counted from the time of measurement. In simulated time, which stops while services work, it consists of the steps in between.
  */
 final class HopLatency {
   private static final double MILLIS = 1e3;
@@ -18,15 +17,15 @@ final class HopLatency {
   private final Map<String, Trace> byChannel = new TreeMap<>(); // [ms]
 
   /**
-   * Takes a message.
+   * Adds a message.
    *
-   * @param ageS from its timestamp until it was recorded [s]
+   * @param ageS time from its timestamp to its recording [s]
    */
   void take(String channel, double timeS, double ageS) {
     byChannel.computeIfAbsent(channel, Trace::new).add(timeS, ageS * MILLIS);
   }
 
-  /** The way from sensor to actuator. */
+  /** Latencies along the path from sensor to actuator. */
   Chart chart() {
     List<Trace> lines = new ArrayList<>();
     for (String channel : List.of("sensed-state", "state", "navigation", "actuation")) {

@@ -11,8 +11,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Where something was in the way, as the occupancy grids of a run say: squares of the map that were
- * seen occupied and not seen free later.
+ * Obstacles from the occupancy grids of a run: squares of the map that were observed occupied and not free later.
  */
 final class ObstacleCells {
   private static final double SQUARE_M = 0.2;
@@ -20,10 +19,10 @@ final class ObstacleCells {
   private static final double FREE = 0.3;
   private static final int MOST = 30_000;
 
-  /** What a cell says: +1 occupied, -1 free, 0 neither; by its byte, counted from -128. */
+  /** Meaning of a cell: +1 occupied, -1 free, 0 neither; indexed by its byte + 128. */
   private static final byte[] VERDICTS = verdicts();
 
-  /** A square, counted from the map's origin. */
+  /** Indexes of a square, from the map's origin. */
   private record Square(int column, int row) {}
 
   private final Set<Square> squares = new LinkedHashSet<>();
@@ -40,10 +39,9 @@ final class ObstacleCells {
   }
 
   /**
-   * Takes a grid. Its corners are placed on the map, and its cells between them: within a grid, the
-   * earth is flat to a fraction of a millimetre.
+   * Adds a grid. Only its corners are converted to the map, and cells are interpolated: within a grid, the earth is flat to a fraction of a millimetre.
    *
-   * @param onMap where a point of the grid's frame is on the map; empty if that is not known
+   * @param onMap converts a point of the grid's frame to the map; empty if unknown
    */
   void take(OccupancyGrid grid, Function<Point, Optional<Point>> onMap) {
     int lastColumn = grid.columns() - 1;

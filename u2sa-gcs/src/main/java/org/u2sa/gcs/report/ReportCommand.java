@@ -16,7 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa report}: one page of a recorded run. */
+/** {@code u2sa report}: reports a recorded run on one page. */
 @Command(
     name = "report",
     description = {

@@ -30,7 +30,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
 
-/** What a report shows of one recording, read in one pass. */
+/** Content of a report on one recording, read in one pass. */
 final class RunContent {
   private static final double NANOS = 1e9;
   private static final double MILLIS = 1e3;
@@ -41,7 +41,7 @@ final class RunContent {
   private final RunTimeline timeline = new RunTimeline();
   private final HopLatency latency = new HopLatency();
   private final Map<String, Trace> callbacks = new LinkedHashMap<>();
-  private final TruthTrack truth; // null: not known
+  private final TruthTrack truth; // null if unknown
   private final StateCharts charts;
   private final double truthFromS;
   private final long startNanos;
@@ -54,13 +54,13 @@ final class RunContent {
     name = name(file);
     startNanos = reader.statistics().startNanos();
     boolean simulated = startNanos < OTHER_CLOCK_S * NANOS;
-    this.truth = simulated ? truth : null; // in real time, nothing tells when it began
+    this.truth = simulated ? truth : null; // its start is unknown in real time
     durationS = (reader.statistics().endNanos() - startNanos) / NANOS;
-    truthFromS = -startNanos / NANOS; // both count from the start of simulated time
+    truthFromS = -startNanos / NANOS; // both are relative to the start of simulated time
     charts = new StateCharts(map, this.truth, truthFromS);
   }
 
-  /** A run is called by its folder where the file has its usual name. */
+  /** Name of the run: its folder if the file has its default name. */
   private static String name(Path file) {
     Path folder = file.toAbsolutePath().getParent();
     String own = file.getFileName().toString().replaceFirst("\\.mcap$", "");
@@ -72,8 +72,8 @@ final class RunContent {
   /**
    * Reads a recording.
    *
-   * @param truthFile a demo's track.csv; empty: the one beside the recording, if there is one
-   * @throws BadInputException if it holds no messages as they were published
+   * @param truthFile a demo's track.csv; empty: the one beside the recording, if any
+   * @throws BadInputException if it contains no published messages
    */
   static RunContent read(Path file, Optional<Path> truthFile) throws IOException {
     Path beside = file.resolveSibling("track.csv");
@@ -160,7 +160,7 @@ final class RunContent {
     }
   }
 
-  /** All of it, for the page. */
+  /** The content for the page. */
   JsonText json() {
     List<JsonText> drawn = new ArrayList<>();
     List<Chart> all = new ArrayList<>(charts.charts());
@@ -183,7 +183,7 @@ final class RunContent {
         .put("facts", facts);
   }
 
-  /** What runs are compared by: name, value, unit. */
+  /** Metrics for comparing runs: name, value, unit. */
   private List<JsonText> figures() {
     List<JsonText> figures = new ArrayList<>();
     figures.add(figure("duration", Trace.rounded(durationS), "s"));

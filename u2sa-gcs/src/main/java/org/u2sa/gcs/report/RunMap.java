@@ -21,8 +21,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * What is on the map, in metres east and north of the first state: estimated and true track, goals,
- * obstacles.
+ * Content of the map, in metres east and north of the first state: estimated and true track, goals, obstacles.
  */
 final class RunMap {
   private static final int SIDES = 4;
@@ -40,16 +39,16 @@ final class RunMap {
   private final Map<String, Point> goalPlaces = new LinkedHashMap<>();
   private final ObstacleCells cells = new ObstacleCells();
   private final Map<String, JsonText> objects = new LinkedHashMap<>();
-  private Point at; // newest place on the map; null before the first state
-  private Point fromLocal; // from a local frame to the map; null: not known
+  private Point at; // latest map position; null before the first state
+  private Point fromLocal; // from a local frame to the map; null if unknown
   private Geodetic origin; // null before the first state
 
-  /** A place on the map; empty before it has an origin. */
+  /** Map position; empty before the map has an origin. */
   Optional<Point> place(Geodetic at) {
     return Optional.ofNullable(origin).map(from -> from.enuOf(at));
   }
 
-  /** Takes an estimate; returns where it is, if it says. */
+  /** Adds an estimate; returns its map position, if any. */
   Optional<Point> take(double timeS, StateInformation state) {
     if (!state.referenceFrame().equals(ReferenceFrame.GLOBAL)
         || state.x().isEmpty()
@@ -66,12 +65,12 @@ final class RunMap {
     return Optional.of(point);
   }
 
-  /** Takes the goals that are left; a list without one of them does not say what became of it. */
+  /** Updates the current goals; the absence of a goal does not reveal its result. */
   void take(GoalList list) {
     list.goals().forEach(this::take);
   }
 
-  /** Takes a goal, as it is in a list or as its end is reported. */
+  /** Updates a goal from a list or a report of its end. */
   void take(GoalInformation goal) {
     if (goal instanceof Waypoint waypoint && waypoint.x().isPresent()) {
       place(waypoint.referenceFrame(), waypoint.x().getAsDouble(), waypoint.y().orElse(0.0))
@@ -91,12 +90,12 @@ final class RunMap {
             .put("done", waypoint.completed() && !waypoint.abandoned()));
   }
 
-  /** Where a goal is; empty if that is not known. */
+  /** Map position of a goal; empty if unknown. */
   Optional<Point> goal(String uid) {
     return Optional.ofNullable(goalPlaces.get(uid));
   }
 
-  /** Takes dead reckoning in a local frame: what is seen in that frame gets its place by it. */
+  /** Adds dead reckoning in a local frame, which places objects in that frame on the map. */
   void takeLocal(StateInformation state) {
     if (at != null && state.x().isPresent() && state.y().isPresent()) {
       Point there = Point.of(state.x().getAsDouble(), state.y().getAsDouble(), 0.0);
@@ -104,7 +103,7 @@ final class RunMap {
     }
   }
 
-  /** East and north of a point of a local frame. */
+  /** Converts a point of a local frame to east and north. */
   private static Optional<Point> east(ReferenceFrame frame, Point point) {
     if (frame.equals(ReferenceFrame.LOCAL_ENU)) {
       return Optional.of(point);
@@ -127,7 +126,7 @@ final class RunMap {
     cells.take(grid, point -> place(grid.referenceFrame(), point.x(), point.y()));
   }
 
-  /** Takes objects, each as it was seen last; those of the vehicle's own frame are not drawn. */
+  /** Updates objects with their latest observation; objects in the vehicle's own frame are not drawn. */
   void take(ObjectList list) {
     for (ObjectDescription object : list.objects()) {
       place(object.referenceFrame(), object.x(), object.y())
@@ -166,7 +165,7 @@ final class RunMap {
     return shape.put("x", Trace.rounded(at.x())).put("y", Trace.rounded(at.y())).put("r", radius);
   }
 
-  /** Corners of a box whose length points to psi, clockwise from north. */
+  /** Corners of a box whose length axis points to psi, clockwise from north. */
   private static List<Double> box(ObjectDescription object, Point at) {
     double psi = PSI.number(object).orElse(0.0);
     double along = LENGTH.number(object).getAsDouble() / 2;
@@ -190,10 +189,9 @@ final class RunMap {
     outline.add(Trace.rounded(point.y()));
   }
 
-  /**
-   * All of it.
+  /** The complete map.
    *
-   * @param truth where it really was; null if that is not known
+   * @param truth ground-truth track; null if unknown
    */
   JsonText json(TruthTrack truth, double truthFromS) {
     JsonText json =
@@ -215,7 +213,7 @@ final class RunMap {
     return json;
   }
 
-  /** Time, east and north of every nth point, one after the other. */
+  /** Time, east and north of every nth point, interleaved. */
   private static List<Double> line(Trace x, Trace y) {
     int step = Math.max(1, x.size() / 2_500);
     List<Double> line = new ArrayList<>();

@@ -20,16 +20,16 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.schema.U2SAData;
 
-/** What happened when: events, and the condition of each service. */
+/** Timeline of a run: events, and the condition of each service. */
 final class RunTimeline {
   private static final int MOST_EVENTS = 2_000;
 
-  /** Something that happened. */
+  /** An event. */
   private record Event(double timeS, String kind, boolean bad, String text) {}
 
   private final List<Event> events = new ArrayList<>();
   private final Map<String, List<JsonText>> conditions = new TreeMap<>();
-  private final Map<String, String> lastOf = new HashMap<>(); // what was said last, by subject
+  private final Map<String, String> lastOf = new HashMap<>(); // last text by subject
   private long leftOut;
 
   void take(double timeS, U2SAData message) {
@@ -119,7 +119,7 @@ final class RunTimeline {
     events.add(new Event(timeS, kind, bad, text));
   }
 
-  /** How many events of that kind there are. */
+  /** Number of events of a kind. */
   long count(String kind, boolean bad) {
     return events.stream().filter(e -> e.kind().equals(kind) && e.bad() == bad).count();
   }

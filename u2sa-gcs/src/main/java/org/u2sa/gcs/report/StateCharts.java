@@ -13,12 +13,12 @@ import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 
-/** The estimated state over time, against the truth where that is known. */
+/** Charts of the estimated state over time, compared with ground truth if known. */
 final class StateCharts {
   private static final int MOST_ACTUATORS = 12;
 
   private final RunMap map;
-  private final TruthTrack truth; // null: not known
+  private final TruthTrack truth; // null if unknown
   private final double truthFromS;
   private final Trace eastError = new Trace("east");
   private final Trace northError = new Trace("north");
@@ -31,13 +31,13 @@ final class StateCharts {
   private final Trace crossTrack = new Trace("estimated");
   private final Trace trueCrossTrack = new Trace("true");
   private final Map<String, Trace> actuators = new LinkedHashMap<>();
-  private String target = ""; // goal that is pursued
-  private Point legFrom; // null: no goal was reached yet
+  private String target = ""; // goal being pursued
+  private Point legFrom; // null before the first goal is reached
   private Point lastAt;
 
   /**
    * @param truth may be null
-   * @param truthFromS time of the recording at which the truth's begins [s]
+   * @param truthFromS time in the recording at which the truth starts [s]
    */
   StateCharts(RunMap map, TruthTrack truth, double truthFromS) {
     this.map = map;
@@ -45,10 +45,9 @@ final class StateCharts {
     this.truthFromS = truthFromS;
   }
 
-  /**
-   * Takes an estimate.
+  /** Adds an estimate.
    *
-   * @param timeS when what it tells was measured [s of the recording]
+   * @param timeS time of measurement [s of the recording]
    */
   void take(double timeS, StateInformation state) {
     Optional<Point> at = map.take(timeS, state);
@@ -100,7 +99,7 @@ final class StateCharts {
     target = "";
   }
 
-  /** Distance to the line from the goal before to the present one [m], to the right positive. */
+  /** Cross-track error: distance to the line from the previous to the current goal [m], positive to the right. */
   private Optional<Double> offTrack(Point at) {
     Optional<Point> to = map.goal(target);
     if (legFrom == null || to.isEmpty()) {
@@ -122,7 +121,7 @@ final class StateCharts {
     }
   }
 
-  /** Errors, for tables: null where the truth is not known. */
+  /** Errors for tables; null if the truth is unknown. */
   Double positionErrorRms() {
     return eastError.size() == 0
         ? null

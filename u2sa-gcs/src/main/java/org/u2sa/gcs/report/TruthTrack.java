@@ -10,13 +10,13 @@ import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Geodetic;
 
-/** Where a simulated vehicle really was: a demo's track.csv. */
+/** Ground-truth track of a simulated vehicle: a demo's track.csv. */
 final class TruthTrack {
   private static final List<String> COLUMNS =
       List.of("time_s", "longitude_deg", "latitude_deg", "altitude_m", "heading_deg");
   private static final double TURN_DEG = 360.0;
 
-  /** Where it was, and whither it pointed [rad, clockwise from north]. */
+  /** Position and heading [rad, clockwise from north]. */
   record Place(Geodetic at, double headingRad) {}
 
   private final List<double[]> rows = new ArrayList<>(); // in COLUMNS' order, by time
@@ -26,7 +26,7 @@ final class TruthTrack {
   /**
    * Reads a file.
    *
-   * @throws BadInputException if it is not such a one
+   * @throws BadInputException if it is not a track.csv
    */
   static TruthTrack read(Path file) throws IOException {
     List<String> lines = Files.readAllLines(file);
@@ -52,12 +52,12 @@ final class TruthTrack {
     return track;
   }
 
-  /** All places, with their times [s]. */
+  /** All samples, with times [s]. */
   List<double[]> rows() {
     return rows;
   }
 
-  /** Where it was at that time [s]; empty before the first and after the last row. */
+  /** Interpolated position at a time [s]; empty outside the recorded interval. */
   Optional<Place> at(double timeS) {
     int low = 0;
     int high = rows.size() - 1;

@@ -1,5 +1,4 @@
 /**
- * One page a run, or for several side by side, made of recordings: map, charts, events, tables. The
- * page needs no network. How a recording is made and read is the recorder's.
+ * Self-contained report pages on one recorded run or several side by side: map, charts, events, tables. Recordings are made and read by the recorder module.
  */
 package org.u2sa.gcs.report;

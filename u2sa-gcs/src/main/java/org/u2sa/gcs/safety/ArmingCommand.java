@@ -16,7 +16,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** Asks a Safety Manager to arm or to disarm, and prints its answer. */
+/** Asks the Safety Manager to arm or disarm, and prints its answer. */
 public abstract class ArmingCommand implements Callable<Integer> {
   private final boolean arm;
   @Spec private CommandSpec command;
@@ -26,7 +26,7 @@ public abstract class ArmingCommand implements Callable<Integer> {
     this.arm = arm;
   }
 
-  /** {@code u2sa arm}: lets a vehicle move, or says why not. */
+  /** {@code u2sa arm}: arms a vehicle, or prints why it cannot be armed. */
   @Command(
       name = "arm",
       description = {
@@ -42,7 +42,7 @@ public abstract class ArmingCommand implements Callable<Integer> {
     }
   }
 
-  /** {@code u2sa disarm}: lets a vehicle no longer move. */
+  /** {@code u2sa disarm}: disarms a vehicle. */
   @Command(
       name = "disarm",
       description = {

@@ -17,7 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa estop}: stops everything that moves, or lifts the stop. */
+/** {@code u2sa estop}: stops everything that moves, or clears the stop. */
 @Command(
     name = "estop",
     description = {
@@ -30,7 +30,7 @@ import picocli.CommandLine.Spec;
           + "that nothing stops it). Exit code 1: somebody has not, and the answer says who."
     })
 public final class EmergencyStopCommand implements Callable<Integer> {
-  /** A Safety Manager repeats a stop each second; without one the broker has retained it. */
+  /** Covers the Safety Manager's repetition of stops, once a second; without one the broker retains the stop. */
   private static final double LISTEN_S = 1.2;
 
   @Spec private CommandSpec command;
@@ -66,7 +66,7 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     return report(link, vehicle, holds);
   }
 
-  /** Lifts all stops that are reported, and no other. */
+  /** Clears all reported stops, and no others. */
   private int clear(RemoteLink link, Clock.Waiter waiter, EmergencyStop message)
       throws InterruptedException {
     StopConfirmation vehicle = StopConfirmation.listen(link, waiter);

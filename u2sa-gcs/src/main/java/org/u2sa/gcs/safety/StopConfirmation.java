@@ -16,11 +16,10 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Which services confirm an emergency stop. A stop is confirmed once every service that obeys stops
- * reports it as active.
+ * Tracks which services confirm an emergency stop. A stop is confirmed once every service that obeys stops reports it as active.
  */
 final class StopConfirmation {
-  /** In this time a service that reports as often as most do has reported twice. */
+  /** Time in which a service with the default report period reports twice. */
   private static final double LISTEN_S = 0.6;
 
   private final RemoteLink link;
@@ -35,7 +34,7 @@ final class StopConfirmation {
     this.waiter = waiter;
   }
 
-  /** Listens from now on. */
+  /** Starts listening. */
   static StopConfirmation listen(RemoteLink link, Clock.Waiter waiter) {
     StopConfirmation confirmation = new StopConfirmation(link, waiter);
     link.listen(Channels.HEALTH, confirmation.<HealthReport>taking(confirmation::take));
@@ -44,7 +43,7 @@ final class StopConfirmation {
     return confirmation;
   }
 
-  /** Has the action done on the transport's thread, and looks again. */
+  /** Runs the action on the transport's thread, and re-evaluates. */
   private <T> Consumer<T> taking(Consumer<T> action) {
     return message -> {
       synchronized (this) {
@@ -78,7 +77,7 @@ final class StopConfirmation {
     }
   }
 
-  /** Waits until all services have reported twice, or longer for the first word of the vehicle. */
+  /** Waits until all services have reported twice, or longer for the vehicle's first message. */
   void await(Outcome wanted) throws InterruptedException {
     long begun = link.clock().micros();
     long least = begun + Clock.micros(Math.min(LISTEN_S, link.timeoutS()));
@@ -89,12 +88,12 @@ final class StopConfirmation {
     }
   }
 
-  /** What is to be true of the stops that hold at a service. */
+  /** Condition on the stops in force at a service. */
   interface Outcome {
     boolean isSaid(List<String> holding);
   }
 
-  /** Who heeds stops and has said what is wanted. */
+  /** Services that obey stops and satisfy the condition. */
   synchronized List<String> confirmedBy(Outcome wanted) {
     List<String> by = new ArrayList<>();
     holding.forEach(
@@ -106,7 +105,7 @@ final class StopConfirmation {
     return by;
   }
 
-  /** Why not the whole vehicle has said what is wanted, a text each; none: it has. */
+  /** Reasons why the vehicle as a whole does not satisfy the condition, one text each; empty if it does. */
   synchronized List<String> missing(Outcome wanted) {
     List<String> missing = new ArrayList<>();
     if (heard.isEmpty()) {
@@ -145,19 +144,19 @@ final class StopConfirmation {
     return String.join(", ", words);
   }
 
-  /** Whether any service of the system is heard. */
+  /** Whether any service of the system has been heard. */
   synchronized boolean hearsAnybody() {
     return !heard.isEmpty();
   }
 
-  /** All stops that hold anywhere, or of which the broker speaks. */
+  /** All stops in force at any service or retained by the broker. */
   synchronized Set<String> standing() {
     Set<String> all = new TreeSet<>(stops.keySet());
     holding.values().forEach(all::addAll);
     return all;
   }
 
-  /** The time of the newest stop that was heard [µs]; 0 without one. */
+  /** Time of the latest stop heard [µs]; 0 if none. */
   synchronized long newestMicros() {
     return stops.values().stream().mapToLong(stop -> stop.timestamp().orElse(0L)).max().orElse(0L);
   }

@@ -1,5 +1,4 @@
 /**
- * Commands by which an operator keeps a running vehicle safe: emergency stop, arming, and being
- * there. What the vehicle makes of them belongs to the core's safety package.
+ * Commands by which an operator keeps a running vehicle safe: emergency stop, arming, heartbeat. The vehicle's side is in the core's safety package.
  */
 package org.u2sa.gcs.safety;

@@ -20,12 +20,11 @@ import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * An authority for the hosts of one team: a key whose certificate clients trust, and which
- * certifies brokers. Works with the JDK's keytool, as Java has no other means to make certificates.
+ * A certificate authority for the hosts of one team: its certificate is trusted by clients, and its key certifies brokers. Uses the JDK's keytool, because Java has no API for creating certificates.
  */
 final class LocalAuthority {
   private static final String AUTHORITY_DAYS = "3650";
-  private static final String BROKER_DAYS = "825"; // what Apple's clients accept at most
+  private static final String BROKER_DAYS = "825"; // the maximum that Apple's clients accept
   private static final String ELLIPTIC = "-keyalg EC -groupname secp256r1";
 
   private final SecurityDirectory directory;
@@ -34,7 +33,7 @@ final class LocalAuthority {
     this.directory = directory;
   }
 
-  /** Makes a new one in the folder, which must not hold one. */
+  /** Creates an authority in the folder, which must not contain one. */
   static LocalAuthority create(SecurityDirectory directory)
       throws IOException, InterruptedException {
     Keytool.run(
@@ -54,10 +53,9 @@ final class LocalAuthority {
     return new LocalAuthority(directory);
   }
 
-  /**
-   * The one in the folder.
+  /** Loads the authority of the folder.
    *
-   * @throws BadInputException if its key is not there
+   * @throws BadInputException if its key is missing
    */
   static LocalAuthority in(SecurityDirectory directory) {
     if (!Files.isRegularFile(directory.authorityKey())) {
@@ -68,9 +66,9 @@ final class LocalAuthority {
     return new LocalAuthority(directory);
   }
 
-  /** Makes the broker a new key and certifies it for the names and addresses. */
+  /** Creates a new key for the broker and certifies it for the names and addresses. */
   void certify(List<String> hosts) throws IOException, InterruptedException {
-    Path work = Files.createTempDirectory(directory.path(), "new"); // for the owner only
+    Path work = Files.createTempDirectory(directory.path(), "new"); // accessible to the owner only
     Path store = work.resolve("server.p12");
     Path request = work.resolve("request.pem");
     try {
@@ -115,22 +113,21 @@ final class LocalAuthority {
     }
   }
 
-  /** The JDK's tool for keys and certificates, run as a process. */
+  /** Runs the JDK's keytool as a process. */
   static final class Keytool {
     /**
-     * Of every key store here. It protects nothing, and need not: the files are their owner's
-     * alone, and keytool wants one.
+     * Password of all key stores. It need not be secret, because the files are private to their owner; keytool requires one.
      */
     static final String PASSWORD = "u2sa-local";
 
     private Keytool() {}
 
     /**
-     * Runs it on a PKCS #12 store.
+     * Runs keytool on a PKCS #12 store.
      *
-     * @param words its command and options without spaces in them
-     * @param more options that may hold spaces
-     * @return what it printed
+     * @param words command and options, separated by spaces
+     * @param more options that may contain spaces
+     * @return its output
      */
     static String run(String words, List<String> more, Path store)
         throws IOException, InterruptedException {
@@ -158,7 +155,7 @@ final class LocalAuthority {
     }
   }
 
-  /** Names and addresses of a host as they stand in its certificate. */
+  /** Names and addresses of a host for its certificate. */
   static final class HostNames {
     private static final Pattern NAME =
         Pattern.compile("[A-Za-z0-9]([A-Za-z0-9-]{0,62})(\\.[A-Za-z0-9][A-Za-z0-9-]{0,62})*");
@@ -166,7 +163,7 @@ final class LocalAuthority {
 
     private HostNames() {}
 
-    /** Those given, beside the ones that every broker's certificate has. */
+    /** The given ones, in addition to those in every broker's certificate. */
     static List<String> with(List<String> given) {
       Set<String> names = new LinkedHashSet<>(List.of("localhost", "127.0.0.1", "::1"));
       ownName(names);
@@ -182,7 +179,7 @@ final class LocalAuthority {
           names.add(own);
         }
       } catch (UnknownHostException e) {
-        return; // a host without a name is reached by those given
+        return; // a host without a name is only reached by the given ones
       }
     }
 
@@ -198,7 +195,7 @@ final class LocalAuthority {
           || IPV4.matcher(name).matches();
     }
 
-    /** As keytool's option takes them: {@code san=dns:…,ip:…}. */
+    /** In the format of keytool's option: {@code san=dns:…,ip:…}. */
     static String extension(List<String> names) {
       List<String> parts = new ArrayList<>();
       names.forEach(name -> parts.add((isAddress(name) ? "ip:" : "dns:") + name));

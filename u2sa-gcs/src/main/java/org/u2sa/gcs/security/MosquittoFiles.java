@@ -16,13 +16,13 @@ import org.u2sa.core.security.User;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
-/** The embedded broker's users and roles in Mosquitto's files (mosquitto.conf(5)). */
+/** Exports the embedded broker's users and roles to Mosquitto's files (mosquitto.conf(5)). */
 final class MosquittoFiles {
-  private static final int LARGEST_PACKET = 1 << 21; // as the embedded broker's
+  private static final int LARGEST_PACKET = 1 << 21; // same as the embedded broker
 
   private MosquittoFiles() {}
 
-  /** Writes them all to the folder, with the broker's certificate and key. */
+  /** Writes all files to the folder, with the broker's certificate and key. */
   static void write(
       Path folder, SecurityDirectory directory, Collection<User> users, String bind, int port)
       throws IOException {
@@ -70,8 +70,7 @@ final class MosquittoFiles {
   }
 
   /**
-   * Rights by topic: each type's own chain on each channel and nothing else. A filter that covered
-   * unknown subclasses would cover known types behind them as well.
+   * Permissions by topic: exactly each type's own chain on each channel. A filter that included unknown subclasses would also match known types below them.
    */
   static String rights(Collection<User> users, MessageTypes types) {
     StringBuilder text = new StringBuilder("# Written by ./u2sa security mosquitto.\n");

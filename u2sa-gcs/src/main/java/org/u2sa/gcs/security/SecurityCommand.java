@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa security}: alone it prints its help; init, certificate and mosquitto are methods. */
+/** {@code u2sa security}: prints its help; init, certificate and mosquitto are subcommands, implemented as methods. */
 @Command(
     name = "security",
     description = {

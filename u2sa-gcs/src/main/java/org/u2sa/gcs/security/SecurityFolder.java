@@ -8,7 +8,7 @@ import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
 import picocli.CommandLine.Option;
 
-/** The folder that {@code u2sa security init} makes, and the option that names it. */
+/** The folder created by {@code u2sa security init}, and the option for it. */
 final class SecurityFolder {
   @Option(
       names = "--dir",
@@ -27,7 +27,7 @@ final class SecurityFolder {
     return directory;
   }
 
-  /** Makes a folder that only its owner may enter, or closes it to others if it is there. */
+  /** Creates a folder accessible to its owner only, or restricts an existing one. */
   static void makePrivate(Path folder) throws IOException {
     Files.createDirectories(folder);
     if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")) {

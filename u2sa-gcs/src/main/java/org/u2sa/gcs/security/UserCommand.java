@@ -147,7 +147,7 @@ final class UserCommand implements Runnable {
   }
 
   /**
-   * Where a user's password comes from: never from the command line, which every process can see.
+   * Sources of a user's password: never the command line, which is visible to every process.
    */
   private static final class Passwords {
     private static final int SHORTEST = 10;
@@ -179,7 +179,7 @@ final class UserCommand implements Runnable {
       }
     }
 
-    /** A random one; nobody need remember it. */
+    /** A random password. */
     static char[] make(Path newFile) {
       if (Files.exists(newFile)) {
         throw new BadInputException(
@@ -190,7 +190,7 @@ final class UserCommand implements Runnable {
       return Base64.getUrlEncoder().encodeToString(random).toCharArray();
     }
 
-    /** Asks at the terminal, twice. */
+    /** Prompts on the terminal, twice. */
     static char[] ask(String name) {
       Console console = System.console();
       if (console == null) {

@@ -1,5 +1,4 @@
 /**
- * The commands that make what a secured broker needs: a local authority, certificates, users, and
- * the same for Mosquitto. What users may do belongs to the core module.
+ * Commands that set up a secured broker: local authority, certificates, users, and the same for Mosquitto. Permissions are defined in the core module.
  */
 package org.u2sa.gcs.security;

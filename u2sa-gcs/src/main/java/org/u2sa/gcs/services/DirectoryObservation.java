@@ -15,9 +15,9 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.service.directory.KnownService;
 import org.u2sa.service.directory.ServiceDirectory;
 
-/** What a command has heard of a running system's services so far, and goes on hearing. */
+/** A command's live view of a running system's services. */
 public final class DirectoryObservation {
-  /** In this time a service that reports as often as most do has reported twice. */
+  /** Time in which a service with the default report period reports twice. */
   private static final double LISTEN_S = 0.6;
 
   private final RemoteLink link;
@@ -31,7 +31,7 @@ public final class DirectoryObservation {
     beganMicros = link.clock().micros();
   }
 
-  /** Begins to listen, and asks all services. */
+  /** Starts listening, and asks all services. */
   public static DirectoryObservation begin(RemoteLink link) {
     DirectoryObservation observation = new DirectoryObservation(link);
     for (Channel<?> channel : ServiceDirectory.CHANNELS) {
@@ -42,7 +42,7 @@ public final class DirectoryObservation {
     return observation;
   }
 
-  /** {@link #begin}, and waits until all that were heard have answered, or for the link's time. */
+  /** {@link #begin}, then waits until all heard services have answered, or for the link's timeout. */
   static DirectoryObservation made(RemoteLink link) throws InterruptedException {
     DirectoryObservation observation = begin(link);
     link.await(observation::isComplete, link.timeoutS());
@@ -58,8 +58,7 @@ public final class DirectoryObservation {
   }
 
   /**
-   * Whether each service that was heard is among these, and there was time to hear them all. A
-   * service counts from its first word on, answer or health report. False while nobody was heard.
+   * Whether each heard service is among these, and there was time to hear all. A service counts from its first answer or health report. False while none was heard.
    */
   public boolean areAmong(Set<String> names) {
     directory.refresh();
@@ -79,24 +78,24 @@ public final class DirectoryObservation {
     }
   }
 
-  /** The services that are there. */
+  /** The services present. */
   ServiceDirectory directory() {
     return directory;
   }
 
-  /** The names of the services that are there. */
+  /** Names of the services present. */
   List<String> names() {
     return directory.services().stream().map(KnownService::name).toList();
   }
 
-  /** What the health monitor last said of each service, those included that are gone. */
+  /** Last condition of each service by the health monitor, including services that are gone. */
   Map<String, ServiceCondition> conditions() {
     synchronized (conditions) {
       return new TreeMap<>(conditions);
     }
   }
 
-  /** All that is to be shown, by name: services that are there, and those known to be gone. */
+  /** All rows to show, by name: services present, and those known to be gone. */
   List<ServiceRow> rows() {
     Map<String, ServiceRow> rows = new TreeMap<>();
     conditions().forEach((name, condition) -> rows.put(name, ServiceRow.gone(condition)));

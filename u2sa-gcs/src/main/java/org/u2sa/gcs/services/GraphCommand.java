@@ -25,7 +25,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa graph}: who feeds whom in a running system. */
+/** {@code u2sa graph}: shows the data flow between the services of a running system. */
 @Command(
     name = "graph",
     description = {
@@ -42,7 +42,7 @@ public final class GraphCommand implements Callable<Integer> {
   @Mixin private RemoteSystem remote;
   @ArgGroup private Form form = new Form();
 
-  /** Only one at a time. */
+  /** Mutually exclusive options. */
   private static final class Form {
     @Option(
         names = "--format",
@@ -109,13 +109,10 @@ public final class GraphCommand implements Callable<Integer> {
   }
 
   /**
-   * An {@link DirectoryObservation} of a system that has come to rest: all services that are heard
-   * have answered twice, the same both times, and none has just been made. A system that is
-   * starting answers service by service, and one answer alone would show a channel as published to
-   * nobody whose subscriber is about to come.
+   * A {@link DirectoryObservation} of a settled system: all heard services have answered twice with the same result, and none was created just now. A starting system answers service by service, and a single answer could show a channel without subscribers whose subscriber is about to appear.
    */
   static final class SettledObservation {
-    /** In this time the services of a system have followed the one that was made last [s]. */
+    /** Maximum time between the creation of two services of a starting system [s]. */
     private static final double YOUNG_S = 2.0;
 
     private static final double ROUND_S = 0.6; // two health reports at the usual interval
@@ -130,7 +127,7 @@ public final class GraphCommand implements Callable<Integer> {
       this.observation = observation;
     }
 
-    /** Observes until the system has settled, or for the link's time. */
+    /** Observes until the system has settled, or for the link's timeout. */
     static SettledObservation made(RemoteLink link) throws InterruptedException {
       long began = link.clock().micros();
       SettledObservation made = new SettledObservation(link, DirectoryObservation.made(link));
@@ -155,7 +152,7 @@ public final class GraphCommand implements Callable<Integer> {
       }
     }
 
-    /** Asks all once more; returns whether all that were heard have answered. */
+    /** Asks all services again; returns whether all heard ones have answered. */
     private boolean askedAgain(long deadlineMicros) throws InterruptedException {
       answered.clear();
       observation.directory().ask();
@@ -188,12 +185,12 @@ public final class GraphCommand implements Callable<Integer> {
           .anyMatch(uptimeS -> uptimeS < YOUNG_S);
     }
 
-    /** What was heard. */
+    /** The observed services. */
     DirectoryObservation observation() {
       return observation;
     }
 
-    /** Whether the system has come to rest; otherwise services or channels may be missing. */
+    /** Whether the system has settled; otherwise services or channels may be missing. */
     boolean hasSettled() {
       return settled;
     }

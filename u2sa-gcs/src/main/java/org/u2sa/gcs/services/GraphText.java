@@ -8,11 +8,11 @@ import org.u2sa.gcs.services.ServiceGraph.Feed;
 import org.u2sa.gcs.terminal.TextTable;
 import org.u2sa.interfaces.JsonText;
 
-/** A {@link ServiceGraph} to read, for programs that draw (Mermaid, Graphviz), and as JSON. */
+/** Formats a {@link ServiceGraph} as text, for drawing programs (Mermaid, Graphviz), and as JSON. */
 final class GraphText {
   private GraphText() {}
 
-  /** A line each feed, by publisher, loose ends, and who has not answered. */
+  /** One line per feed, by publisher; then loose ends and services that have not answered. */
   static List<String> lines(ServiceGraph graph) {
     List<String> lines = new ArrayList<>();
     TextTable feeds = new TextTable("FROM", "TO", "CHANNEL", "TYPE");
@@ -41,7 +41,7 @@ final class GraphText {
     table.lines().stream().skip(1).forEach(line -> lines.add("  " + line));
   }
 
-  /** The graph on one line; the key {@code from} or {@code to} of a loose end is left out. */
+  /** The graph as JSON on one line; loose ends omit the key {@code from} or {@code to}. */
   static String json(String systemId, ServiceGraph graph) {
     JsonText roles = new JsonText();
     graph.services().forEach(name -> roles.put(name, graph.roles().get(name)));
@@ -67,7 +67,7 @@ final class GraphText {
         .toList();
   }
 
-  /** The graph in Mermaid's language; loose ends are dashed. */
+  /** The graph in Mermaid syntax; loose ends are dashed. */
   static List<String> mermaid(ServiceGraph graph) {
     List<String> lines = new ArrayList<>();
     lines.add("flowchart LR");
@@ -95,12 +95,12 @@ final class GraphText {
     return index < 0 ? name : "s" + index;
   }
 
-  /** Mermaid's own characters as its entities. */
+  /** Escapes Mermaid's special characters as entities. */
   private static String escaped(String text) {
     return text.replace("#", "#35;").replace("\"", "#quot;").replace("<", "#lt;");
   }
 
-  /** The graph in Graphviz's language; loose ends are dashed. */
+  /** The graph in Graphviz syntax; loose ends are dashed. */
   static List<String> dot(String systemId, ServiceGraph graph) {
     List<String> lines = new ArrayList<>();
     lines.add("digraph " + quoted(systemId) + " {");
@@ -127,7 +127,7 @@ final class GraphText {
     return lines;
   }
 
-  /** All feeds; a loose end leads to or from a point of its own. */
+  /** All feeds; a loose end starts or ends at its own point. */
   private static List<Feed> arrows(ServiceGraph graph) {
     List<Feed> arrows = new ArrayList<>(graph.feeds());
     int number = 0;
@@ -140,14 +140,14 @@ final class GraphText {
     return arrows;
   }
 
-  /** The end of an arrow that is no service. */
+  /** End of an arrow without a service. */
   private static Optional<String> point(ServiceGraph graph, Feed arrow) {
     return Stream.of(arrow.from(), arrow.to())
         .filter(name -> !graph.services().contains(name))
         .findFirst();
   }
 
-  /** {@code \n} stays a line break, other backslashes and quotes are the text's own. */
+  /** Escapes backslashes and quotes, but keeps {@code \n} as a line break. */
   private static String quoted(String text) {
     return "\"" + text.replaceAll("\\\\(?!n)", "\\\\\\\\").replace("\"", "\\\"") + "\"";
   }

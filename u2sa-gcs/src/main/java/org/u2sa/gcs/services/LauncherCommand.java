@@ -18,14 +18,14 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Gives an order to the launcher that runs a service, and prints the result. */
+/** Sends an order to a service's launcher, and prints the result. */
 public abstract class LauncherCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
 
   private LauncherCommand() {}
 
-  /** {@code u2sa restart NAME}: ends a service, whatever state it is in, and starts it anew. */
+  /** {@code u2sa restart NAME}: ends a service, whatever its state, and starts it again. */
   @Command(
       name = "restart",
       description = {
@@ -44,7 +44,7 @@ public abstract class LauncherCommand implements Callable<Integer> {
     }
   }
 
-  /** {@code u2sa swap NAME CLASS}: puts another implementation in the place of a service. */
+  /** {@code u2sa swap NAME CLASS}: replaces a running service by another implementation. */
   @Command(
       name = "swap",
       description = {
@@ -76,8 +76,8 @@ public abstract class LauncherCommand implements Callable<Integer> {
    * Sends the order and waits for its result.
    *
    * @param order without request ID and operator
-   * @param done printed when it was carried out
-   * @throws RunFailedException if it was refused, or if no launcher answered in time
+   * @param done printed on success
+   * @throws RunFailedException if it was rejected, or if no launcher answered in time
    */
   final int give(ServiceOrder order, String done) throws InterruptedException {
     String id = UUID.randomUUID().toString();

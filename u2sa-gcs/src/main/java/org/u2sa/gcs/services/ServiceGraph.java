@@ -15,16 +15,14 @@ import org.u2sa.service.directory.DataOffer;
 import org.u2sa.service.directory.KnownService;
 
 /**
- * Who feeds whom. The channels of the contract, on which every service talks with everybody, are
- * left out.
+ * Data flow graph of services. Channels of the service contract, which connect every service with every other, are omitted.
  *
- * @param services names, in layers from those that measure to those that move
- * @param roles the role of each, in words; empty if unknown
+ * @param services names, in layers from sensors to actuators
+ * @param roles role of each, in words; empty if unknown
  * @param feeds all pairs of publisher and subscriber, in the order of the services
- * @param unheard what is published and nobody subscribes to
- * @param unfed what is subscribed to and nobody publishes
- * @param unanswered services that have not said what they publish and subscribe to, so that the
- *     rest may be wrong where it says that nobody does
+ * @param unheard publications without subscribers
+ * @param unfed subscriptions without publishers
+ * @param unanswered services whose publications and subscriptions are unknown; they may explain loose ends
  */
 record ServiceGraph(
     List<String> services,
@@ -74,7 +72,7 @@ record ServiceGraph(
     return service.isComplete() ? ServiceRow.of(service, null).type() : "no answer";
   }
 
-  /** Roles are declared in the order in which data flow. */
+  /** Roles are declared in data flow order. */
   private static int layer(KnownService service) {
     String type = service.discovery().map(DiscoveryResponse::serviceType).orElse("");
     for (ServiceRole role : ServiceRole.values()) {
@@ -89,7 +87,7 @@ record ServiceGraph(
     return offers.stream().filter(offer -> !OF_EVERYBODY.contains(offer.channel())).toList();
   }
 
-  /** Adds what the offer feeds; returns whether anybody else listens. */
+  /** Adds the feeds of an offer; returns whether it has other subscribers. */
   private static boolean feed(
       KnownService from, DataOffer offer, List<KnownService> services, List<Feed> feeds) {
     boolean heard = false;
@@ -125,12 +123,12 @@ record ServiceGraph(
   }
 
   /**
-   * What one service feeds another with; a loose end has one service only.
+   * Data flow from one service to another; a loose end has only one service.
    *
-   * @param from who publishes; empty: nobody
-   * @param to who subscribes; empty: nobody
+   * @param from publisher; empty if none
+   * @param to subscriber; empty if none
    * @param channel the channel's name
-   * @param type the narrower of the two types that they named for it
+   * @param type the narrower of their two types
    */
   record Feed(String from, String to, String channel, String type) {}
 }

@@ -9,14 +9,14 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.service.directory.KnownService;
 
 /**
- * One service as operators are shown it; what is not known is empty.
+ * One service as shown to operators; unknown values are empty.
  *
  * @param name its name
  * @param type its role, in words
- * @param status its own word, "no answer" if it answers no discovery, "gone" if it is not there
- * @param discovery its answer to discovery
- * @param health its newest health report
- * @param condition what the health monitor says of it
+ * @param status its reported status, "no answer" if it does not answer discovery, "gone" if absent
+ * @param discovery its discovery response
+ * @param health its latest health report
+ * @param condition its condition by the health monitor
  */
 record ServiceRow(
     String name,
@@ -26,7 +26,7 @@ record ServiceRow(
     Optional<HealthReport> health,
     Optional<ServiceCondition> condition) {
 
-  /** A service that was heard. */
+  /** Creates a row for a heard service. */
   static ServiceRow of(KnownService service, ServiceCondition condition) {
     Optional<DiscoveryResponse> discovery = service.discovery();
     String status =
@@ -43,7 +43,7 @@ record ServiceRow(
         Optional.ofNullable(condition).or(service::condition));
   }
 
-  /** A service that only the health monitor still knows. */
+  /** Creates a row for a service known only to the health monitor. */
   static ServiceRow gone(ServiceCondition condition) {
     return new ServiceRow(
         condition.serviceName(),
@@ -58,13 +58,13 @@ record ServiceRow(
     return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
-  /** The class's name without its package; empty if it did not say. */
+  /** Simple class name; empty if unknown. */
   String simpleClassName() {
     String full = discovery.flatMap(DiscoveryResponse::className).orElse("");
     return full.substring(Math.max(full.lastIndexOf('.'), full.lastIndexOf('$')) + 1);
   }
 
-  /** The condition in words, with what is done about it. */
+  /** Condition in words, with the countermeasure. */
   String conditionText() {
     return condition
         .map(
@@ -74,12 +74,12 @@ record ServiceRow(
         .orElse("");
   }
 
-  /** Duration that 99 of 100 callbacks do not exceed [s]. */
+  /** 99th percentile of callback duration [s]. */
   OptionalDouble callbackP99S() {
     return health.isPresent() ? health.get().callbackP99() : OptionalDouble.empty();
   }
 
-  /** The last error it knows of. */
+  /** Last error. */
   String lastError() {
     return health.flatMap(HealthReport::lastError).orElse("");
   }

@@ -48,7 +48,7 @@ public final class ServicesCommand implements Callable<Integer> {
   @Mixin private RemoteSystem remote;
   @ArgGroup private View view = new View();
 
-  /** Only one at a time. */
+  /** Mutually exclusive options. */
   private static final class View {
     @Option(
         names = "--publishing",
@@ -120,7 +120,7 @@ public final class ServicesCommand implements Callable<Integer> {
     Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
     try (Clock.Waiter waiter = link.clock().newWaiter("watch")) {
       while (!Thread.currentThread().isInterrupted()) {
-        observation.directory().ask(); // uptimes move on
+        observation.directory().ask(); // updates the uptimes
         waiter.await(link.clock().micros() + Clock.micros(WATCH_EVERY_S));
         observation.directory().refresh();
         if (terminal.redraws()) {
@@ -138,15 +138,14 @@ public final class ServicesCommand implements Callable<Integer> {
     return line.length() < columns ? line : line.substring(0, columns - 1);
   }
 
-  /** The type of data that an operator names. */
+  /** Resolves the data type named by the operator. */
   private static final class DataType {
     private DataType() {}
 
     /**
-     * The type and its ancestors, base first: of a type known here, or of one that some service
-     * named.
+     * Type chain, topmost first, of a type known here or mentioned by a service.
      *
-     * @throws BadInputException if nobody knows it; names those that are near
+     * @throws BadInputException if the type is unknown; names similar ones
      */
     static List<String> chain(String name, ServiceDirectory directory) {
       Optional<MessageType<?>> known = MessageTypes.discovered().byName(name);
@@ -175,7 +174,7 @@ public final class ServicesCommand implements Callable<Integer> {
     }
   }
 
-  /** The services of a system as a table, one a line. */
+  /** Formats the services of a system as a table, one per line. */
   private static final class ServiceTable {
     private static final double SECONDS_PER_MINUTE = 60.0;
     private static final double MICROS_PER_SECOND = 1e6;
@@ -222,7 +221,7 @@ public final class ServicesCommand implements Callable<Integer> {
       return table.lines();
     }
 
-    /** Empty where a service, of an older version or in another language, does not count them. */
+    /** Empty if a service of an older version or in another language does not count them. */
     private static String replaced(ServiceRow row) {
       OptionalLong count = row.health().map(HealthReport::replaced).orElse(OptionalLong.empty());
       return count.isPresent() ? String.valueOf(count.getAsLong()) : "";

@@ -9,7 +9,7 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.service.directory.DataOffer;
 import org.u2sa.service.directory.KnownService;
 
-/** The services of a system for programs. What is not known is left out. */
+/** Formats the services of a system as JSON. Unknown values are omitted. */
 final class ServicesJson {
   private ServicesJson() {}
 

@@ -21,7 +21,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa stop [NAME]}: ends services in good order and says who ended. */
+/** {@code u2sa stop [NAME]}: ends services in an orderly way and prints which have ended. */
 @Command(
     name = "stop",
     description = {
@@ -56,7 +56,7 @@ public final class StopServicesCommand implements Callable<Integer> {
     }
   }
 
-  /** That nobody of the name is there, and who is. */
+  /** Message that there is no such service, with the names of those present. */
   static String unknown(String name, List<String> there, RemoteLink link) {
     return String.format(
         "system \"%s\" has no service \"%s\" that is heard; there are %s%s",

@@ -10,7 +10,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
-/** What builds a project. */
+/** Build tool of a project. */
 enum BuildTool {
   MAVEN(
       "pom.xml", "<groupId>\\s*([^<\\s]+)", "mvn -q install -DskipTests", "mvn verify", "target/*"),
@@ -24,13 +24,13 @@ enum BuildTool {
   private final String file;
   private final Pattern group;
 
-  /** What installs U2SA where the tool finds it, said in U2SA's folder. */
+  /** Command, run in U2SA's folder, that installs U2SA for this tool. */
   final String install;
 
-  /** What builds and tests the project. */
+  /** Command that builds and tests the project. */
   final String build;
 
-  /** Where its jars are then. */
+  /** Folder of the built jars. */
   final String jars;
 
   BuildTool(String file, String group, String install, String build, String jars) {
@@ -41,12 +41,12 @@ enum BuildTool {
     this.jars = jars;
   }
 
-  /** The template with what a project of this tool has. */
+  /** Template with this tool's project files. */
   String template() {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** What builds the project in a folder; empty if there is none. */
+  /** Build tool of the project in a folder; empty if none. */
   static Optional<BuildTool> in(Path folder) {
     return Arrays.stream(values())
         .filter(tool -> Files.isRegularFile(folder.resolve(tool.file)))
@@ -60,7 +60,7 @@ enum BuildTool {
         .find();
   }
 
-  /** The group of the project in the folder, which is its package too. */
+  /** Group of the project in the folder, which is also its package. */
   Optional<String> group(Path folder) {
     Matcher matcher = group.matcher(text(folder));
     return matcher.find() ? Optional.of(matcher.group(1)) : Optional.empty();

@@ -20,8 +20,7 @@ import java.util.stream.Stream;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Puts files into a project, all or none: they are written to a folder beside their places and then
- * moved. No file that is there is overwritten; only lists in {@code META-INF/services} grow.
+ * Adds files to a project, all or none: they are written to a temporary folder next to their destination and then moved. Existing files are not overwritten; only lists in {@code META-INF/services} are extended.
  */
 final class Destination {
   private static final String LISTS = "META-INF/services/";
@@ -29,16 +28,16 @@ final class Destination {
   private final Path folder;
 
   /**
-   * @param folder of the project
+   * @param folder folder of the project
    */
   Destination(Path folder) {
     this.folder = folder.toAbsolutePath().normalize();
   }
 
   /**
-   * Makes the folder with these files in it.
+   * Creates the folder with these files.
    *
-   * @throws BadInputException if it exists, or cannot be written
+   * @throws BadInputException if it exists or cannot be written
    */
   List<String> create(SortedMap<String, byte[]> files) {
     if (Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
@@ -58,8 +57,8 @@ final class Destination {
   /**
    * Adds the files to the project in the folder.
    *
-   * @param shared places of files that stay as they are if they are there
-   * @return the places of new and changed files
+   * @param shared paths of files that are kept if they exist
+   * @return paths of new and changed files
    * @throws BadInputException if another file exists, or one cannot be written
    */
   List<String> add(SortedMap<String, byte[]> files, Set<String> shared) {
@@ -117,7 +116,7 @@ final class Destination {
           made.push(missing);
         }
         if (place.contains(LISTS)) {
-          continue; // last, for they cannot be taken back
+          continue; // last, because these changes cannot be undone
         }
         Files.move(draft.resolve(place), target);
         made.push(target);
@@ -144,7 +143,7 @@ final class Destination {
     return new ArrayList<>(missing);
   }
 
-  /** The place in the folder, if neither its name nor a link leads out of it. */
+  /** Resolves a path in the folder, unless its name or a link leads out of it. */
   private static Path inside(Path folder, String place) throws IOException {
     Path target = folder.resolve(place).normalize();
     Path existing = target.getParent();

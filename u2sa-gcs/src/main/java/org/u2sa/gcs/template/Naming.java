@@ -9,9 +9,9 @@ import javax.lang.model.SourceVersion;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * The name of what is made, in the forms that code and files need.
+ * Name of a new service or project, in the forms needed in code and files.
  *
- * @param words lower case, such as depth, gauge
+ * @param words lower-case words, such as depth, gauge
  */
 record Naming(List<String> words) {
   private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9]*([ _-][A-Za-z0-9]+)*");
@@ -25,9 +25,9 @@ record Naming(List<String> words) {
   }
 
   /**
-   * The name, however its words are joined: depth-gauge, DepthGauge, "depth gauge".
+   * Parses a name with any word separation: depth-gauge, DepthGauge, "depth gauge".
    *
-   * @throws BadInputException if no class, variable or folder can be named so
+   * @throws BadInputException if it is not valid as a name of classes, variables or folders
    */
   static Naming of(String name) {
     if (name.length() > LONGEST || !NAME.matcher(name).matches()) {
@@ -59,7 +59,7 @@ record Naming(List<String> words) {
   }
 
   /**
-   * The package, if classes can be in it.
+   * Returns the package name if valid.
    *
    * @throws BadInputException if not
    */
@@ -104,7 +104,7 @@ record Naming(List<String> words) {
     return String.join(" ", words);
   }
 
-  /** The package of a project for which none is given: org.example.depthgauge. */
+  /** Default package of a project: org.example.depthgauge. */
   String defaultPackage() {
     return "org.example." + String.join("", words);
   }

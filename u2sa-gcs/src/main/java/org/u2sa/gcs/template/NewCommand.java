@@ -21,7 +21,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa new}: makes a project of a template, or adds a service to one. */
+/** {@code u2sa new}: creates a project from a template, or adds a service to one. */
 @Command(
     name = "new",
     description = {
@@ -77,7 +77,7 @@ public final class NewCommand implements Callable<Integer> {
           "Your organisation's templates, which come before U2SA's own. Default: the environment's U2SA_TEMPLATES.")
   private String templates;
 
-  /** Which build a new project has. */
+  /** Build tool of a new project. */
   static final class Tool {
     @Option(names = "--maven", description = "Build the new project with Maven, the default.")
     private boolean maven;
@@ -87,7 +87,7 @@ public final class NewCommand implements Callable<Integer> {
   }
 
   /**
-   * @param here the folder that it is run in
+   * @param here current folder
    */
   public NewCommand(Path here) {
     this.here = here;
@@ -150,7 +150,7 @@ public final class NewCommand implements Callable<Integer> {
     tell(chosen, folder, project.isPresent(), written, build, placeholders);
   }
 
-  /** The project to add to; empty: a new one is to be made. */
+  /** The project to extend; empty to create a new one. */
   private Optional<Path> project() {
     if (into != null) {
       return Optional.of(here.resolve(into));
@@ -187,7 +187,7 @@ public final class NewCommand implements Callable<Integer> {
     values.put("install", build.install);
     values.put("jars", build.jars);
     values.put(
-        "dot", "."); // build tools leave out files like .gitignore where resources are copied
+        "dot", "."); // build tools exclude files like .gitignore from resources
     return new Rendering.Placeholders(values);
   }
 
@@ -213,6 +213,6 @@ public final class NewCommand implements Callable<Integer> {
     out.println("  " + (where.equals(".") ? "" : "cd " + where + " && ") + build.build);
     String advice =
         placeholders.fill(made.advice(), made.origin() + "/" + made.name() + "/" + Templates.ABOUT);
-    advice.replace("~/u2sa", home).lines().forEach(out::println); // a println is one line
+    advice.replace("~/u2sa", home).lines().forEach(out::println); // one println per line
   }
 }

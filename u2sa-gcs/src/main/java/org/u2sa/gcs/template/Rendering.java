@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.NearestNames;
 
-/** The files of several templates with placeholders filled in; of two for one place the later. */
+/** Renders the files of several templates; for the same path, the later template wins. */
 final class Rendering {
   private static final String CLASS_NAME = "Name";
 
@@ -22,9 +22,8 @@ final class Rendering {
   private final Set<String> shared = new HashSet<>();
 
   /**
-   * @param templates in order; the last is the kind's own
-   * @throws BadInputException if a template file is malformed, or uses a class of the new one's
-   *     name
+   * @param templates in order, ending with the kind's own
+   * @throws BadInputException if a template file is malformed, or uses a class with the new class's name
    */
   Rendering(Templates source, List<String> templates, Placeholders placeholders) {
     String own = templates.get(templates.size() - 1);
@@ -45,7 +44,7 @@ final class Rendering {
   private static byte[] filled(Templates.File file, Placeholders placeholders) {
     for (byte each : file.content()) {
       if (each == 0) {
-        return file.content(); // a picture, an archive
+        return file.content(); // binary file
       }
     }
     String text;
@@ -64,20 +63,20 @@ final class Rendering {
     return placeholders.fill(text, file.origin()).getBytes(StandardCharsets.UTF_8);
   }
 
-  /** What stands in each file, by its place in the project. */
+  /** File contents by path in the project. */
   SortedMap<String, byte[]> files() {
     return files;
   }
 
-  /** Places of files that other services of the project may have brought already. */
+  /** Paths of files that other services of the project may already have added. */
   Set<String> shared() {
     return shared;
   }
 
   /**
-   * What stands for {@code {{Name}}} and the like in templates.
+   * Values of placeholders such as {@code {{Name}}} in templates.
    *
-   * @param values by the word between the braces
+   * @param values values by the word between the braces
    */
   record Placeholders(Map<String, String> values) {
     private static final Pattern PLACEHOLDER = Pattern.compile("\\{\\{(\\w+)}}");
@@ -87,10 +86,10 @@ final class Rendering {
     }
 
     /**
-     * The text with all placeholders filled in.
+     * Returns the text with all placeholders replaced.
      *
      * @param origin the template file, for the error
-     * @throws BadInputException if a placeholder is not known
+     * @throws BadInputException if a placeholder is unknown
      */
     String fill(String text, String origin) {
       Matcher matcher = PLACEHOLDER.matcher(text);
@@ -113,7 +112,7 @@ final class Rendering {
       return matcher.appendTail(filled).toString();
     }
 
-    /** A file's place in the project; a package's name becomes folders. */
+    /** Path of a file in the project; package names become folders. */
     String fillPath(String path, String origin) {
       return fill(path.replace("{{package}}", values.get("package").replace('.', '/')), origin);
     }

@@ -23,11 +23,9 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.NearestNames;
 
 /**
- * The templates that can be had: an organisation's, and U2SA's own where that has none of the name.
+ * The available templates: an organisation's, and U2SA's own, which the former override by name.
  *
- * <p>Each is a folder whose files go into a project, placeholders filled in. One with an {@code
- * about.txt} is a kind of thing to make; {@code project}, {@code maven} and {@code gradle} are what
- * all new projects have.
+ * <p>Each is a folder whose files are rendered into a project. A template with an {@code about.txt} is a selectable kind; {@code project}, {@code maven} and {@code gradle} are shared by all new projects.
  */
 final class Templates implements AutoCloseable {
   static final String ABOUT = "about.txt";
@@ -35,17 +33,17 @@ final class Templates implements AutoCloseable {
   private static final int MOST_FILES = 500;
   private static final int MOST_BYTES = 4 << 20;
 
-  /** A folder of templates, or a jar's inside. */
+  /** A folder of templates, on disk or in a jar. */
   private record Source(String origin, Path root) {}
 
-  /** A file of a template: what stands in it, and its place for error messages. */
+  /** A file of a template: content, and path for error messages. */
   record File(String origin, byte[] content) {}
 
   private final List<Source> sources = new ArrayList<>();
   private final List<FileSystem> jars = new ArrayList<>();
 
   /**
-   * @param organisation a folder or jar whose templates come before U2SA's own
+   * @param organisation folder or jar whose templates override U2SA's own
    * @throws BadInputException if it is neither
    */
   Templates(Optional<Path> organisation) {
@@ -111,7 +109,7 @@ final class Templates implements AutoCloseable {
   /**
    * The kind of that name.
    *
-   * @throws BadInputException if there is none; names the nearest
+   * @throws BadInputException if there is none; names the closest match
    */
   TemplateKind kind(String name) {
     Map<String, TemplateKind> kinds = kinds();
@@ -128,7 +126,7 @@ final class Templates implements AutoCloseable {
   }
 
   /**
-   * The files of a template by their place in it, the about text aside.
+   * Files of a template by relative path, without the about text.
    *
    * @throws BadInputException if there is no such template, or it is too large or malformed
    */
@@ -189,14 +187,13 @@ final class Templates implements AutoCloseable {
   }
 
   /**
-   * A kind of thing to make, as its {@code about.txt} says: a line that describes it, a line {@code
-   * with: …} if it needs the files of other templates too, and what to tell at the end.
+   * A selectable kind, as described by its {@code about.txt}: a line of description, an optional line {@code with: …} that names templates whose files it also needs, and text to print at the end.
    *
-   * @param name of its folder
-   * @param origin where the folder is
-   * @param description one line
-   * @param with templates whose files it shares with others of the project
-   * @param advice how to run what was made, with placeholders
+   * @param name name of its folder
+   * @param origin location of the folder
+   * @param description one-line description
+   * @param with additional templates, whose files are shared within the project
+   * @param advice how to run the result, with placeholders
    */
   record TemplateKind(
       String name, String origin, String description, List<String> with, String advice) {

@@ -7,14 +7,12 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.OneLine;
 
 /**
- * Prints lines that may hold texts of others: what a vehicle's services say of themselves begins no
- * line of its own and commands no terminal, but for colours. {@code print} is for what moves the
- * cursor on purpose.
+ * Prints lines that may contain untrusted text: texts from a vehicle's services cannot start new lines or control the terminal, except for colours. {@code print} is for intentional cursor control.
  */
 public final class PlainLines extends PrintWriter {
   private static final Pattern COLOUR = Pattern.compile("\u001b\\[[0-9;]*m");
 
-  /** Prints to {@code out}, each line at once. */
+  /** Prints to {@code out}, flushing each line. */
   public PlainLines(PrintWriter out) {
     super(out, true);
   }

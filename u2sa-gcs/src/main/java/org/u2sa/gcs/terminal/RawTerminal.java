@@ -8,8 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * This process's terminal, set to hand over each key as it is pressed, without showing it; Ctrl-C
- * still interrupts. {@link #close}, and the end of the program however it comes about, set it back.
+ * This process's terminal in raw mode: keys are delivered as pressed, without echo; Ctrl-C still interrupts. {@link #close} and the end of the program, whatever its cause, restore it.
  */
 public final class RawTerminal implements AutoCloseable {
   private final String before;
@@ -21,10 +20,9 @@ public final class RawTerminal implements AutoCloseable {
     Runtime.getRuntime().addShutdownHook(atExit);
   }
 
-  /**
-   * Sets the terminal.
+  /** Switches the terminal to raw mode.
    *
-   * @throws IOException if standard input is no terminal, or the system has no {@code stty}
+   * @throws IOException if standard input is not a terminal, or there is no {@code stty}
    */
   public static RawTerminal open() throws IOException {
     RawTerminal terminal = new RawTerminal(stty("-g"));
@@ -68,7 +66,7 @@ public final class RawTerminal implements AutoCloseable {
     }
   }
 
-  /** False if the program ends already: the hook sets the terminal back then. */
+  /** False during shutdown, when the hook restores the terminal. */
   private boolean removeHook() {
     try {
       return Runtime.getRuntime().removeShutdownHook(atExit);

@@ -5,13 +5,12 @@ import java.util.Map;
 import org.u2sa.interfaces.OneLine;
 
 /**
- * What is known of the terminal that text goes to.
+ * Capabilities of the output terminal.
  *
- * @param out where to print; flushed by each line
- * @param redraws whether the cursor can go back, so that a live status can redraw in place; false
- *     for pipes, files and dumb terminals
+ * @param out output stream, flushed after each line
+ * @param redraws whether the cursor can move back, so that a live status can be redrawn in place; false for pipes, files and dumb terminals
  * @param colours whether colours and bold may be used
- * @param columns width in characters, 20 or more
+ * @param columns width in characters, at least 20
  */
 public record Terminal(PrintWriter out, boolean redraws, boolean colours, int columns) {
 
@@ -29,12 +28,9 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
   }
 
   /**
-   * The terminal of this process.
+   * Detects the terminal of this process.
    *
-   * @param out where to print
-   * @param environment variables of the process: {@code NO_COLOR} (any value, no-color.org) refuses
-   *     colours, {@code TERM=dumb} redrawing as well, {@code COLUMNS} is the width (80 if unset or
-   *     not a number)
+   * @param out output stream @param environment environment variables: {@code NO_COLOR} (any value, no-color.org) disables colours, {@code TERM=dumb} also redrawing, {@code COLUMNS} is the width (80 if unset or not a number)
    */
   public static Terminal detect(PrintWriter out, Map<String, String> environment) {
     return of(out, System.console() != null, environment);
@@ -54,17 +50,17 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
     return Math.max(LEAST_COLUMNS, Integer.parseInt(text));
   }
 
-  /** {@code text} in bold, where the terminal can. */
+  /** {@code text} in bold, if supported. */
   public String bold(String text) {
     return sgr("1", text);
   }
 
-  /** {@code text} in the colour of good news, where the terminal can. */
+  /** {@code text} in the colour of success, if supported. */
   public String good(String text) {
     return sgr("32", text);
   }
 
-  /** {@code text} in the colour of bad news, where the terminal can. */
+  /** {@code text} in the colour of failure, if supported. */
   public String bad(String text) {
     return sgr("31", text);
   }
@@ -74,8 +70,7 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
   }
 
   /**
-   * {@code text} on one line, without colours or other commands to the terminal, and cut to its
-   * width less one column, so that it never wraps.
+   * {@code text} on one line, without colours or other control sequences, truncated to the width minus one column so that it never wraps.
    */
   public String fitted(String text) {
     int most = columns - 1;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Columns of text, each as wide as its widest cell; a column that is empty throughout is left out.
+ * Text table whose columns are as wide as their widest cells; empty columns are omitted.
  */
 public final class TextTable {
   private static final String GAP = "  ";
@@ -12,7 +12,7 @@ public final class TextTable {
   private final List<String> heads;
   private final List<List<String>> rows = new ArrayList<>();
 
-  /** A table without rows. */
+  /** Creates a table without rows. */
   public TextTable(String... heads) {
     this.heads = List.of(heads);
   }
@@ -20,7 +20,7 @@ public final class TextTable {
   /**
    * Adds a row.
    *
-   * @param cells one a column
+   * @param cells one per column
    */
   public void add(String... cells) {
     if (cells.length != heads.size()) {
@@ -30,7 +30,7 @@ public final class TextTable {
     rows.add(List.of(cells));
   }
 
-  /** The head and the rows, without spaces at their ends. */
+  /** Heading and rows, without trailing spaces. */
   public List<String> lines() {
     int[] widths = new int[heads.size()];
     for (int column = 0; column < widths.length; column++) {

@@ -1,5 +1,4 @@
 /**
- * What people see of a run on a terminal: the live status, the table of waypoints. What programs
- * read (JSON, CSV) and pictures are not here.
+ * Terminal output: live status, tables. Machine-readable output (JSON, CSV) and pictures are elsewhere.
  */
 package org.u2sa.gcs.terminal;

@@ -16,7 +16,7 @@ import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapSchema;
 
-/** Plays a recording to viewers, once somebody watches. */
+/** Plays a recording to viewers as soon as one is connected. */
 final class RecordedView {
   private static final double WAIT_FOR_SUBSCRIPTIONS_S = 2.0;
   private static final double LOOK_S = 0.05;
@@ -28,7 +28,7 @@ final class RecordedView {
 
   /**
    * @param clock real time
-   * @param isOver asked often: whether to stop
+   * @param isOver polled frequently: whether to stop
    */
   RecordedView(RecordedMessages recording, Clock clock, BooleanSupplier isOver) {
     this.recording = recording;
@@ -46,11 +46,11 @@ final class RecordedView {
   }
 
   /**
-   * Waits for a viewer, and plays.
+   * Waits for a viewer, then plays.
    *
-   * @param rate how many times as fast as recorded
-   * @param span what of it
-   * @param loop whether to begin anew at the end
+   * @param rate playback speed relative to the recording
+   * @param span part to play
+   * @param loop whether to restart at the end
    */
   void play(ViewServer server, double rate, RecordedSpan span, boolean loop)
       throws IOException, InterruptedException {
@@ -67,13 +67,13 @@ final class RecordedView {
       }
       new Playback(reader, channel -> true, span, rate, loop, clock)
           .play(new ToViewers(server, feed), isOver);
-      while (!isOver.getAsBoolean() && server.viewers() > 0) { // they may look at the end
+      while (!isOver.getAsBoolean() && server.viewers() > 0) { // keep the end visible
         waiter.await(clock.micros() + Clock.micros(LOOK_S));
       }
     }
   }
 
-  /** All channels of the file, so that viewers can choose before it plays. */
+  /** Announces all channels of the file, so that viewers can subscribe before it plays. */
   private void announce(ViewServer server) {
     for (McapChannel channel : reader.channels().values()) {
       McapSchema schema = reader.schemas().get(channel.schemaId());
@@ -96,7 +96,7 @@ final class RecordedView {
     return ViewerJson.schema(schema.name(), recorded).getBytes(StandardCharsets.UTF_8);
   }
 
-  /** Hands views over as they are, messages as views are made of them. */
+  /** Passes views on unchanged, and converts messages. */
   private final class ToViewers implements Playback.Sink {
     private final ViewServer server;
     private final ViewFeed feed;

@@ -5,14 +5,14 @@ import java.util.Base64;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * A channel as viewers see it.
+ * A channel as seen by viewers.
  *
- * @param id unique in the server
- * @param topic its name
- * @param encoding of the messages: json or protobuf
- * @param schemaName name of their type
- * @param schema of the type: JSON Schema, or a FileDescriptorSet; not copied, not to be changed
- * @param latched whether a viewer that comes late is sent the last message
+ * @param id ID, unique in the server
+ * @param topic topic name
+ * @param encoding encoding of the messages: json or protobuf
+ * @param schemaName name of the message type
+ * @param schema schema of the type: JSON Schema or a FileDescriptorSet; not copied, must not be modified
+ * @param latched whether late viewers are sent the last message
  */
 record ViewChannel(
     int id, String topic, String encoding, String schemaName, byte[] schema, boolean latched) {

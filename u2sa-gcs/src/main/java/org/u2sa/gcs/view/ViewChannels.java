@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** All channels that were announced so far, by topic, and the last message of those that latch. */
+/** All announced channels by topic, and the last message of latched ones. */
 final class ViewChannels {
-  /** A message that was sent last [ns]. */
+  /** The last message of a channel, with its time [ns]. */
   record Last(long nanos, byte[] data) {}
 
   private final Map<String, ViewChannel> byTopic = new LinkedHashMap<>(); // guarded by this
@@ -23,7 +23,7 @@ final class ViewChannels {
     return id == (int) id && byId.containsKey((int) id);
   }
 
-  /** Adds a channel with the next number. */
+  /** Adds a channel with the next ID. */
   synchronized ViewChannel add(
       String topic, String encoding, String schemaName, byte[] schema, boolean latched) {
     ViewChannel channel =

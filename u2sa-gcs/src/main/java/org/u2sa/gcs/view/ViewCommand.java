@@ -28,7 +28,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa view}: a running system or a recording in Foxglove and Lichtblick. */
+/** {@code u2sa view}: shows a running system or a recording in Foxglove and Lichtblick. */
 @Command(
     name = "view",
     description = {

@@ -13,8 +13,7 @@ import org.u2sa.recorder.SchemaText;
 import org.u2sa.recorder.foxglove.FoxgloveMessages;
 
 /**
- * Turns messages into what viewers get: each message as JSON on its topic, and its views in
- * protobuf, on the topics and with the schemas that a recording has. Belongs to one thread.
+ * Converts messages for viewers: each message as JSON on its topic, and its views in protobuf, with the same topics and schemas as a recording. Not thread-safe.
  */
 final class ViewFeed {
   private static final Set<String> LATCHED_VIEWS = Set.of("grid", "objects", "plan");
@@ -25,7 +24,7 @@ final class ViewFeed {
   private final boolean makesViews;
 
   /**
-   * @param makesViews false if views come otherwise, as from a recording that holds them
+   * @param makesViews false if views come from elsewhere, such as a recording that contains them
    */
   ViewFeed(ViewServer server, String systemId, boolean makesViews) {
     this.server = server;
@@ -34,10 +33,9 @@ final class ViewFeed {
     views = new FoxgloveMessages(systemId);
   }
 
-  /**
-   * Takes a message.
+  /** Processes a message.
    *
-   * @param nanos when it was received [ns]
+   * @param nanos time of receipt [ns]
    */
   void take(Channel<?> channel, U2SAData message, long nanos) {
     Topic topic = Topic.of(systemId, channel, message);

@@ -61,12 +61,12 @@ final class ViewServer implements AutoCloseable {
   private final Channel listening;
 
   /**
-   * Begins to listen.
+   * Starts listening.
    *
-   * @param name of what is shown
-   * @param sessionId another one tells viewers to forget what they have
-   * @param tellsTime whether viewers go by {@link #time}, as for a recording
-   * @param remarks told who comes and goes
+   * @param name name of the source
+   * @param sessionId a new ID makes viewers discard their data
+   * @param tellsTime whether viewers use {@link #time} as their clock, as for a recording
+   * @param remarks receives connects and disconnects
    * @throws RunFailedException if the port is taken
    */
   ViewServer(
@@ -99,24 +99,23 @@ final class ViewServer implements AutoCloseable {
     }
   }
 
-  /** Where it listens. */
+  /** Address on which it listens. */
   InetSocketAddress address() {
     return (InetSocketAddress) listening.localAddress();
   }
 
-  /** Viewers that are connected. */
+  /** Number of connected viewers. */
   int viewers() {
     return viewers.size();
   }
 
-  /** Whether somebody subscribes to anything. */
+  /** Whether any viewer has a subscription. */
   boolean isWatched() {
     return viewers.stream().anyMatch(ViewerSession::hearsAnything);
   }
 
   /**
-   * Whether the topic has a channel or may get one. What comes from a running system may name
-   * sources without end.
+   * Whether the topic has a channel or may get one. Limited, because a running system may produce endless source names.
    */
   boolean hasRoomFor(String topic) {
     if (channels.of(topic).isPresent() || channels.size() < MAX_CHANNELS) {
@@ -129,7 +128,7 @@ final class ViewServer implements AutoCloseable {
     return false;
   }
 
-  /** The channel of that topic; announced to all if it is new. */
+  /** The channel of a topic; created and announced to all if new. */
   ViewChannel channel(
       String topic, String encoding, String schemaName, Supplier<byte[]> schema, boolean latched) {
     return channels
@@ -143,10 +142,10 @@ final class ViewServer implements AutoCloseable {
   }
 
   /**
-   * Sends a message to those who subscribe to its channel. Never waits.
+   * Sends a message to the subscribers of its channel. Does not block.
    *
-   * @param nanos when it was received [ns]
-   * @param data asked for only if somebody is to get it, now or later
+   * @param nanos time of receipt [ns]
+   * @param data evaluated only if a viewer gets it, now or later
    */
   void publish(ViewChannel channel, long nanos, Supplier<byte[]> data) {
     byte[] bytes = null;
@@ -162,7 +161,7 @@ final class ViewServer implements AutoCloseable {
     }
   }
 
-  /** Tells all viewers what time it is [ns]. */
+  /** Sends the current time to all viewers [ns]. */
   void time(long nanos) {
     viewers.forEach(viewer -> viewer.time(nanos));
   }
@@ -189,7 +188,7 @@ final class ViewServer implements AutoCloseable {
         .put("sessionId", sessionId);
   }
 
-  /** What each connection is made of. */
+  /** Pipeline of each connection. */
   private final class Initializer extends ChannelInitializer<SocketChannel> {
     @Override
     protected void initChannel(SocketChannel socket) {
@@ -216,7 +215,7 @@ final class ViewServer implements AutoCloseable {
     }
   }
 
-  /** Netty's own handler reads on after each ping and pong, whatever the channel's setting. */
+  /** Netty's own handler keeps reading after each ping and pong, regardless of the channel's auto-read. */
   private static final class ReadsWhileWritable extends ChannelOutboundHandlerAdapter {
     @Override
     public void read(ChannelHandlerContext context) {
@@ -249,7 +248,7 @@ final class ViewServer implements AutoCloseable {
       }
       viewer = new ViewerSession(context.channel());
       viewer.send(serverInfo());
-      viewers.add(viewer); // before the channels are read, or one could be missed
+      viewers.add(viewer); // before reading the channels, lest one be missed
       List<ViewChannel> known = channels.all();
       if (!known.isEmpty()) {
         viewer.send(advertise(known));
@@ -275,7 +274,7 @@ final class ViewServer implements AutoCloseable {
       }
     }
 
-    /** A viewer that does not read its answers is not asked for further requests or pings. */
+    /** Stops reading requests and pings from a viewer that does not read its answers. */
     @Override
     public void channelWritabilityChanged(ChannelHandlerContext context) throws Exception {
       context.channel().config().setAutoRead(context.channel().isWritable());
@@ -306,7 +305,7 @@ final class ViewServer implements AutoCloseable {
     @Override
     protected void channelRead0(ChannelHandlerContext context, WebSocketFrame frame) {
       if (viewer == null) {
-        return; // refused, and about to be closed
+        return; // rejected and about to be closed
       }
       if (!(frame instanceof TextWebSocketFrame text)) {
         viewer.status(ViewerSession.Level.ERROR, "read-only: messages of viewers are not taken");

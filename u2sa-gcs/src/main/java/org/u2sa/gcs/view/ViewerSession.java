@@ -12,11 +12,10 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * One viewer. What it does not read in time is dropped and counted, once its buffer is full: it
- * holds nobody else up. Safe for several threads.
+ * One viewer's session. If it reads too slowly and its buffer is full, messages are dropped and counted, so that it does not delay others. Thread-safe.
  */
 final class ViewerSession {
-  /** How grave a status is, as the protocol numbers it. */
+  /** Severity of a status, numbered as in the protocol. */
   enum Level {
     INFO,
     WARNING,
@@ -38,7 +37,7 @@ final class ViewerSession {
     this.socket = socket;
   }
 
-  /** Where it is. */
+  /** Address of the viewer. */
   String address() {
     return String.valueOf(socket.remoteAddress());
   }
@@ -51,7 +50,7 @@ final class ViewerSession {
     return dropped.get();
   }
 
-  /** Returns why it is refused, or null. */
+  /** Returns the reason for rejection; null if accepted. */
   String subscribe(long subscription, int channel) {
     if (channelBySubscription.size() >= MOST_SUBSCRIPTIONS) {
       return "more than " + MOST_SUBSCRIPTIONS + " subscriptions";
@@ -74,8 +73,7 @@ final class ViewerSession {
   }
 
   /**
-   * Sends what a viewer must not miss, such as a new channel. One that has not read for so long
-   * that even these pile up is disconnected.
+   * Sends a message that must not be dropped, such as a new channel. A viewer so slow that even these accumulate is disconnected.
    */
   void send(JsonText message) {
     if (socket.bytesBeforeWritable() > MAX_UNREAD_BYTES) {
@@ -111,11 +109,11 @@ final class ViewerSession {
   /** Sends a message under one subscription. */
   void message(long subscription, long nanos, byte[] data) {
     if (!socket.isActive()) {
-      return; // it has left, and will be forgotten
+      return; // disconnected, about to be removed
     }
     if (!socket.isWritable()) {
       long count = dropped.incrementAndGet();
-      if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: telling takes room, too
+      if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: reports need space too
         status(Level.WARNING, "reads too slowly: " + count + " messages were not sent so far");
       }
       return;
@@ -127,7 +125,7 @@ final class ViewerSession {
     sent.incrementAndGet();
   }
 
-  /** Tells what time it is in the recording. */
+  /** Sends the recording's current time. */
   void time(long nanos) {
     if (socket.isWritable()) {
       ByteBuf frame = socket.alloc().buffer(1 + Long.BYTES);

@@ -1,6 +1,4 @@
 /**
- * What a system publishes, or has published, for viewers that speak the Foxglove WebSocket protocol
- * (github.com/foxglove/ws-protocol, v1): Foxglove, Lichtblick. Read-only: nothing that a viewer
- * sends reaches a service. Netty stops here.
+ * Serves a running system or a recording to viewers with the Foxglove WebSocket protocol (github.com/foxglove/ws-protocol, v1): Foxglove, Lichtblick. Read-only: nothing that a viewer sends reaches a service. Netty is confined to this package.
  */
 package org.u2sa.gcs.view;

@@ -11,12 +11,10 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * An actuator says what it can do (thesis 3.2.3.5, 5.1): extents, dynamics, and its effect on the
- * vehicle's six degrees of freedom, so that control can allocate to actuators it never heard of.
+ * An actuator's capabilities (thesis 3.2.3.5, 5.1): limits, dynamics, and its effect on the vehicle's six degrees of freedom, so that control can allocate to actuators it does not know in advance.
  *
  * <p>Forces and moments are along and about forward, right and down axes (BODY_FRD) through the
- * vehicle's reference point. At u percent the effect is force · (|u|/100)^{@link #exponent}; below
- * 0 that of {@link #reverseForce} and {@link #reverseMoment}.
+ * vehicle's reference point. At u percent the effect is force · (|u|/100)^{@link #exponent}; below 0 the same with {@link #reverseForce} and {@link #reverseMoment}.
  */
 public final class ActuatorAnnouncement extends U2SAData {
   private static final Schema<ActuatorAnnouncement> SCHEMA =
@@ -69,7 +67,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return TYPE;
   }
 
-  /** The actuator. */
+  /** Name of the actuator. */
   public String actuatorName() {
     return require(ACTUATOR_NAME);
   }
@@ -79,7 +77,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(ACTUATOR_NAME, value);
   }
 
-  /** Smallest percentage it takes [%]. */
+  /** Minimum percentage [%]. */
   public double minimum() {
     return require(MINIMUM);
   }
@@ -89,7 +87,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(MINIMUM, value);
   }
 
-  /** Largest percentage it takes [%]. */
+  /** Maximum percentage [%]. */
   public double maximum() {
     return require(MAXIMUM);
   }
@@ -99,7 +97,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(MAXIMUM, value);
   }
 
-  /** What moving it does to the vehicle, in words. */
+  /** Effect on the vehicle, in words. */
   public String effect() {
     return require(EFFECT);
   }
@@ -109,7 +107,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(EFFECT, value);
   }
 
-  /** The part of the vehicle that it moves; "VEHICLE" until set. */
+  /** Subsystem that it moves; defaults to "VEHICLE". */
   public String subsystem() {
     return require(SUBSYSTEM);
   }
@@ -119,7 +117,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(SUBSYSTEM, value);
   }
 
-  /** Fastest change [%/s]; empty: as good as at once. */
+  /** Slew-rate limit [%/s]; empty: practically instantaneous. */
   public OptionalDouble rateLimit() {
     return get(RATE_LIMIT);
   }
@@ -129,7 +127,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(RATE_LIMIT, value);
   }
 
-  /** Percentage below which nothing moves [%, 0…99]; the effect grows from there on; empty: 0. */
+  /** Dead band: percentage below which nothing moves [%, 0…99]; the effect grows from there; empty: 0. */
   public OptionalDouble deadband() {
     return get(DEADBAND);
   }
@@ -150,8 +148,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Force on the vehicle at +100 %: forward, right, down [N]; empty: unknown, or none if it has a
-   * moment.
+   * Force on the vehicle at +100 %: forward, right, down [N]; empty: unknown, or zero if a moment is given.
    */
   public Optional<Point> force() {
     return Optional.ofNullable(get(FORCE));
@@ -163,8 +160,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Moment on the vehicle at +100 %: rolling right, pitching up, yawing right [N m]; empty:
-   * unknown, or none if it has a force.
+   * Moment on the vehicle at +100 %: rolling right, pitching up, yawing right [N m]; empty: unknown, or zero if a force is given.
    */
   public Optional<Point> moment() {
     return Optional.ofNullable(get(MOMENT));
@@ -196,8 +192,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Power of the share of full command with which the effect grows [0.1…10]; empty: 1. Propellers
-   * have about 2.
+   * Exponent of the effect over the command's fraction of 100 % [0.1…10]; empty: 1. About 2 for propellers.
    */
   public OptionalDouble exponent() {
     return get(EXPONENT);
@@ -209,8 +204,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Speed through air or water at which the effect holds [m/s]: that of a control surface grows
-   * with the speed squared; empty: the effect does not depend on speed.
+   * Speed through air or water at which the effect was determined [m/s], for control surfaces, whose effect grows with the speed squared; empty: independent of speed.
    */
   public OptionalDouble referenceSpeed() {
     return get(REFERENCE_SPEED);
@@ -221,7 +215,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(REFERENCE_SPEED, value);
   }
 
-  /** Angle at +100 % [rad], which an AngleCommand may name instead; empty: it has none. */
+  /** Angle at +100 % [rad], the scale of AngleCommand; empty: not applicable. */
   public OptionalDouble fullAngle() {
     return get(FULL_ANGLE);
   }
@@ -232,7 +226,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Speed of rotation at +100 % [rad/s], which a SpeedCommand may name instead; empty: it has none.
+   * Rotational speed at +100 % [rad/s], the scale of SpeedCommand; empty: not applicable.
    */
   public OptionalDouble fullSpeed() {
     return get(FULL_SPEED);
@@ -244,8 +238,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Share of the announced effect that is left [%, 0…100]: 0 if the actuator is withdrawn; empty:
-   * all.
+   * Remaining share of the announced effect [%, 0…100]: 0 if the actuator is withdrawn; empty: 100.
    */
   public OptionalDouble available() {
     return get(AVAILABLE);
@@ -257,8 +250,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Time until the next announcement [s]: control drops an actuator from which it has not heard for
-   * three of them; empty: 5 s.
+   * Announcement period [s]: control drops an actuator after three periods of silence; empty: 5 s.
    */
   public OptionalDouble renewal() {
     return get(RENEWAL);
@@ -270,8 +262,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * The command classes that it takes beside PercentageCommand, by their simple names; empty if it
-   * takes no others.
+   * Simple names of the command classes it accepts besides PercentageCommand; empty if none.
    */
   public List<String> commandTypes() {
     List<String> types = get(COMMAND_TYPES);
@@ -284,8 +275,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * The service that moves it, whose health reports and lost connection are about the actuator too;
-   * empty if unknown.
+   * Service that drives it; the service's health reports and loss of connection apply to the actuator too. Empty if unknown.
    */
   public Optional<String> serviceName() {
     return Optional.ofNullable(get(SERVICE_NAME));

@@ -5,7 +5,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Asks to let the vehicle move, or to let it no longer move. */
+/** Request to arm or disarm the vehicle. */
 public final class ArmCommand extends U2SAData {
   private static final Schema<ArmCommand> SCHEMA =
       Schema.of(ArmCommand.class, ArmCommand::new, U2SAData.TYPE).since(2);
@@ -21,7 +21,7 @@ public final class ArmCommand extends U2SAData {
     return TYPE;
   }
 
-  /** What the answer is recognised by; chosen by the sender, unique. */
+  /** Unique ID, chosen by the sender, that the answer repeats. */
   public String requestId() {
     return require(REQUEST_ID);
   }
@@ -31,7 +31,7 @@ public final class ArmCommand extends U2SAData {
     return put(REQUEST_ID, value);
   }
 
-  /** True: let it move if all checks pass. False: let it no longer move. */
+  /** True: arm if all checks pass. False: disarm. */
   public boolean arm() {
     return require(ARM);
   }
@@ -41,7 +41,7 @@ public final class ArmCommand extends U2SAData {
     return put(ARM, value);
   }
 
-  /** Who asks. */
+  /** Name of the requester. */
   public String operator() {
     return require(OPERATOR);
   }

@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Whether the vehicle may move, and if not, why not. */
+/** Whether the vehicle is armed, and if not, why. */
 public final class ArmingState extends U2SAData {
   private static final Schema<ArmingState> SCHEMA =
       Schema.of(ArmingState.class, ArmingState::new, U2SAData.TYPE).since(2);
@@ -23,7 +23,7 @@ public final class ArmingState extends U2SAData {
     return TYPE;
   }
 
-  /** Whether it may move. */
+  /** Whether the vehicle may move. */
   public boolean armed() {
     return require(ARMED);
   }
@@ -33,7 +33,7 @@ public final class ArmingState extends U2SAData {
     return put(ARMED, value);
   }
 
-  /** What speaks against arming, a text a check that failed; empty if nothing does. */
+  /** Reasons against arming, one text per failed check; empty if none. */
   public List<String> reasons() {
     return require(REASONS);
   }
@@ -43,7 +43,7 @@ public final class ArmingState extends U2SAData {
     return put(REASONS, List.copyOf(value));
   }
 
-  /** The {@link ArmCommand} that this answers; empty if the state changed by itself. */
+  /** ID of the {@link ArmCommand} answered; empty if the state changed by itself. */
   public Optional<String> requestId() {
     return Optional.ofNullable(get(REQUEST_ID));
   }

@@ -1,23 +1,23 @@
 package org.u2sa.messages.contract;
 
-/** How a service looks from outside. The names travel; append only. */
+/** Condition of a service as seen from outside. Names are part of the wire format; append only. */
 public enum Condition {
-  /** It reports, and runs. */
+  /** Running and reporting. */
   ALIVE,
-  /** Its reports are overdue, and nothing says why. */
+  /** Reports are overdue for an unknown reason. */
   SILENT,
-  /** Its thread lives, but its code does not return. */
+  /** Its thread is alive but a callback does not return. */
   HUNG,
-  /** Its thread has ended without a word. */
+  /** Its thread has ended unannounced. */
   DEAD,
-  /** Its connection broke: its process or host is gone, or the network is. */
+  /** Connection lost: its process, host or network is gone. */
   LOST,
-  /** It reports, but the data that it is there for do not come. */
+  /** Reporting, but not publishing its data. */
   STALLED,
-  /** It ended itself after errors. */
+  /** Ended after errors. */
   FAILED,
-  /** It ended as it was told. */
+  /** Ended as requested. */
   STOPPED,
-  /** Nobody watches it any more: what was said of it before does not count. */
+  /** No longer monitored: earlier conditions are void. */
   UNWATCHED
 }

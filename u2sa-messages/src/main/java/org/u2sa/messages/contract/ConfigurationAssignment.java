@@ -6,7 +6,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** One variable and the value that it is to have or had. */
+/** A variable with its new value and, in results, its previous one. */
 public final class ConfigurationAssignment extends U2SAData {
   private static final Schema<ConfigurationAssignment> SCHEMA =
       Schema.of(ConfigurationAssignment.class, ConfigurationAssignment::new, U2SAData.TYPE)
@@ -26,7 +26,7 @@ public final class ConfigurationAssignment extends U2SAData {
     return TYPE;
   }
 
-  /** The variable. */
+  /** Name of the variable. */
   public String variableName() {
     return require(VARIABLE_NAME);
   }
@@ -46,7 +46,7 @@ public final class ConfigurationAssignment extends U2SAData {
     return put(VALUE, value);
   }
 
-  /** The value before, in results. */
+  /** Previous value, in results. */
   public Optional<String> previous() {
     return Optional.ofNullable(get(PREVIOUS));
   }

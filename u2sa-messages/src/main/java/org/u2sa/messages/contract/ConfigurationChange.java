@@ -5,7 +5,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Tells a service to change a variable (thesis 3.2.1.1). */
+/** Request to a service to change a variable (thesis 3.2.1.1). */
 public final class ConfigurationChange extends ServiceMessage<ConfigurationChange> {
   private static final Schema<ConfigurationChange> SCHEMA =
       Schema.of(ConfigurationChange.class, ConfigurationChange::new, U2SAData.TYPE)
@@ -22,7 +22,7 @@ public final class ConfigurationChange extends ServiceMessage<ConfigurationChang
     return TYPE;
   }
 
-  /** The variable. */
+  /** Name of the variable. */
   public String variableName() {
     return require(VARIABLE_NAME);
   }

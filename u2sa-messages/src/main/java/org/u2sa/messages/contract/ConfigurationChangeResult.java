@@ -5,7 +5,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** What became of a {@link ConfigurationChange}. */
+/** Result of a {@link ConfigurationChange}. */
 public final class ConfigurationChangeResult extends ServiceMessage<ConfigurationChangeResult> {
   private static final Schema<ConfigurationChangeResult> SCHEMA =
       Schema.of(ConfigurationChangeResult.class, ConfigurationChangeResult::new, U2SAData.TYPE)
@@ -26,7 +26,7 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return TYPE;
   }
 
-  /** The variable. */
+  /** Name of the variable. */
   public String variableName() {
     return require(VARIABLE_NAME);
   }
@@ -36,7 +36,7 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return put(VARIABLE_NAME, value);
   }
 
-  /** True if the variable has the new value now. */
+  /** Whether the variable has the new value now. */
   public boolean accepted() {
     return require(ACCEPTED);
   }
@@ -46,7 +46,7 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return put(ACCEPTED, value);
   }
 
-  /** Its value now, as text. */
+  /** Current value as text. */
   public String value() {
     return require(VALUE);
   }
@@ -56,7 +56,7 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return put(VALUE, value);
   }
 
-  /** Why it was refused; empty if accepted. */
+  /** Why it was rejected; empty if accepted. */
   public String reason() {
     return require(REASON);
   }

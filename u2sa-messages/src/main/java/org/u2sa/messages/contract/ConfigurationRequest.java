@@ -4,7 +4,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Asks a service for its configuration (thesis 3.2.1.1). */
+/** Request to a service for its configuration (thesis 3.2.1.1). */
 public final class ConfigurationRequest extends ServiceMessage<ConfigurationRequest> {
   private static final Schema<ConfigurationRequest> SCHEMA =
       Schema.of(ConfigurationRequest.class, ConfigurationRequest::new, U2SAData.TYPE)

@@ -36,8 +36,7 @@ public final class ConfigurationResponse extends ServiceMessage<ConfigurationRes
   }
 
   /**
-   * Counts the changes of this configuration; quoted in a {@link ConfigurationTransaction}, it
-   * keeps two writers apart.
+   * Change counter of this configuration; given in a {@link ConfigurationTransaction}, it prevents two writers from overwriting each other's changes.
    */
   public OptionalLong revision() {
     return optionalCount(REVISION);

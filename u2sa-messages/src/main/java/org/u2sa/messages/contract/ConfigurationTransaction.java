@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Tells a service to change several variables at once: all of them or none (thesis 3.2.1.1). */
+/** Request to a service to change several variables atomically: all or none (thesis 3.2.1.1). */
 public final class ConfigurationTransaction extends ServiceExchange<ConfigurationTransaction> {
   private static final Schema<ConfigurationTransaction> SCHEMA =
       Schema.of(ConfigurationTransaction.class, ConfigurationTransaction::new, U2SAData.TYPE)
@@ -39,7 +39,7 @@ public final class ConfigurationTransaction extends ServiceExchange<Configuratio
     return put(ASSIGNMENTS, List.copyOf(value));
   }
 
-  /** Who changes them, for the audit log. */
+  /** Author of the change, for the audit log. */
   public String author() {
     return require(AUTHOR);
   }
@@ -50,8 +50,7 @@ public final class ConfigurationTransaction extends ServiceExchange<Configuratio
   }
 
   /**
-   * The revision of the configuration that the author saw; if it is another one by now, nothing is
-   * changed. Empty: whatever it is.
+   * Configuration revision that the author saw; nothing is changed if it is outdated. Empty: any revision.
    */
   public OptionalLong revision() {
     return optionalCount(REVISION);

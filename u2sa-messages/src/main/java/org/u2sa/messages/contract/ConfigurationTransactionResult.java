@@ -6,7 +6,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** What came of a {@link ConfigurationTransaction} or {@link ConfigurationUndo}. */
+/** Result of a {@link ConfigurationTransaction} or {@link ConfigurationUndo}. */
 public final class ConfigurationTransactionResult
     extends ServiceExchange<ConfigurationTransactionResult> {
   private static final Schema<ConfigurationTransactionResult> SCHEMA =
@@ -36,7 +36,7 @@ public final class ConfigurationTransactionResult
     return TYPE;
   }
 
-  /** Whether all variables have their new values. */
+  /** Whether all variables have their new values now. */
   public boolean accepted() {
     return require(ACCEPTED);
   }
@@ -46,7 +46,7 @@ public final class ConfigurationTransactionResult
     return put(ACCEPTED, value);
   }
 
-  /** Why nothing was changed; empty if it was. */
+  /** Why it was rejected; empty if accepted. */
   public String reason() {
     return require(REASON);
   }
@@ -57,7 +57,7 @@ public final class ConfigurationTransactionResult
   }
 
   /**
-   * The variables with their new and previous values; what was asked for, if nothing was changed.
+   * The variables with their new and previous values; the requested ones if rejected.
    */
   public List<ConfigurationAssignment> assignments() {
     return require(ASSIGNMENTS);
@@ -68,7 +68,7 @@ public final class ConfigurationTransactionResult
     return put(ASSIGNMENTS, List.copyOf(value));
   }
 
-  /** The configuration's revision now. */
+  /** Current configuration revision. */
   public long revision() {
     return require(REVISION);
   }
@@ -78,7 +78,7 @@ public final class ConfigurationTransactionResult
     return put(REVISION, value);
   }
 
-  /** Who asked for it. */
+  /** Author of the request. */
   public String author() {
     return require(AUTHOR);
   }

@@ -5,7 +5,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Tells a service to take its last configuration change back. */
+/** Request to a service to undo its last configuration change. */
 public final class ConfigurationUndo extends ServiceExchange<ConfigurationUndo> {
   private static final Schema<ConfigurationUndo> SCHEMA =
       Schema.of(ConfigurationUndo.class, ConfigurationUndo::new, U2SAData.TYPE)
@@ -22,7 +22,7 @@ public final class ConfigurationUndo extends ServiceExchange<ConfigurationUndo> 
     return TYPE;
   }
 
-  /** Who takes it back, for the audit log. */
+  /** Author of the undo, for the audit log. */
   public String author() {
     return require(AUTHOR);
   }

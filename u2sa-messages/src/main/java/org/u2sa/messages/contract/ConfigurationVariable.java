@@ -34,7 +34,7 @@ public final class ConfigurationVariable extends U2SAData {
     return TYPE;
   }
 
-  /** Its name, "HEADING GAIN". */
+  /** Name, such as "HEADING GAIN". */
   public String name() {
     return require(NAME);
   }
@@ -74,7 +74,7 @@ public final class ConfigurationVariable extends U2SAData {
     return put(UNIT, value);
   }
 
-  /** Smallest value allowed; empty if unbounded. */
+  /** Minimum value; empty if unbounded. */
   public OptionalDouble min() {
     return get(MIN);
   }
@@ -84,7 +84,7 @@ public final class ConfigurationVariable extends U2SAData {
     return put(MIN, value);
   }
 
-  /** Largest value allowed; empty if unbounded. */
+  /** Maximum value; empty if unbounded. */
   public OptionalDouble max() {
     return get(MAX);
   }
@@ -94,7 +94,7 @@ public final class ConfigurationVariable extends U2SAData {
     return put(MAX, value);
   }
 
-  /** What it does; empty if nobody said. */
+  /** Description; empty if none. */
   public String description() {
     return require(DESCRIPTION);
   }
@@ -104,7 +104,7 @@ public final class ConfigurationVariable extends U2SAData {
     return put(DESCRIPTION, value);
   }
 
-  /** The values that are allowed; empty if not only some are. */
+  /** Allowed values; empty if not restricted to a list. */
   public List<String> choices() {
     List<String> some = get(CHOICES);
     return some == null ? List.of() : some;

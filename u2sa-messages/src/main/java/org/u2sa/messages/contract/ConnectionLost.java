@@ -4,9 +4,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * The last word of a connection that broke: the broker says it in the place of a service that can
- * no longer (MQTT will message). The status is FAILED; who does not know this class reads it as
- * such a health report.
+ * Published by the broker for a service whose connection broke (MQTT will message). The status is FAILED; readers that do not know this class read it as a health report with that status.
  */
 public final class ConnectionLost extends HealthReport {
   private static final Schema<ConnectionLost> SCHEMA =

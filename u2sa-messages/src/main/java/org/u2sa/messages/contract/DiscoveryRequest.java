@@ -4,7 +4,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Asks every service of a system to say that it is there (thesis 3.2.2.1). */
+/** Request to every service of a system to announce itself (thesis 3.2.2.1). */
 public final class DiscoveryRequest extends U2SAData {
   /** The schema. */
   public static final MessageType<DiscoveryRequest> TYPE =

@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** A service says that it is there (thesis 3.2.2.1). */
+/** Announcement of a service (thesis 3.2.2.1). */
 public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
   private static final Schema<DiscoveryResponse> SCHEMA =
       Schema.of(DiscoveryResponse.class, DiscoveryResponse::new, U2SAData.TYPE)
@@ -43,7 +43,7 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return put(SERVICE_TYPE, value);
   }
 
-  /** Where it is in its life. */
+  /** Life-cycle status. */
   public ServiceStatus status() {
     return require(STATUS);
   }
@@ -83,7 +83,7 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return put(VERSION, value);
   }
 
-  /** Which start of the service this is, as in its health reports. */
+  /** ID of this start of the service, as in its health reports. */
   public Optional<String> instance() {
     return Optional.ofNullable(get(INSTANCE));
   }
@@ -93,7 +93,7 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return put(INSTANCE, value);
   }
 
-  /** The full name of the class that runs; empty if it has none to name. */
+  /** Fully qualified name of the running class; empty if not applicable. */
   public Optional<String> className() {
     return Optional.ofNullable(get(CLASS_NAME));
   }

@@ -9,9 +9,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Stops everything that moves at once, and keeps it stopped until an operator clears it. Retained,
- * so that an actuator that comes late obeys too. A message with {@code active} latches; one without
- * lifts the stops that it names by {@code lifts}, or without names those up to {@code clears}.
+ * Stops everything that moves immediately, and keeps it stopped until an operator clears it. Retained, so that actuators that connect later obey too. A message with {@code active} latches; one without clears the stops listed in {@code lifts}, or if none are listed, all up to {@code clears}.
  */
 public final class EmergencyStop extends U2SAData {
   private static final Schema<EmergencyStop> SCHEMA =
@@ -35,8 +33,7 @@ public final class EmergencyStop extends U2SAData {
   }
 
   /**
-   * True: everything that moves goes neutral and stays so. False: the stops that {@link #lifts()}
-   * names are lifted, or without names those up to {@link #clears()}.
+   * True: everything that moves goes neutral and stays so. False: clears the stops listed in {@link #lifts()}, or if none are listed, all up to {@link #clears()}.
    */
   public boolean active() {
     return require(ACTIVE);
@@ -47,7 +44,7 @@ public final class EmergencyStop extends U2SAData {
     return put(ACTIVE, value);
   }
 
-  /** Who stopped or cleared; empty if unknown. */
+  /** Operator or service that stopped or cleared; empty if unknown. */
   public String operator() {
     return require(OPERATOR);
   }
@@ -57,7 +54,7 @@ public final class EmergencyStop extends U2SAData {
     return put(OPERATOR, value);
   }
 
-  /** Why, in words. */
+  /** Reason, in words. */
   public String reason() {
     return require(REASON);
   }
@@ -67,7 +64,7 @@ public final class EmergencyStop extends U2SAData {
     return put(REASON, value);
   }
 
-  /** The timestamp of the newest stop that this message lifts [µs]; empty in a stop. */
+  /** Timestamp of the newest stop that this message clears [µs]; empty in a stop. */
   public OptionalLong clears() {
     return optionalCount(CLEARS);
   }
@@ -78,8 +75,7 @@ public final class EmergencyStop extends U2SAData {
   }
 
   /**
-   * Which stop this is, unique in the system; a repetition has the same. Empty in a clear, and from
-   * senders that do not know the field.
+   * ID of this stop, unique in the system; repetitions keep it. Empty in a clear, and from senders that predate the field.
    */
   public Optional<String> stopId() {
     return Optional.ofNullable(get(STOP_ID));
@@ -91,7 +87,7 @@ public final class EmergencyStop extends U2SAData {
   }
 
   /**
-   * The stops that this message lifts, by {@link #identity()}; none: all up to {@link #clears()}.
+   * Stops that this message clears, by {@link #identity()}; empty: all up to {@link #clears()}.
    */
   public List<String> lifts() {
     List<String> value = get(LIFTS);
@@ -104,8 +100,7 @@ public final class EmergencyStop extends U2SAData {
   }
 
   /**
-   * What tells this stop from any other: its {@link #stopId()}, or for senders that give none who
-   * stopped, when and why.
+   * Identifies this stop: its {@link #stopId()}, or if the sender gave none, its operator, time and reason.
    */
   public String identity() {
     return stopId()

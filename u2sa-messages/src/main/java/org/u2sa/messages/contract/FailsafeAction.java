@@ -1,17 +1,17 @@
 package org.u2sa.messages.contract;
 
 /**
- * What a vehicle does because something is wrong, the mildest first. The names travel; append only.
+ * Reaction of a vehicle to a fault, mildest first. Names are part of the wire format; append only.
  */
 public enum FailsafeAction {
-  /** Goes on with its mission. */
+  /** Continues its mission. */
   CONTINUE,
-  /** Stays where it is: stands, hovers or circles. */
+  /** Holds its position: stops, hovers or circles. */
   HOLD,
-  /** Goes home. */
+  /** Returns home. */
   RETURN,
-  /** Comes down where it is safe to. */
+  /** Lands where it is safe. */
   LAND,
-  /** Everything that moves goes neutral at once. */
+  /** Everything that moves goes neutral immediately. */
   STOP
 }

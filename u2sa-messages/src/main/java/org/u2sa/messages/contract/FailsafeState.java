@@ -6,7 +6,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** What the vehicle is to do because something is wrong; CONTINUE if nothing is. */
+/** The active failsafe reaction; CONTINUE if there is no fault. */
 public final class FailsafeState extends U2SAData {
   private static final Schema<FailsafeState> SCHEMA =
       Schema.of(FailsafeState.class, FailsafeState::new, U2SAData.TYPE).since(2);
@@ -22,7 +22,7 @@ public final class FailsafeState extends U2SAData {
     return TYPE;
   }
 
-  /** What the most severe of the causes demands. */
+  /** Action demanded by the most severe cause. */
   public FailsafeAction action() {
     return require(ACTION);
   }
@@ -32,7 +32,7 @@ public final class FailsafeState extends U2SAData {
     return put(ACTION, value);
   }
 
-  /** What is wrong, a text each; the most severe first. */
+  /** Faults, one text each, most severe first. */
   public List<String> causes() {
     return require(CAUSES);
   }

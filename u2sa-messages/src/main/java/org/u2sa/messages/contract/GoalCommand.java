@@ -5,7 +5,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Tells the Mission Manager to change to a goal now (thesis 3.2.3.2). */
+/** Command to the Mission Manager to switch to a goal now (thesis 3.2.3.2). */
 public final class GoalCommand extends U2SAData {
   private static final Schema<GoalCommand> SCHEMA =
       Schema.of(GoalCommand.class, GoalCommand::new, U2SAData.TYPE);
@@ -19,7 +19,7 @@ public final class GoalCommand extends U2SAData {
     return TYPE;
   }
 
-  /** The goal to pursue. */
+  /** UID of the goal to pursue. */
   public String uid() {
     return require(UID);
   }

@@ -10,7 +10,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** A service's heartbeat (thesis 3.5.3). Counts are since the service started. */
+/** A service's heartbeat (thesis 3.5.3). Counts start when the service does. */
 public class HealthReport extends ServiceMessage<HealthReport> {
   private static final Schema<HealthReport> SCHEMA =
       Schema.of(HealthReport.class, HealthReport::new, U2SAData.TYPE).requiring(SERVICE_NAME);
@@ -62,7 +62,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return TYPE;
   }
 
-  /** Where it is in its life. */
+  /** Life-cycle status. */
   public ServiceStatus status() {
     return require(STATUS);
   }
@@ -72,7 +72,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(STATUS, value);
   }
 
-  /** The newest error; empty if there was none. */
+  /** The latest error; empty if none. */
   public Optional<String> lastError() {
     return Optional.ofNullable(get(LAST_ERROR));
   }
@@ -82,7 +82,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(LAST_ERROR, value);
   }
 
-  /** Messages that wait now. */
+  /** Messages waiting in the inbox. */
   public long inboxDepth() {
     return require(INBOX_DEPTH);
   }
@@ -93,8 +93,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Messages lost because the inbox was full. A report without {@link #replaced()} is of a service
-   * that counts those here too.
+   * Messages lost because the inbox was full. Services whose reports lack {@link #replaced()} count replaced messages here too.
    */
   public long dropped() {
     return require(DROPPED);
@@ -105,7 +104,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(DROPPED, value);
   }
 
-  /** Messages that could not be read or were not expected. */
+  /** Messages rejected as unreadable or unexpected. */
   public long refused() {
     return require(REFUSED);
   }
@@ -125,7 +124,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(OVERRUNS, value);
   }
 
-  /** Exceptions that were survived. */
+  /** Exceptions caught. */
   public long exceptions() {
     return require(EXCEPTIONS);
   }
@@ -135,7 +134,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(EXCEPTIONS, value);
   }
 
-  /** Median duration of a callback [s]; empty before the first. */
+  /** Median callback duration [s]; empty before the first callback. */
   public OptionalDouble callbackP50() {
     return get(CALLBACK_P50);
   }
@@ -145,7 +144,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(CALLBACK_P50, value);
   }
 
-  /** 99th percentile of the duration of a callback [s]; empty before the first. */
+  /** 99th percentile of callback duration [s]; empty before the first callback. */
   public OptionalDouble callbackP99() {
     return get(CALLBACK_P99);
   }
@@ -156,8 +155,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Which start of the service this is, unique in the system: the same text in its discovery
-   * response and in the {@link ConnectionLost} that the broker would say for it.
+   * ID of this start of the service, unique in the system; the same in its discovery response and its {@link ConnectionLost} will message.
    */
   public Optional<String> instance() {
     return Optional.ofNullable(get(INSTANCE));
@@ -169,7 +167,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Time until the next report [s]; a service without a report for much longer counts as silent.
+   * Report period [s]; a service without a report for much longer counts as silent.
    */
   public OptionalDouble interval() {
     return get(INTERVAL);
@@ -181,8 +179,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Whether the service's thread lives; said by its launcher when the service itself is silent, and
-   * empty when the service speaks for itself.
+   * Whether the service's thread is alive; reported by the launcher if the service itself is silent, empty in the service's own reports.
    */
   public Optional<Boolean> threadAlive() {
     return Optional.ofNullable(get(THREAD_ALIVE));
@@ -194,8 +191,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * How long the callback or step that runs now has been running [s]; said by the launcher when the
-   * service itself is silent.
+   * Running time of the current callback or step [s]; reported by the launcher if the service itself is silent.
    */
   public OptionalDouble callbackRunning() {
     return get(CALLBACK_RUNNING);
@@ -207,8 +203,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Time since the service last published data, reports of the contract left out [s]; empty before
-   * the first.
+   * Time since the service last published data, not counting contract messages [s]; empty before the first.
    */
   public OptionalDouble dataAge() {
     return get(DATA_AGE);
@@ -219,7 +214,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(DATA_AGE, value);
   }
 
-  /** Messages published, reports of the contract left out. */
+  /** Messages published, not counting contract messages. */
   public OptionalLong published() {
     return optionalCount(PUBLISHED);
   }
@@ -229,7 +224,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(PUBLISHED, value);
   }
 
-  /** Messages that came later than their deadline and were treated as absent. */
+  /** Messages that missed their deadline and were treated as absent. */
   public OptionalLong expired() {
     return optionalCount(EXPIRED);
   }
@@ -239,7 +234,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(EXPIRED, value);
   }
 
-  /** Messages that others sent to it over MQTT and that were lost on the way. */
+  /** Messages sent to it over MQTT and lost in transit. */
   public OptionalLong missed() {
     return optionalCount(MISSED);
   }
@@ -250,8 +245,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * The emergency stops that hold at this service, by {@link EmergencyStop#identity()}; empty if it
-   * heeds none, an empty list if it would and none holds.
+   * Emergency stops in force at this service, by {@link EmergencyStop#identity()}; absent if it does not obey emergency stops, an empty list if none is in force.
    */
   public Optional<List<String>> emergencyStops() {
     return Optional.ofNullable(get(EMERGENCY_STOPS));
@@ -263,8 +257,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Messages that newer ones of the same source replaced while they waited, on channels where the
-   * newest counts: no loss. Empty if the service does not count them.
+   * Waiting messages replaced by newer ones of the same source on latest-value channels; not a loss. Empty if the service does not count them.
    */
   public OptionalLong replaced() {
     return optionalCount(REPLACED);
@@ -275,7 +268,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(REPLACED, value);
   }
 
-  /** Commands that its actuators obeyed; empty if it has no actuators. */
+  /** Commands executed by its actuators; empty if it has no actuators. */
   public OptionalLong commandsObeyed() {
     return optionalCount(COMMANDS_OBEYED);
   }
@@ -286,8 +279,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Commands that were addressed to its actuators and not obeyed, for whatever reason; empty if it
-   * has no actuators.
+   * Commands addressed to its actuators but not executed, for any reason; empty if it has no actuators.
    */
   public OptionalLong commandsRefused() {
     return optionalCount(COMMANDS_REFUSED);
@@ -299,8 +291,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * What the service says of its parts, each beginning with the part's name and a colon; empty if
-   * it says nothing.
+   * Remarks on the service's parts, each starting with the part's name and a colon; empty if none.
    */
   public List<String> remarks() {
     List<String> remarks = get(REMARKS);
@@ -312,7 +303,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(REMARKS, List.copyOf(value));
   }
 
-  /** Names of the channels that the broker does not let it hear, with commas between; or empty. */
+  /** Comma-separated names of the channels whose subscription the broker refused; empty if none. */
   public Optional<String> refusedSubscriptions() {
     return Optional.ofNullable(get(REFUSED_SUBSCRIPTIONS));
   }

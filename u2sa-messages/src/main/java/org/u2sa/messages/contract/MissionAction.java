@@ -1,17 +1,17 @@
 package org.u2sa.messages.contract;
 
-/** What an operator orders of a mission. The order is that of the wire. */
+/** Operator's order to a mission. The sequence is part of the wire format. */
 public enum MissionAction {
-  /** Pursue a goal now; the mission goes on from there. */
+  /** Pursue a goal now; the mission continues from there. */
   GOTO,
-  /** End a current goal, and go on as if it were done. */
+  /** End a current goal and continue as if it were completed. */
   SKIP,
   /** Add goals. */
   INSERT,
-  /** Change fields of goals that are known. */
+  /** Change fields of existing goals. */
   UPDATE,
-  /** Go on with a paused mission, or else back to where the mission was left. */
+  /** Continue a paused mission, or else return to where the mission was left. */
   RESUME,
-  /** Stand, or circle if the vehicle cannot stand, until RESUME or GOTO. */
+  /** Hold position, or circle if the vehicle cannot stop, until RESUME or GOTO. */
   PAUSE
 }

@@ -7,8 +7,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Tells the Mission Manager to change the mission or its course (thesis 3.2.3.2), and wants an
- * answer.
+ * Order to the Mission Manager to change the mission or its progress (thesis 3.2.3.2); it is answered.
  */
 public final class MissionOrder extends U2SAData {
   private static final Schema<MissionOrder> SCHEMA =
@@ -30,7 +29,7 @@ public final class MissionOrder extends U2SAData {
     return TYPE;
   }
 
-  /** What the answer is recognised by; chosen by the sender, unique. */
+  /** Unique ID, chosen by the sender, that the answer repeats. */
   public String requestId() {
     return require(REQUEST_ID);
   }
@@ -40,7 +39,7 @@ public final class MissionOrder extends U2SAData {
     return put(REQUEST_ID, value);
   }
 
-  /** What to do. */
+  /** Action to take. */
   public MissionAction action() {
     return require(ACTION);
   }
@@ -50,7 +49,7 @@ public final class MissionOrder extends U2SAData {
     return put(ACTION, value);
   }
 
-  /** The goal: GOTO which, SKIP which, INSERT after which; empty: the current one. */
+  /** UID of the goal to GOTO, to SKIP or to INSERT after; empty: the current one. */
   public Optional<String> uid() {
     return Optional.ofNullable(get(UID));
   }
@@ -60,7 +59,7 @@ public final class MissionOrder extends U2SAData {
     return put(UID, value);
   }
 
-  /** A mission in XML, whose goals INSERT adds and UPDATE takes the fields of. */
+  /** Mission XML with the goals to INSERT, or the fields to UPDATE. */
   public Optional<String> goals() {
     return Optional.ofNullable(get(GOALS));
   }
@@ -70,7 +69,7 @@ public final class MissionOrder extends U2SAData {
     return put(GOALS, value);
   }
 
-  /** The file that {@link #goals()} was read from, for errors. */
+  /** File that {@link #goals()} was read from, for error messages. */
   public Optional<String> file() {
     return Optional.ofNullable(get(FILE));
   }
@@ -80,7 +79,7 @@ public final class MissionOrder extends U2SAData {
     return put(FILE, value);
   }
 
-  /** INSERT: whether the goals are pursued at once, and what is current now after them. */
+  /** INSERT: whether to pursue the goals at once, and the current goals after them. */
   public boolean now() {
     return require(NOW);
   }
@@ -90,7 +89,7 @@ public final class MissionOrder extends U2SAData {
     return put(NOW, value);
   }
 
-  /** Who orders it. */
+  /** Who gave the order. */
   public String operator() {
     return require(OPERATOR);
   }

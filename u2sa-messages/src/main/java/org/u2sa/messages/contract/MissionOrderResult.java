@@ -5,7 +5,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** What came of a {@link MissionOrder}. */
+/** Result of a {@link MissionOrder}. */
 public final class MissionOrderResult extends U2SAData {
   private static final Schema<MissionOrderResult> SCHEMA =
       Schema.of(MissionOrderResult.class, MissionOrderResult::new, U2SAData.TYPE).since(3);
@@ -24,7 +24,7 @@ public final class MissionOrderResult extends U2SAData {
     return TYPE;
   }
 
-  /** The order that this answers. */
+  /** ID of the order answered. */
   public String requestId() {
     return require(REQUEST_ID);
   }
@@ -44,7 +44,7 @@ public final class MissionOrderResult extends U2SAData {
     return put(SERVICE_NAME, value);
   }
 
-  /** Whether it was done. */
+  /** Whether the order was executed. */
   public boolean accepted() {
     return require(ACCEPTED);
   }
@@ -54,7 +54,7 @@ public final class MissionOrderResult extends U2SAData {
     return put(ACCEPTED, value);
   }
 
-  /** What was done; why not, if it was not. */
+  /** What was done, or why the order was rejected. */
   public String outcome() {
     return require(OUTCOME);
   }

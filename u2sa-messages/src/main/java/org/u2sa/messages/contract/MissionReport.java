@@ -11,7 +11,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** How the mission stands: answers a {@link MissionRequest}. */
+/** Mission progress, in answer to a {@link MissionRequest}. */
 public final class MissionReport extends U2SAData {
   private static final Schema<MissionReport> SCHEMA =
       Schema.of(MissionReport.class, MissionReport::new, U2SAData.TYPE).since(3);
@@ -44,7 +44,7 @@ public final class MissionReport extends U2SAData {
     return TYPE;
   }
 
-  /** The request that this answers. */
+  /** ID of the request answered. */
   public String requestId() {
     return require(REQUEST_ID);
   }
@@ -64,7 +64,7 @@ public final class MissionReport extends U2SAData {
     return put(SERVICE_NAME, value);
   }
 
-  /** The mission file, as the Mission Manager names it. */
+  /** Name of the mission file in the Mission Manager. */
   public String mission() {
     return require(MISSION);
   }
@@ -74,7 +74,7 @@ public final class MissionReport extends U2SAData {
     return put(MISSION, value);
   }
 
-  /** All goals, each with what came of it when it was last pursued. */
+  /** All goals, each with the result of its last pursuit. */
   public List<GoalInformation> goals() {
     return require(GOALS);
   }
@@ -84,7 +84,7 @@ public final class MissionReport extends U2SAData {
     return put(GOALS, List.copyOf(value));
   }
 
-  /** How often each of {@link #goals()} was completed or given up, in their order. */
+  /** How often each of {@link #goals()} was completed or abandoned, in the same order. */
   public List<Double> finished() {
     return require(FINISHED);
   }
@@ -94,7 +94,7 @@ public final class MissionReport extends U2SAData {
     return put(FINISHED, List.copyOf(value));
   }
 
-  /** UIDs of the goals that are pursued now; none: the mission is over. */
+  /** UIDs of the goals being pursued; empty: the mission is over. */
   public List<String> current() {
     return require(CURRENT);
   }
@@ -104,7 +104,7 @@ public final class MissionReport extends U2SAData {
     return put(CURRENT, List.copyOf(value));
   }
 
-  /** UIDs of the goals that follow, if the current one is completed. */
+  /** UIDs of the goals that follow once the current one is completed. */
   public List<String> upcoming() {
     return require(UPCOMING);
   }
@@ -114,7 +114,7 @@ public final class MissionReport extends U2SAData {
     return put(UPCOMING, List.copyOf(value));
   }
 
-  /** UIDs of the goals that follow each other in this order unless their next says otherwise. */
+  /** UIDs of the goals in default order, which applies unless a goal's next says otherwise. */
   public List<String> sequence() {
     return require(SEQUENCE);
   }
@@ -124,7 +124,7 @@ public final class MissionReport extends U2SAData {
     return put(SEQUENCE, List.copyOf(value));
   }
 
-  /** The failsafe whose goals are pursued in place of the mission's; empty: none. */
+  /** Failsafe whose goals are pursued instead of the mission's; empty: none. */
   public Optional<String> failsafe() {
     return Optional.ofNullable(get(FAILSAFE));
   }
@@ -134,7 +134,7 @@ public final class MissionReport extends U2SAData {
     return put(FAILSAFE, value);
   }
 
-  /** How long the mission has been pursued [s]. */
+  /** Elapsed mission time [s]. */
   public double elapsed() {
     return require(ELAPSED);
   }
@@ -144,7 +144,7 @@ public final class MissionReport extends U2SAData {
     return put(ELAPSED, value);
   }
 
-  /** How long the mission may take [s]; empty: as long as it takes. */
+  /** Time limit of the mission [s]; empty: unlimited. */
   public OptionalDouble timeLimit() {
     return get(TIME_LIMIT);
   }
@@ -154,7 +154,7 @@ public final class MissionReport extends U2SAData {
     return put(TIME_LIMIT, value);
   }
 
-  /** When the mission's time began to count [µs of the run's clock]; empty until it has. */
+  /** Start of the mission time [µs of the run's clock]; empty before. */
   public OptionalLong began() {
     return optionalCount(BEGAN);
   }
@@ -164,7 +164,7 @@ public final class MissionReport extends U2SAData {
     return put(BEGAN, value);
   }
 
-  /** Where RESUME would go back to, in words; empty: nowhere. */
+  /** Where RESUME would return to, in words; empty: nowhere. */
   public Optional<String> resumable() {
     return Optional.ofNullable(get(RESUMABLE));
   }
@@ -174,7 +174,7 @@ public final class MissionReport extends U2SAData {
     return put(RESUMABLE, value);
   }
 
-  /** Whether the mission is paused. False from senders that do not know the field. */
+  /** Whether the mission is paused. False from senders that predate the field. */
   public boolean paused() {
     return Boolean.TRUE.equals(get(PAUSED));
   }

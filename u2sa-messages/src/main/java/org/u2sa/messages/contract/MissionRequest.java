@@ -5,7 +5,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Asks the Mission Manager how the mission stands. */
+/** Request to the Mission Manager for the mission's progress. */
 public final class MissionRequest extends U2SAData {
   private static final Schema<MissionRequest> SCHEMA =
       Schema.of(MissionRequest.class, MissionRequest::new, U2SAData.TYPE).since(3);
@@ -20,7 +20,7 @@ public final class MissionRequest extends U2SAData {
     return TYPE;
   }
 
-  /** What the answer is recognised by; chosen by the sender, unique. */
+  /** Unique ID, chosen by the sender, that the answer repeats. */
   public String requestId() {
     return require(REQUEST_ID);
   }

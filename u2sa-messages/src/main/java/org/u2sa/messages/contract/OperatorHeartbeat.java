@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Says that an operator watches. When it stops coming the operator's link is lost. */
+/** Heartbeat of a supervising operator; when it ceases, the operator's link counts as lost. */
 public final class OperatorHeartbeat extends U2SAData {
   private static final Schema<OperatorHeartbeat> SCHEMA =
       Schema.of(OperatorHeartbeat.class, OperatorHeartbeat::new, U2SAData.TYPE).since(2);
@@ -24,7 +24,7 @@ public final class OperatorHeartbeat extends U2SAData {
     return TYPE;
   }
 
-  /** Who watches. */
+  /** Name of the operator. */
   public String operator() {
     return require(OPERATOR);
   }
@@ -34,7 +34,7 @@ public final class OperatorHeartbeat extends U2SAData {
     return put(OPERATOR, value);
   }
 
-  /** Time until the next one [s]. */
+  /** Heartbeat period [s]. */
   public OptionalDouble interval() {
     return get(INTERVAL);
   }

@@ -1,11 +1,11 @@
 package org.u2sa.messages.contract;
 
-/** What a {@link ServiceOrder} asks for. The names travel; append only. */
+/** Action of a {@link ServiceOrder}. Names are part of the wire format; append only. */
 public enum ServiceAction {
-  /** Start it; it does not run. */
+  /** Start the service, which must not be running. */
   START,
-  /** End it, whatever state it is in, and start it anew. */
+  /** End the service, whatever its state, and start it again. */
   RESTART,
-  /** Put another class in its place while it runs; the new one takes its state over. */
+  /** Replace the running service by another class, which takes over its state. */
   SWAP
 }

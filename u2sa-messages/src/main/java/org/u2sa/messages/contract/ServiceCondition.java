@@ -8,8 +8,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * How a service is, as the health monitor sees it from outside (thesis 3.5.3), and what is being
- * done about it.
+ * Condition of a service as seen by the health monitor (thesis 3.5.3), and the countermeasure in progress.
  */
 public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
   private static final Schema<ServiceCondition> SCHEMA =
@@ -34,7 +33,7 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return TYPE;
   }
 
-  /** What the monitor found. */
+  /** The condition. */
   public Condition condition() {
     return require(CONDITION);
   }
@@ -44,7 +43,7 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return put(CONDITION, value);
   }
 
-  /** When it came to be so [µs of the run's clock]. */
+  /** Start of the condition [µs of the run's clock]. */
   public OptionalLong since() {
     return optionalCount(SINCE);
   }
@@ -54,7 +53,7 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return put(SINCE, value);
   }
 
-  /** What the monitor concludes it from. */
+  /** Evidence for the condition. */
   public String reason() {
     return require(REASON);
   }
@@ -64,7 +63,7 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return put(REASON, value);
   }
 
-  /** What is done about it, such as "restart 2 of 3"; empty: nothing. */
+  /** Countermeasure, such as "restart 2 of 3"; empty if none. */
   public String action() {
     return require(ACTION);
   }
@@ -74,7 +73,7 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return put(ACTION, value);
   }
 
-  /** Restarts so far. */
+  /** Number of restarts. */
   public long restarts() {
     return require(RESTARTS);
   }
@@ -84,7 +83,7 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return put(RESTARTS, value);
   }
 
-  /** The instance of the service that was seen last. */
+  /** Last seen instance of the service. */
   public Optional<String> instance() {
     return Optional.ofNullable(get(INSTANCE));
   }

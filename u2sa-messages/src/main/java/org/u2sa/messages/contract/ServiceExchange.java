@@ -1,14 +1,14 @@
 package org.u2sa.messages.contract;
 
 /**
- * A request to one service or its answer, which have the request's ID in common.
+ * A request to one service, or its answer, linked by the request ID.
  *
- * @param <S> the subclass, which setters return
+ * @param <S> the subclass, returned by setters
  */
 public abstract class ServiceExchange<S extends ServiceExchange<S>> extends ServiceMessage<S> {
   static final String REQUEST_ID = "requestId";
 
-  /** Tells which request an answer is for; chosen by the sender of the request, unique. */
+  /** Unique ID that links an answer to its request; chosen by the sender of the request. */
   public final String requestId() {
     return required(REQUEST_ID);
   }

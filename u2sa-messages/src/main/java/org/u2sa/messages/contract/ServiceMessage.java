@@ -4,15 +4,14 @@ import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A message for one service, from it, or about it. A subclass's schema declares the name by {@link
- * org.u2sa.messages.schema.Schema#requiring}.
+ * A message to, from or about one service. Subclass schemas declare the name by {@link org.u2sa.messages.schema.Schema#requiring}.
  *
- * @param <S> the subclass, which setters return
+ * @param <S> the subclass, returned by setters
  */
 public abstract class ServiceMessage<S extends ServiceMessage<S>> extends U2SAData {
   static final String SERVICE_NAME = "serviceName";
 
-  /** The service. */
+  /** Name of the service. */
   public final String serviceName() {
     return required(SERVICE_NAME);
   }
@@ -30,7 +29,7 @@ public abstract class ServiceMessage<S extends ServiceMessage<S>> extends U2SADa
             .orElseThrow(() -> new IllegalStateException(field + " is required and was never set"));
   }
 
-  @SuppressWarnings("unchecked") // a subclass names itself
+  @SuppressWarnings("unchecked") // S is the subclass itself
   final S set(String name, String value) {
     field(name).set(this, value);
     return (S) this;

@@ -7,8 +7,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Tells the launcher that runs a service to start it again or to put another class in its place
- * (user story 8, thesis 3.5.3).
+ * Order to a service's launcher to restart it or to replace it by another class (user story 8, thesis 3.5.3).
  */
 public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
   private static final Schema<ServiceOrder> SCHEMA =
@@ -30,7 +29,7 @@ public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
     return TYPE;
   }
 
-  /** What to do with it. */
+  /** Action to take. */
   public ServiceAction action() {
     return require(ACTION);
   }
@@ -40,7 +39,7 @@ public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
     return put(ACTION, value);
   }
 
-  /** The full name of the class to put in its place; with SWAP only. */
+  /** Fully qualified name of the replacing class; SWAP only. */
   public Optional<String> className() {
     return Optional.ofNullable(get(CLASS_NAME));
   }
@@ -50,7 +49,7 @@ public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
     return put(CLASS_NAME, value);
   }
 
-  /** Who orders it: a user or a service. */
+  /** Who gave the order: a user or a service. */
   public String operator() {
     return require(OPERATOR);
   }

@@ -5,7 +5,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** What came of a {@link ServiceOrder}. */
+/** Result of a {@link ServiceOrder}. */
 public final class ServiceOrderResult extends ServiceExchange<ServiceOrderResult> {
   private static final Schema<ServiceOrderResult> SCHEMA =
       Schema.of(ServiceOrderResult.class, ServiceOrderResult::new, U2SAData.TYPE)
@@ -23,7 +23,7 @@ public final class ServiceOrderResult extends ServiceExchange<ServiceOrderResult
     return TYPE;
   }
 
-  /** Whether it was done. */
+  /** Whether the order was executed. */
   public boolean accepted() {
     return require(ACCEPTED);
   }
@@ -33,7 +33,7 @@ public final class ServiceOrderResult extends ServiceExchange<ServiceOrderResult
     return put(ACCEPTED, value);
   }
 
-  /** Why not; empty if it was done. */
+  /** Why it was rejected; empty if executed. */
   public String reason() {
     return require(REASON);
   }

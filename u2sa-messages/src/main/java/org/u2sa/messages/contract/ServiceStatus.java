@@ -1,15 +1,15 @@
 package org.u2sa.messages.contract;
 
-/** Where a service is in its life. The names travel; append only. */
+/** Life-cycle status of a service. Names are part of the wire format; append only. */
 public enum ServiceStatus {
-  /** Constructed, not started. */
+  /** Constructed but not started. */
   CREATED,
   /** Running. */
   RUNNING,
-  /** Told to stop, not there yet. */
+  /** Stopping as requested. */
   STOPPING,
-  /** Ended as told. */
+  /** Ended as requested. */
   STOPPED,
-  /** Ended by itself after errors. */
+  /** Ended after errors. */
   FAILED
 }

@@ -6,7 +6,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Tells one service or all to stop (thesis 3.2.2.1). */
+/** Command to one service or all services to stop (thesis 3.2.2.1). */
 public final class StopCommand extends U2SAData {
   private static final Schema<StopCommand> SCHEMA =
       Schema.of(StopCommand.class, StopCommand::new, U2SAData.TYPE);
@@ -22,7 +22,7 @@ public final class StopCommand extends U2SAData {
     return TYPE;
   }
 
-  /** True: every service of the system. */
+  /** Whether all services of the system are to stop. */
   public boolean stopAll() {
     return require(STOP_ALL);
   }
@@ -32,7 +32,7 @@ public final class StopCommand extends U2SAData {
     return put(STOP_ALL, value);
   }
 
-  /** The one to stop; empty with {@link #stopAll()}. */
+  /** Name of the service to stop; empty with {@link #stopAll()}. */
   public Optional<String> serviceName() {
     return Optional.ofNullable(get(SERVICE_NAME));
   }

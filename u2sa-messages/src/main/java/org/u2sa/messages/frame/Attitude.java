@@ -1,8 +1,7 @@
 package org.u2sa.messages.frame;
 
 /**
- * Euler angles of FRD vehicle axes against north, east, down, and how their derivatives follow the
- * vehicle's own rates.
+ * Euler angles of FRD vehicle axes relative to north, east, down, and their relation to body rates.
  *
  * @param phi roll, right wing down positive [rad]
  * @param theta pitch, nose up positive [rad]
@@ -10,33 +9,32 @@ package org.u2sa.messages.frame;
  */
 public record Attitude(double phi, double theta, double psi) {
   private static final double VERTICAL =
-      1e-9; // cos θ below which roll and heading are one and the same
+      1e-9; // cos θ below which roll and heading are indistinguishable
 
-  /** The angles of a rotation from FRD to NED. */
+  /** Extracts the angles of a rotation from FRD to NED. */
   public static Attitude of(Rotation nedFromFrd) {
     return new Attitude(nedFromFrd.phi(), nedFromFrd.theta(), nedFromFrd.psi());
   }
 
-  /** Turns FRD vectors into NED ones. */
+  /** Rotation from FRD to NED. */
   public Rotation nedFromFrd() {
     return Rotation.nedFromFrd(phi, theta, psi);
   }
 
   /**
-   * A vector given as north, east, down, in the thesis's BODY axes: forward, left, down. This is
-   * how a navigation point is made.
+   * Converts a north, east, down vector to the thesis's BODY axes (forward, left, down), as navigation points need.
    */
   public Point bodyOf(Point ned) {
     Point frd = nedFromFrd().transposed().times(ned);
     return Point.of(frd.x(), -frd.y(), frd.z());
   }
 
-  /** A vector given in BODY axes as north, east, down: undoes {@link #bodyOf}. */
+  /** Converts a vector in BODY axes to north, east, down: the inverse of {@link #bodyOf}. */
   public Point nedOf(Point body) {
     return nedFromFrd().times(Point.of(body.x(), -body.y(), body.z()));
   }
 
-  /** A vector given as north, east, down, seen by a level vehicle: forward, left, down. */
+  /** Converts a north, east, down vector to forward, left, down of the levelled vehicle. */
   public Point levelOf(Point ned) {
     double sin = Math.sin(psi);
     double cos = Math.cos(psi);
@@ -44,11 +42,11 @@ public record Attitude(double phi, double theta, double psi) {
   }
 
   /**
-   * Rates p, q, r about the FRD axes [rad/s] of Euler rates (Stevens and Lewis, 2nd ed., section
+   * Converts Euler rates to rates p, q, r about the FRD axes [rad/s] (Stevens and Lewis, 2nd ed., section
    * 1.3).
    */
   public Point bodyRates(Point euler) {
-    double sinPhi = StrictMath.sin(phi); // strict: control laws repeat on every machine
+    double sinPhi = StrictMath.sin(phi); // strict: control laws are reproducible on every machine
     double cosPhi = StrictMath.cos(phi);
     double cosTheta = StrictMath.cos(theta);
     return Point.of(
@@ -58,7 +56,7 @@ public record Attitude(double phi, double theta, double psi) {
   }
 
   /**
-   * Euler rates [rad/s] of rates p, q, r about the FRD axes (Stevens and Lewis, 2nd ed., section
+   * Converts rates p, q, r about the FRD axes to Euler rates [rad/s] (Stevens and Lewis, 2nd ed., section
    * 1.3).
    *
    * @throws IllegalArgumentException if the nose points straight up or down
@@ -77,8 +75,7 @@ public record Attitude(double phi, double theta, double psi) {
   }
 
   /**
-   * What {@link #bodyRates} gains in a second by the angles' own change, at the given Euler rates
-   * [rad/s²].
+   * Part of the derivative of {@link #bodyRates} due to the changing angles, at the given Euler rates [rad/s²].
    */
   public Point bodyRatesDrift(Point euler) {
     double sinPhi = Math.sin(phi);

@@ -5,8 +5,7 @@ import net.sf.geographiclib.GeodesicData;
 import net.sf.geographiclib.GeodesicMask;
 
 /**
- * A place on WGS-84. Altitude is taken as height above the ellipsoid: the geoid's undulation is
- * left out, which shifts a whole local frame up or down but changes no difference within it.
+ * A position on WGS-84. Altitude is taken as height above the ellipsoid: geoid undulation is neglected, which shifts a local frame up or down but does not affect differences within it.
  *
  * @param longitudeDeg east positive [deg, -180…180]
  * @param latitudeDeg north positive [deg, -90…90]
@@ -15,7 +14,7 @@ import net.sf.geographiclib.GeodesicMask;
 public record Geodetic(double longitudeDeg, double latitudeDeg, double altitudeM) {
   private static final double FULL_TURN_DEG = 360.0;
 
-  /** Refuses a latitude outside ±90° and anything not finite; wraps the longitude into -180…180. */
+  /** Rejects latitudes outside ±90° and non-finite values; wraps the longitude into -180…180. */
   public Geodetic {
     if (!Double.isFinite(longitudeDeg)) {
       throw new IllegalArgumentException(
@@ -32,7 +31,7 @@ public record Geodetic(double longitudeDeg, double latitudeDeg, double altitudeM
     }
   }
 
-  /** The place of a point written in GLOBAL: x longitude, y latitude [deg], z altitude [m]. */
+  /** Converts a point in GLOBAL: x longitude, y latitude [deg], z altitude [m]. */
   public static Geodetic of(Point global) {
     return new Geodetic(global.x(), global.y(), global.z());
   }
@@ -43,42 +42,41 @@ public record Geodetic(double longitudeDeg, double latitudeDeg, double altitudeM
   }
 
   /**
-   * Where {@code other} is, seen from here: east, north, up [m] on the plane tangent to the
-   * ellipsoid here.
+   * Position of {@code other} relative to this one: east, north, up [m] in the plane tangent to the ellipsoid here.
    */
   public Point enuOf(Geodetic other) {
     Point delta = Ecef.of(other).minus(Ecef.of(this));
     return Ecef.toEnu(this).times(delta);
   }
 
-  /** Where {@code other} is, seen from here: north, east, down [m]. */
+  /** Position of {@code other} relative to this one: north, east, down [m]. */
   public Point nedOf(Geodetic other) {
     Point enu = enuOf(other);
     return Point.of(enu.y(), enu.x(), -enu.z());
   }
 
-  /** The place at a point of the tangent plane here: east, north, up [m]. */
+  /** Position of a point of the tangent plane here: east, north, up [m]. */
   public Geodetic fromEnu(Point enu) {
     return Ecef.geodetic(Ecef.of(this).plus(Ecef.toEnu(this).transposed().times(enu)));
   }
 
-  /** The place at a point of the tangent plane here: north, east, down [m]. */
+  /** Position of a point of the tangent plane here: north, east, down [m]. */
   public Geodetic fromNed(Point ned) {
     return fromEnu(Point.of(ned.y(), ned.x(), -ned.z()));
   }
 
-  /** Turns east-north-up vectors at {@code other} into east-north-up vectors here. */
+  /** Rotation from east-north-up at {@code other} to east-north-up here. */
   public Rotation enuRotationFrom(Geodetic other) {
     return Ecef.toEnu(this).times(Ecef.toEnu(other).transposed());
   }
 
-  /** Length of the geodesic on the ellipsoid, altitudes left out [m] (Karney 2013). */
+  /** Geodesic distance on the ellipsoid, ignoring altitudes [m] (Karney 2013). */
   public double distanceM(Geodetic other) {
     return inverse(other, GeodesicMask.DISTANCE).s12;
   }
 
   /**
-   * Direction of the geodesic to {@code other} where it leaves here [rad, clockwise from true
+   * Initial azimuth of the geodesic to {@code other} [rad, clockwise from true
    * north, 0…2π).
    */
   public double bearingRad(Geodetic other) {
@@ -86,7 +84,7 @@ public record Geodetic(double longitudeDeg, double latitudeDeg, double altitudeM
     return Math.toRadians(degrees < 0.0 ? degrees + FULL_TURN_DEG : degrees);
   }
 
-  /** The place reached along a geodesic from here, at the same altitude. */
+  /** Position reached along a geodesic from here, at the same altitude. */
   public Geodetic destination(double bearingRad, double distanceM) {
     GeodesicData end =
         Geodesic.WGS84.Direct(latitudeDeg, longitudeDeg, Math.toDegrees(bearingRad), distanceM);

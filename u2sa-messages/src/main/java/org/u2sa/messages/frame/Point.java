@@ -1,9 +1,9 @@
 package org.u2sa.messages.frame;
 
 /**
- * A point in space, in the axes of whatever names it (thesis 3.2.3.6, figure 10).
+ * A point in space, in axes given by the context (thesis 3.2.3.6, figure 10).
  *
- * <p>Cartesian inside; {@link #azimuth()}, {@link #elevation()} and {@link #distance()} are the
+ * <p>Stored as Cartesian coordinates; {@link #azimuth()}, {@link #elevation()} and {@link #distance()} are the
  * thesis's polar view of the same point. In {@link ReferenceFrame#GLOBAL} x is longitude [deg], y
  * is latitude [deg] and z altitude [m]; polar values have no meaning there.
  *
@@ -25,7 +25,7 @@ public record Point(double x, double y, double z) {
   }
 
   /**
-   * A point by its coordinates [m].
+   * Creates a point from coordinates [m].
    *
    * @throws IllegalArgumentException if one is NaN or infinite
    */
@@ -34,7 +34,7 @@ public record Point(double x, double y, double z) {
   }
 
   /**
-   * A point by direction and distance, as range finders see it.
+   * Creates a point from direction and distance, as measured by range finders.
    *
    * @param azimuth angle from +x towards +y [rad]
    * @param elevation angle from the x-y plane towards +z [rad]; in BODY, whose z points down,
@@ -81,7 +81,7 @@ public record Point(double x, double y, double z) {
     return of(x - other.x, y - other.y, z - other.z);
   }
 
-  /** This point moved by {@code other}. */
+  /** Vector sum. */
   public Point plus(Point other) {
     return of(x + other.x, y + other.y, z + other.z);
   }

@@ -5,11 +5,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Names the axes that a spatial message is written in (thesis 3.2.3.2). Immutable; travels as its
- * {@link #name()}.
+ * The axes of a spatial message (thesis 3.2.3.2). Immutable; encoded as its {@link #name()}.
  *
- * <p>Rotations, for all frames but LOCAL_ENU and the BODY ones: phi right wing down, theta nose up,
- * psi clockwise from north.
+ * <p>Positive rotations, in all frames except LOCAL_ENU and the BODY frames: phi right wing down, theta nose up, psi clockwise from north.
  */
 public final class ReferenceFrame {
   /**
@@ -82,13 +80,13 @@ public final class ReferenceFrame {
   }
 
   /**
-   * A frame by its name, in any case; blanks, hyphens and underscores are alike: "Global", "local
+   * Parses a frame's name; case-insensitive, and blanks, hyphens and underscores are equivalent: "Global", "local
    * ned", "UTM 4N".
    *
    * @throws IllegalArgumentException naming the value and what was expected
    */
   public static ReferenceFrame parse(String text) {
-    ReferenceFrame exact = named(text); // as on the wire, where time counts
+    ReferenceFrame exact = named(text); // fast path for the wire form
     return exact != null
         ? exact
         : parsed(text, text.trim().toUpperCase(Locale.ROOT).replaceAll("[ _-]+", "_"));
@@ -118,12 +116,12 @@ public final class ReferenceFrame {
             text));
   }
 
-  /** As on the wire: "GLOBAL", "LOCAL_ENU", …, "UTM 4N". */
+  /** Wire form: "GLOBAL", "LOCAL_ENU", …, "UTM 4N". */
   public String name() {
     return name;
   }
 
-  /** True for UTM of any zone. */
+  /** Whether this is UTM of any zone. */
   public boolean isUtm() {
     return zone != 0;
   }
@@ -138,17 +136,17 @@ public final class ReferenceFrame {
     return north;
   }
 
-  /** True for the frames that are fixed to the earth: GLOBAL and UTM. */
+  /** Whether this is a geographic frame: GLOBAL or UTM. */
   public boolean isEarth() {
     return equals(GLOBAL) || isUtm();
   }
 
-  /** True for LOCAL_ENU and LOCAL_NED. */
+  /** Whether this is LOCAL_ENU or LOCAL_NED. */
   public boolean isLocal() {
     return equals(LOCAL_ENU) || equals(LOCAL_NED);
   }
 
-  /** True for the frames that move and turn with the vehicle. */
+  /** Whether this frame moves with the vehicle. */
   public boolean isBody() {
     return equals(BODY) || equals(BODY_FRD) || equals(BODY_FLU);
   }

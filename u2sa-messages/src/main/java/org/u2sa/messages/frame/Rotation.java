@@ -1,14 +1,13 @@
 package org.u2sa.messages.frame;
 
 /**
- * A proper rotation or an exchange of axes, as a 3 × 3 matrix that turns vectors of one set of axes
- * into another. Immutable.
+ * A proper rotation or axis exchange, as a 3 × 3 matrix that transforms vectors from one set of axes to another. Immutable.
  */
 public final class Rotation {
-  /** Exchanges east-north-up and north-east-down, either way: it is its own inverse. */
+  /** Exchanges east-north-up and north-east-down; its own inverse. */
   public static final Rotation NED_FROM_ENU = rows(0, 1, 0, 1, 0, 0, 0, 0, -1);
 
-  private final double[] m; // row by row
+  private final double[] m; // row-major
 
   private Rotation(double[] m) {
     this.m = m;
@@ -19,7 +18,7 @@ public final class Rotation {
   }
 
   /**
-   * Turns FRD vehicle axes into NED ones: yaw, then pitch, then roll (Stevens and Lewis, 2nd ed.,
+   * Rotation from FRD to NED: yaw, then pitch, then roll (Stevens and Lewis, 2nd ed.,
    * section 1.3).
    *
    * @param phi right wing down [rad]
@@ -46,8 +45,7 @@ public final class Rotation {
   }
 
   /**
-   * Turns east-north-up vectors into those of axes whose y axis points {@code angle} clockwise from
-   * north [rad].
+   * Rotation from east-north-up to axes whose y axis points {@code angle} clockwise from north [rad].
    */
   public static Rotation aboutUp(double angle) {
     double sin = Math.sin(angle);
@@ -55,7 +53,7 @@ public final class Rotation {
     return rows(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
   }
 
-  /** The same vector in the other axes. */
+  /** Transforms a vector. */
   public Point times(Point v) {
     return Point.of(
         m[0] * v.x() + m[1] * v.y() + m[2] * v.z(),
@@ -63,7 +61,7 @@ public final class Rotation {
         m[6] * v.x() + m[7] * v.y() + m[8] * v.z());
   }
 
-  /** First {@code other}, then this. */
+  /** Composition: {@code other} first, then this. */
   public Rotation times(Rotation other) {
     double[] product = new double[9];
     for (int row = 0; row < 3; row++) {
@@ -76,14 +74,13 @@ public final class Rotation {
     return new Rotation(product);
   }
 
-  /** The way back. */
+  /** Inverse. */
   public Rotation transposed() {
     return rows(m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]);
   }
 
   /**
-   * Standard deviations in the other axes, for errors that are independent along these; what
-   * correlates is dropped.
+   * Transforms standard deviations of errors that are independent along the source axes; correlations are dropped.
    */
   public Point timesSigma(Point sigma) {
     double[] squared = new double[9];

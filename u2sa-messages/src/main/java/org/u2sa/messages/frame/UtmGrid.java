@@ -5,8 +5,7 @@ import org.locationtech.proj4j.datum.Ellipsoid;
 import org.locationtech.proj4j.proj.ExtendedTransverseMercatorProjection;
 
 /**
- * The grid of one UTM zone on WGS-84, by proj4j's extended transverse Mercator: exact to
- * micrometres far beyond the zone's edges. Cheap to make; each thread makes its own.
+ * Projection of one UTM zone on WGS-84, by proj4j's extended transverse Mercator: accurate to micrometres far beyond the zone's edges. Not thread-safe; cheap to create per thread.
  */
 public final class UtmGrid {
   private static final double STEP_DEG = 1e-4; // for derivatives: 11 m of meridian
@@ -18,7 +17,7 @@ public final class UtmGrid {
       new ExtendedTransverseMercatorProjection();
 
   /**
-   * The grid of a UTM frame.
+   * Creates the projection of a UTM frame.
    *
    * @throws IllegalArgumentException if the frame is not UTM
    */
@@ -33,7 +32,7 @@ public final class UtmGrid {
     projection.initialize();
   }
 
-  /** The UTM frame that a place lies in, with the wider zones of Norway and Svalbard. */
+  /** UTM frame of a position, including the exceptions for Norway and Svalbard. */
   public static ReferenceFrame frameAt(Geodetic place) {
     double longitude = place.longitudeDeg();
     double latitude = place.latitudeDeg();
@@ -52,7 +51,7 @@ public final class UtmGrid {
     return Point.of(grid.x, grid.y, place.altitudeM());
   }
 
-  /** The place at easting, northing and altitude. */
+  /** Position at easting, northing and altitude. */
   public Geodetic place(Point grid) {
     ProjCoordinate geographic = new ProjCoordinate();
     projection.inverseProject(new ProjCoordinate(grid.x(), grid.y()), geographic);
@@ -60,15 +59,14 @@ public final class UtmGrid {
   }
 
   /**
-   * Direction of grid north at a place [rad, clockwise from true north]: east of the central
-   * meridian positive in the north.
+   * Meridian convergence at a position: direction of grid north [rad, clockwise from true north], positive east of the central meridian in the northern hemisphere.
    */
   public double convergenceRad(Geodetic place) {
     ProjCoordinate north = northward(place);
     return -Math.atan2(north.x, north.y);
   }
 
-  /** Metres of grid for a metre on the ellipsoid at a place: 0.9996 on the central meridian. */
+  /** Scale factor at a position: grid metres per metre on the ellipsoid, 0.9996 on the central meridian. */
   public double scale(Geodetic place) {
     ProjCoordinate north = northward(place);
     Geodetic below = new Geodetic(place.longitudeDeg(), place.latitudeDeg() - STEP_DEG, 0.0);
@@ -76,7 +74,7 @@ public final class UtmGrid {
     return Math.hypot(north.x, north.y) / below.distanceM(above);
   }
 
-  /** The grid's step for a small step to true north: central difference. */
+  /** Grid displacement for a small step to true north, by central difference. */
   private ProjCoordinate northward(Geodetic place) {
     ProjCoordinate above = projected(place.longitudeDeg(), place.latitudeDeg() + STEP_DEG);
     ProjCoordinate below = projected(place.longitudeDeg(), place.latitudeDeg() - STEP_DEG);

@@ -65,7 +65,7 @@ import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.ShapeDescription;
 import org.u2sa.messages.shape.Sphere;
 
-/** The registry of the messages of this module: one line each. */
+/** Registers the messages of this module. */
 public final class StandardTypes implements MessageTypeProvider {
   private static final List<MessageType<?>> ALL =
       List.of(
@@ -134,7 +134,7 @@ public final class StandardTypes implements MessageTypeProvider {
   public StandardTypes() {}
 
   /**
-   * These types and no others; {@link MessageTypes#discovered()} has those of other modules too.
+   * Only these types; {@link MessageTypes#discovered()} includes those of other modules.
    */
   public static MessageTypes registry() {
     return MessageTypes.of(ALL);

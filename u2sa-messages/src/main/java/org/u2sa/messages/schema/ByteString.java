@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.Base64;
 
-/** Bytes that never change, such as an encoded picture. Two are equal if their bytes are. */
+/** Immutable bytes, such as an encoded image, with value equality. */
 public final class ByteString {
   private final byte[] bytes;
 
@@ -12,21 +12,20 @@ public final class ByteString {
     this.bytes = bytes;
   }
 
-  /** A copy of these bytes. */
+  /** Copies the bytes. */
   public static ByteString copyOf(byte[] bytes) {
     return new ByteString(bytes.clone());
   }
 
-  /** These bytes; nobody else changes the array any more. */
+  /** Wraps the bytes; the caller must not modify the array afterwards. */
   static ByteString owning(byte[] bytes) {
     return new ByteString(bytes);
   }
 
   /**
-   * The bytes that a text of base64 (RFC 4648, 4) stands for; blanks and line ends in it are
-   * skipped.
+   * Decodes base64 text (RFC 4648, 4), skipping whitespace.
    *
-   * @throws IllegalArgumentException if it is no base64
+   * @throws IllegalArgumentException if it is not base64
    */
   public static ByteString ofBase64(String text) {
     try {
@@ -41,7 +40,7 @@ public final class ByteString {
     return Base64.getEncoder().encodeToString(bytes);
   }
 
-  /** How many bytes there are. */
+  /** Number of bytes. */
   public int length() {
     return bytes.length;
   }
@@ -51,12 +50,12 @@ public final class ByteString {
     return bytes.clone();
   }
 
-  /** The bytes without a copy, read-only; each call has a position of its own. */
+  /** Read-only view of the bytes; each call returns a buffer with its own position. */
   public ByteBuffer view() {
     return ByteBuffer.wrap(bytes).asReadOnlyBuffer();
   }
 
-  /** The bytes themselves, for who only reads them. */
+  /** The bytes themselves, which the caller must not modify. */
   byte[] shared() {
     return bytes;
   }

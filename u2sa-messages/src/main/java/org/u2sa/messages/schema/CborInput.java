@@ -3,15 +3,13 @@ package org.u2sa.messages.schema;
 import java.nio.ByteBuffer;
 
 /**
- * Reads CBOR data items (RFC 8949) from hostile bytes, one after the other. Tags are skipped. Takes
- * no more memory than there are bytes; whatever is wrong with them is an {@link
- * IllegalArgumentException} that says what was expected.
+ * Reads consecutive CBOR data items (RFC 8949) from untrusted bytes. Tags are skipped. Allocates no more memory than there are bytes; malformed input causes an {@link IllegalArgumentException} naming what was expected.
  */
 final class CborInput {
-  /** What {@link #array} and {@link #map} return for those that only a break ends. */
+  /** Returned by {@link #array} and {@link #map} for indefinite lengths. */
   static final long UNTIL_BREAK = -1;
 
-  private static final int HALF_EXPONENT = 10; // bits of the fraction before it
+  private static final int HALF_EXPONENT = 10; // fraction bits below the exponent
   private static final int HALF_FRACTION = 0x3FF;
   private static final int HALF_LARGEST_EXPONENT = 0x1F;
 
@@ -24,7 +22,7 @@ final class CborInput {
   }
 
   /**
-   * @param recent texts that may come again
+   * @param recent cache of texts likely to recur
    */
   CborInput(byte[] bytes, RecentTexts recent) {
     this.bytes = bytes;
@@ -41,7 +39,7 @@ final class CborInput {
     return bytes.length - at;
   }
 
-  /** All of them, for who reads several at once and then calls {@link #passTo}; never changed. */
+  /** All bytes, for callers that read several items at once and then call {@link #passTo}; not to be modified. */
   byte[] bytes() {
     return bytes;
   }
@@ -54,7 +52,7 @@ final class CborInput {
     return at == bytes.length;
   }
 
-  /** The first byte of the next item, tags left out; stays there. */
+  /** Peeks at the first byte of the next item, skipping tags. */
   int next() {
     while (at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.TAG) {
       argument();
@@ -65,18 +63,18 @@ final class CborInput {
     return bytes[at] & 0xFF;
   }
 
-  /** The number of the tag that is next, which is read; -1 if there is none. */
+  /** Reads the next tag's number; -1 if none follows. */
   long tag() {
     boolean isTag = at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.TAG;
     return isTag ? argument() : -1L;
   }
 
-  /** Whether the next item is a number that is not negative, as labels are; it stays there. */
+  /** Peeks whether the next item is an unsigned integer, as labels are. */
   boolean isLabelNext() {
     return at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.UNSIGNED;
   }
 
-  /** The next eight bytes, big-endian; zeros after the end. They stay there. */
+  /** Peeks at the next eight bytes, big-endian, zero-padded at the end. */
   long word() {
     return bytes.length - at >= Long.BYTES ? view().getLong(at) : lastWord();
   }
@@ -89,7 +87,7 @@ final class CborInput {
     return word;
   }
 
-  /** Whether that key is next; then it is read. */
+  /** Consumes the key if it is next. */
   boolean take(FieldKey key) {
     boolean isNext = isNext(key);
     if (isNext) {
@@ -98,7 +96,7 @@ final class CborInput {
     return isNext;
   }
 
-  /** Whether that key is next, written as short as can be; it stays there. */
+  /** Peeks whether the key is next in its shortest form. */
   boolean isNext(FieldKey key) {
     return key.length() <= bytes.length - at
         && key.opens(word())
@@ -114,12 +112,12 @@ final class CborInput {
     return true;
   }
 
-  /** A buffer of the caller's own: where nobody else has it, compilers leave it out. */
+  /** New buffer per call: escape analysis removes it. */
   private ByteBuffer view() {
     return ByteBuffer.wrap(bytes);
   }
 
-  /** A number of any length, whole ones too. */
+  /** Reads a number of any width, including integers. */
   double number() {
     int first = next();
     if (first == Cbor.FLOAT_64) {
@@ -142,7 +140,7 @@ final class CborInput {
     return (first & Cbor.MAJOR) == Cbor.UNSIGNED ? size : -1.0 - size;
   }
 
-  /** As many numbers as there is room for in the array. */
+  /** Fills the array with numbers. */
   void numbers(double[] into) {
     ByteBuffer view = view();
     for (int i = 0; i < into.length; i++) {
@@ -155,13 +153,13 @@ final class CborInput {
     }
   }
 
-  /** As many flags as there is room for in the array. */
+  /** Fills the array with flags. */
   void flags(boolean[] into) {
     for (int i = 0; i < into.length; i++) {
       if (at < bytes.length && (bytes[at] | 1) == (byte) Cbor.TRUE) {
         into[i] = bytes[at++] == (byte) Cbor.TRUE;
       } else {
-        into[i] = flag(); // with a tag, or none at all
+        into[i] = flag(); // tagged, or not a flag
       }
     }
   }
@@ -184,7 +182,7 @@ final class CborInput {
   long count() {
     int left = bytes.length - at;
     if (left > Long.BYTES && bytes[at] == Cbor.EIGHT_BYTES && bytes[at + 1] >= 0) {
-      at += 1 + Long.BYTES; // as timestamps are: microseconds since 1970
+      at += 1 + Long.BYTES; // fast path for timestamps: microseconds since 1970
       return view().getLong(at - Long.BYTES);
     }
     return anyCount();
@@ -216,7 +214,7 @@ final class CborInput {
     return text == null ? CborStrings.text(this) : text;
   }
 
-  /** A text as most are: short, of ASCII, its length in its first byte. Else null: not read. */
+  /** Fast path for short ASCII text with its length in the first byte; null, consuming nothing, for any other. */
   private String shortText() {
     int length = at < bytes.length ? (bytes[at] & 0xFF) - Cbor.TEXT : -1;
     if (length < 0 || length > RecentTexts.LONGEST || length >= bytes.length - at) {
@@ -229,7 +227,7 @@ final class CborInput {
     return text;
   }
 
-  /** A byte string, whole or in pieces. */
+  /** Reads a byte string of definite or indefinite length. */
   ByteString byteString() {
     return CborStrings.byteString(this);
   }
@@ -252,14 +250,14 @@ final class CborInput {
       return UNTIL_BREAK;
     }
     long length = argument();
-    if (length < 0 || length > bytes.length - at) { // each takes a byte at least
+    if (length < 0 || length > bytes.length - at) { // at least one byte each
       throw new IllegalArgumentException("expected " + what + " that fits into the message");
     }
     return length;
   }
 
   /**
-   * Whether the item that is next has no length but ends with a break; reads its first byte then.
+   * Consumes the first byte of an indefinite-length item if one is next.
    */
   boolean takeIndefinite() {
     boolean isIndefinite = (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE;
@@ -269,12 +267,12 @@ final class CborInput {
     return isIndefinite;
   }
 
-  /** Whether an array or map ends here, of which so much was read; reads a break. */
+  /** Whether an array or map ends after this many elements; consumes a break. */
   boolean isDone(long length, long read) {
     return length == UNTIL_BREAK ? isBreak() : read == length;
   }
 
-  /** Whether a break is next, which is read then. */
+  /** Consumes a break if it is next. */
   boolean isBreak() {
     if (at == bytes.length) {
       throw new IllegalArgumentException("expected a data item or a break, not the end");
@@ -287,9 +285,9 @@ final class CborInput {
   }
 
   /**
-   * Skips an item, whatever it is.
+   * Skips an item of any type.
    *
-   * @param levels how deep arrays and maps may be nested in it
+   * @param levels maximum nesting depth of arrays and maps in it
    */
   void skip(int levels) {
     int first = next();
@@ -318,7 +316,7 @@ final class CborInput {
     }
   }
 
-  /** The argument of the item whose first byte is next, which is read too: unsigned. */
+  /** Reads the first byte of an item and its unsigned argument. */
   long argument() {
     int info = bytes[at] & Cbor.INFO;
     if (info < Cbor.ONE_BYTE) {
@@ -340,7 +338,7 @@ final class CborInput {
     }
   }
 
-  /** Passes so many bytes; returns where they begin. */
+  /** Skips this many bytes; returns their start. */
   int skipBytes(int count) {
     if (count > bytes.length - at) {
       at = bytes.length;
@@ -351,7 +349,7 @@ final class CborInput {
     return start;
   }
 
-  /** Passes the first byte of what is not expected, and says so. */
+  /** Skips the first byte of an unexpected item and throws. */
   IllegalArgumentException unexpected(String what) {
     int first = bytes[at++] & 0xFF;
     return new IllegalArgumentException("expected " + what + ", not " + name(first));

@@ -6,8 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * Bytes of CBOR data items (RFC 8949), one after the other: definite lengths, shortest integers,
- * float64.
+ * Writes consecutive CBOR data items (RFC 8949): definite lengths, shortest integers, float64.
  */
 final class CborOutput {
   private static final int TYPICAL_BYTES = 512;
@@ -24,7 +23,7 @@ final class CborOutput {
 
   /**
    * @param form of the keys of all maps
-   * @param expected bytes, about; takes more as well
+   * @param expected approximate number of bytes; grows if exceeded
    */
   CborOutput(WireForm form, int expected) {
     this.form = form;
@@ -35,7 +34,7 @@ final class CborOutput {
     return form;
   }
 
-  /** How many bytes open an item with that argument, which is unsigned and no part of the first. */
+  /** Bytes of an item's head with this unsigned argument. */
   private static int headBytes(long argument) {
     if (argument >>> Byte.SIZE == 0L) {
       return 1 + Byte.BYTES;
@@ -51,7 +50,7 @@ final class CborOutput {
     return length;
   }
 
-  /** All that was written; the last call. */
+  /** Everything written; must be the last call. */
   byte[] toBytes() {
     return length == bytes.length ? bytes : Arrays.copyOf(bytes, length);
   }
@@ -115,7 +114,7 @@ final class CborOutput {
     }
   }
 
-  /** Writes a text as most are: of ASCII, its length in its first byte. False: it is not. */
+  /** Fast path for ASCII text with its length in the first byte; false if not applicable. */
   private boolean shortAscii(String value) {
     int chars = value.length();
     if (chars >= Cbor.ONE_BYTE) {
@@ -142,7 +141,7 @@ final class CborOutput {
     head(Cbor.TAG, number);
   }
 
-  /** Opens a byte string of so many bytes; returns a little-endian buffer to fill with them. */
+  /** Opens a byte string of this length; returns a little-endian buffer for its content. */
   ByteBuffer byteString(int size) {
     head(Cbor.BYTES, size);
     reserve(size);
@@ -155,19 +154,19 @@ final class CborOutput {
     item(value.shared());
   }
 
-  /** What opens an array; its elements are to follow. */
+  /** Opens an array; its elements must follow. */
   void array(int elements) {
     head(Cbor.ARRAY, elements);
   }
 
-  /** What opens a map; its pairs are to follow. */
+  /** Opens a map; its pairs must follow. */
   void map(int pairs) {
     head(Cbor.MAP, pairs);
   }
 
   /** A field's name or label. */
   void key(FieldKey key) {
-    if (bytes.length - length < key.room()) { // what is beyond the key may be beyond the end
+    if (bytes.length - length < key.room()) { // put() may write beyond the key
       item(key.bytes());
     } else {
       key.put(ByteBuffer.wrap(bytes), length);
@@ -175,7 +174,7 @@ final class CborOutput {
     }
   }
 
-  /** What was encoded before. */
+  /** Appends encoded bytes. */
   void item(byte[] encoded) {
     reserve(encoded.length);
     System.arraycopy(encoded, 0, bytes, length, encoded.length);

@@ -9,8 +9,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Reads one message from hostile bytes: every length is bounded, every error is a {@link
- * MalformedMessageException}.
+ * Reads one message from untrusted bytes: all lengths are bounded, and all errors are {@link MalformedMessageException}s.
  */
 final class CborReader {
   private static final FieldKey TYPE_NAME = WireForm.READABLE.key(Schema.TYPE_KEY);
@@ -19,9 +18,9 @@ final class CborReader {
   private static final FieldKey ORIGIN_LABEL = WireForm.COMPACT.key(Origin.KEY);
   private static final int COORDINATES = 3;
   private static final double FULL_LATITUDE_DEG = 90.0;
-  private static final int BETWEEN = -1; // fields
-  private static final int OTHER = -2; // than fields with an index
-  private static final int SOME = 16; // elements, to begin with, of a list that does not say
+  private static final int BETWEEN = -1; // between fields
+  private static final int OTHER = -2; // a field without an index
+  private static final int SOME = 16; // initial capacity of indefinite-length lists
 
   /** Reads the next element of a list. */
   interface Element<V> {
@@ -31,13 +30,13 @@ final class CborReader {
   private final MessageTypes types;
   private final CborInput in;
   private final List<String> chain; // of the whole message
-  private String path; // type and fields around what is being read; null: the whole message's type
+  private String path; // enclosing types and fields; null: the message's own type
   private FieldTable<?> table; // of the message being read
   private int index =
-      BETWEEN; // of the field being read: no reference, which garbage collectors watch
-  private String other; // the key being read that has no index
-  private int depth; // arrays and maps around what is being read
-  private Origin origin; // as the outermost map says; else null
+      BETWEEN; // index of the current field; not a reference, to avoid write barriers
+  private String other; // current key without an index
+  private int depth; // nesting depth of arrays and maps
+  private Origin origin; // from the outermost map; null if absent
 
   private CborReader(MessageTypes types, List<String> chain, CborInput in) {
     this.types = types;
@@ -60,12 +59,12 @@ final class CborReader {
         throw malformed("expected the end of the message, not more bytes");
       }
       return message;
-    } catch (RuntimeException e) { // the input's, or a setter's refusal
+    } catch (RuntimeException e) { // from the input or a setter
       throw new MalformedMessageException(where(), in.offset(), e.getMessage(), e);
     }
   }
 
-  /** The rest of the map that was opened, as a message of the given type. */
+  /** Reads the rest of an opened map as a message of the given type. */
   private <M extends U2SAData> M message(
       MessageType<M> type, List<String> itsChain, long pairs, long read)
       throws MalformedMessageException {
@@ -97,7 +96,7 @@ final class CborReader {
     return message;
   }
 
-  /** A latitude of more than 90° is none: whoever has a message in GLOBAL need not ask. */
+  /** Rejects latitudes beyond 90°, so that users of messages in GLOBAL need not check. */
   private <M extends U2SAData> void requireOnEarth(M message) throws MalformedMessageException {
     MessageType<?> type = message.type();
     if (type.frameField() == null || !message.frame().equals(ReferenceFrame.GLOBAL)) {
@@ -114,23 +113,23 @@ final class CborReader {
   }
 
   private void requireLatitude(double degrees) throws MalformedMessageException {
-    if (Math.abs(degrees) > FULL_LATITUDE_DEG) { // not if it is NaN: absent
+    if (Math.abs(degrees) > FULL_LATITUDE_DEG) { // false for NaN, which means absent
       throw malformed("the latitude " + degrees + " deg is outside -90…90 deg");
     }
   }
 
-  /** Says which field of the message's table is being read, for errors. */
+  /** Records the index of the current field, for errors. */
   void reading(int field) {
     index = field;
   }
 
-  /** Says the key of what is being read, for errors. */
+  /** Records the current key, for errors. */
   void reading(String key) {
     other = key;
     index = OTHER;
   }
 
-  /** The value after a key that is no field's. */
+  /** Reads the value of an unknown key. */
   void other(String name, Map<String, Object> unknown) throws MalformedMessageException {
     if (depth == 1 && name.equals(Origin.KEY)) {
       origin = origin();
@@ -141,7 +140,7 @@ final class CborReader {
     }
   }
 
-  /** The next item, as [sender, sequence]. */
+  /** Reads [sender, sequence]. */
   private Origin origin() throws MalformedMessageException {
     if ((in.next() & Cbor.MAJOR) != Cbor.ARRAY) {
       throw in.unexpected("an array of sender and sequence");
@@ -155,7 +154,7 @@ final class CborReader {
     return new Origin(sender, sequence);
   }
 
-  /** The next element of a list: a map that opens with its type chain. */
+  /** Reads a list element: a map that starts with its type chain. */
   <M extends U2SAData> M nested(MessageType<M> expected) throws MalformedMessageException {
     long pairs = in.map();
     boolean opensWithType =
@@ -181,7 +180,7 @@ final class CborReader {
     return message;
   }
 
-  /** The name of the pair that comes next, by whichever form of key. */
+  /** Reads the next key in either form and returns its name. */
   String key() {
     boolean isLabel = (in.next() & Cbor.MAJOR) == Cbor.UNSIGNED;
     return isLabel ? FieldLabels.name(in.count()) : FieldLabels.name(in.text());
@@ -227,11 +226,11 @@ final class CborReader {
     return Point.of(x, y, z);
   }
 
-  /** The next item, as a list of numbers without objects for them, be it a typed array. */
+  /** Reads a list of unboxed numbers, plain or as a typed array. */
   List<Double> numbers() throws MalformedMessageException {
     List<Double> typed = typedNumbers();
     if (typed != null) {
-      return typed; // what fits into a message; a field's bounds are checked behind this
+      return typed; // bounded by the message size; the field's bounds are checked later
     }
     long length = in.array();
     if (length == CborInput.UNTIL_BREAK) {
@@ -245,9 +244,9 @@ final class CborReader {
     return Numbers.owning(numbers);
   }
 
-  /** The next item, if it is a typed array of floats; else null, and no more than tags is read. */
+  /** Reads a typed array of floats; otherwise consumes only tags and returns null. */
   private List<Double> typedNumbers() {
-    for (long tag = in.tag(); tag >= 0; tag = in.tag()) { // other tags are remarks
+    for (long tag = in.tag(); tag >= 0; tag = in.tag()) { // other tags are ignored
       if (TypedArrays.isOfFloats(tag)) {
         return Numbers.owning(TypedArrays.read(in, tag));
       }
@@ -255,7 +254,7 @@ final class CborReader {
     return null;
   }
 
-  /** The next item, as a list of points, be it a two-dimensional array with three columns. */
+  /** Reads a list of points, plain or as a two-dimensional array with three columns. */
   List<Point> points() throws MalformedMessageException {
     for (long tag = in.tag(); tag >= 0; tag = in.tag()) {
       if (tag == TypedArrays.ROW_MAJOR) {
@@ -266,15 +265,15 @@ final class CborReader {
     return list(this::point);
   }
 
-  /** Makes an element of a row of numbers, from one index to before another. */
+  /** Creates an element from the numbers of a row, from start to end (exclusive). */
   private interface Row<V> {
     V of(List<Double> numbers, int at, int end);
   }
 
   /**
-   * The rest of a two-dimensional array, row by row.
+   * Reads the rest of a two-dimensional array, row-major.
    *
-   * @param width how many columns there must be; 0: any number
+   * @param width required number of columns; 0 for any
    */
   private <V> List<V> rows(int width, Row<V> row) throws MalformedMessageException {
     long parts = in.array();
@@ -305,8 +304,7 @@ final class CborReader {
   }
 
   /**
-   * The next item as a list if it is an array of floats of one or two dimensions, as a message of
-   * an unknown class may have it; else null.
+   * Reads a one- or two-dimensional array of floats as a list, for messages of unknown classes; null if the next item is something else.
    */
   List<?> typedArray() throws MalformedMessageException {
     for (long tag = in.tag(); tag >= 0; tag = in.tag()) {
@@ -322,7 +320,7 @@ final class CborReader {
     return null;
   }
 
-  /** The next item, as a list of true and false without a place for each. */
+  /** Reads a list of unboxed booleans. */
   List<Boolean> flags() throws MalformedMessageException {
     long length = in.array();
     if (length == CborInput.UNTIL_BREAK) {
@@ -372,7 +370,7 @@ final class CborReader {
     return Collections.unmodifiableMap(map);
   }
 
-  /** The first byte of the next item. */
+  /** Peeks at the first byte of the next item. */
   int next() {
     return in.next();
   }

@@ -7,7 +7,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Reads texts and byte strings of any length and form, whole or in pieces that a break ends. */
+/** Reads texts and byte strings of definite or indefinite length. */
 final class CborStrings {
   private CborStrings() {}
 
@@ -38,7 +38,7 @@ final class CborStrings {
         return utf8(bytes, start, length);
       }
     }
-    return new String(bytes, start, length, StandardCharsets.ISO_8859_1); // the same in ASCII
+    return new String(bytes, start, length, StandardCharsets.ISO_8859_1); // identical for ASCII
   }
 
   private static String utf8(byte[] bytes, int start, int length) {
@@ -75,7 +75,7 @@ final class CborStrings {
     return Arrays.copyOfRange(in.bytes(), start, in.offset());
   }
 
-  /** A byte string of any length that fits into the message, without a copy if it is whole. */
+  /** Reads a byte string bounded by the message size, without copying if its length is definite. */
   static ByteBuffer bytesInPlace(CborInput in) {
     if ((in.next() & Cbor.MAJOR) != Cbor.BYTES || isIndefinite(in)) {
       return ByteBuffer.wrap(byteString(in).shared());
@@ -95,7 +95,7 @@ final class CborStrings {
     }
   }
 
-  /** Passes a piece of any length; returns where its bytes begin. */
+  /** Skips a chunk of any length; returns its start. */
   private static int wholePiece(CborInput in) {
     long length = in.argument();
     if (length < 0 || length > in.left()) {
@@ -104,7 +104,7 @@ final class CborStrings {
     return in.skipBytes((int) length);
   }
 
-  /** Passes a piece of no more than so many bytes; returns where its bytes begin. */
+  /** Skips a chunk of bounded length; returns its start. */
   private static int piece(CborInput in, int atMost, String expected) {
     long length = in.argument();
     if (length < 0 || length > atMost) {

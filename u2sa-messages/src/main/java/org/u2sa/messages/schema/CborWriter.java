@@ -18,7 +18,7 @@ final class CborWriter {
     return Stream.of(WireForm.values()).map(form -> form.key(name)).toArray(FieldKey[]::new);
   }
 
-  /** The message, and who sends it unless that is null. */
+  /** Writes the message, and its sender unless null. */
   static byte[] bytes(U2SAData message, Origin origin, WireForm form) {
     message.requireComplete();
     FieldTable<U2SAData> table = message.ownType().table(form);
@@ -51,7 +51,7 @@ final class CborWriter {
       chain.forEach(out::text);
     }
     table.write(out, message);
-    if (!unknown.isEmpty()) { // most have none, and need no iterator for it
+    if (!unknown.isEmpty()) { // avoids an iterator in the common case
       unknown.forEach(
           (name, value) -> {
             out.key(form.key(name));

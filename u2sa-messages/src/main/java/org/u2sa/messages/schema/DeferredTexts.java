@@ -6,18 +6,16 @@ import java.util.RandomAccess;
 import java.util.function.Supplier;
 
 /**
- * An immutable list of texts that is made when somebody first asks for it: between services of one
- * process nobody does, as messages are not written there. For any thread.
+ * An immutable list of texts, created lazily on first access: messages between services of one process are not encoded, so it is never created there. Thread-safe.
  */
 public final class DeferredTexts extends AbstractList<String> implements RandomAccess {
   private final Supplier<List<String>> maker;
-  private volatile List<String> made; // null until somebody asks; the same whoever makes it
+  private volatile List<String> made; // null until first access; equal whichever thread creates it
 
   /**
-   * Texts yet to be made.
+   * Creates a list whose texts are made on first access.
    *
-   * @param maker gives the same each time, on any thread; what it gives must be within the bounds
-   *     of a message's texts
+   * @param maker returns the same texts on every call and thread, within the bounds of a message's texts
    */
   public DeferredTexts(Supplier<List<String>> maker) {
     this.maker = maker;

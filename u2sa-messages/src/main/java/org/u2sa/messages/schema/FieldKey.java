@@ -3,14 +3,14 @@ package org.u2sa.messages.schema;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
-/** What names a field on the wire, made once and written eight bytes at a time. Immutable. */
+/** A field's key on the wire, encoded once and written eight bytes at a time. Immutable. */
 final class FieldKey {
   private final byte[] bytes;
   private final int length;
-  private final long[] words; // the bytes, big-endian; the last word is filled up with zeros
-  private final long first; // of them: most names are that short
-  private final long second; // 0 if there is none
-  private final long firstMask; // which bits of the first word are the key's
+  private final long[] words; // the bytes, big-endian; the last word is zero-padded
+  private final long first; // first word: most names fit into two
+  private final long second; // 0 if none
+  private final long firstMask; // bits of the first word used by the key
 
   private FieldKey(CborOutput encoded) {
     bytes = encoded.toBytes();
@@ -33,7 +33,7 @@ final class FieldKey {
     return new FieldKey(out);
   }
 
-  /** So many words, big-endian, of bytes that are filled up with zeros. */
+  /** Packs bytes into this many big-endian words, zero-padded. */
   static long[] words(byte[] bytes, int count) {
     ByteBuffer view = ByteBuffer.wrap(Arrays.copyOf(bytes, count * Long.BYTES));
     long[] words = new long[count];
@@ -43,18 +43,18 @@ final class FieldKey {
     return words;
   }
 
-  /** The bits of a word that are those of its first so many bytes; all of them, if it has fewer. */
+  /** Mask of the first bytes of a word; all bits for eight or more. */
   static long mask(int count) {
     int kept = Math.max(0, Math.min(Long.BYTES, count));
     return kept == 0 ? 0L : -1L << (Long.BYTES - kept) * Byte.SIZE;
   }
 
-  /** The key as a CBOR data item; nobody changes it. */
+  /** The key as a CBOR data item; not to be modified. */
   byte[] bytes() {
     return bytes;
   }
 
-  /** Whether a key begins that opens with those eight bytes, big-endian. */
+  /** Whether these eight bytes, big-endian, start with the key. */
   boolean opens(long word) {
     return (word & firstMask) == first;
   }
@@ -63,12 +63,12 @@ final class FieldKey {
     return length;
   }
 
-  /** How many bytes {@link #put} touches. */
+  /** Number of bytes written by {@link #put}, including padding. */
   int room() {
     return words.length * Long.BYTES;
   }
 
-  /** Writes the key; what follows it within {@link #room()} is overwritten by zeros. */
+  /** Writes the key, zero-padded to {@link #room()}. */
   void put(ByteBuffer into, int at) {
     into.putLong(at, first);
     if (length > Long.BYTES) {

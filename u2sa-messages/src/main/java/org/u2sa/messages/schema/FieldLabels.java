@@ -4,20 +4,16 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The labels of fields: numbers that stand for their names on the wire, as in SenML (RFC 8428, 6)
- * and COSE (RFC 9052, 1.5). One list for all classes; a name that is not in it, such as one of a
- * class of your own, is written as text even where labels are.
+ * Field labels: integers that replace field names on the wire, as in SenML (RFC 8428, 6) and COSE (RFC 9052, 1.5). One list for all classes; names not in it, such as those of your own classes, are written as text even in the labelled form.
  */
 final class FieldLabels {
   /**
-   * Before the digits of a label that this reader does not know, as the name of its field. Whoever
-   * reads it again and knows the label takes it for the name.
+   * Prefix of the field name made from an unknown label. A later reader that knows the label resolves it to the name.
    */
   static final String UNKNOWN = "#";
 
   /**
-   * A name's label is its place, from 0. Only ever appended to: what was written once must stay
-   * readable. The first 24 take one byte.
+   * A name's label is its index, from 0. Append only, so that old recordings stay readable. The first 24 take one byte.
    */
   private static final String ALL =
       """
@@ -61,22 +57,22 @@ final class FieldLabels {
 
   private FieldLabels() {}
 
-  /** How many there are: each below has a name. */
+  /** Number of labels: every smaller integer has a name. */
   static int count() {
     return NAMES.length;
   }
 
-  /** The name's label; null if it has none. */
+  /** Label of a name; null if none. */
   static Integer of(String name) {
     return LABELS.get(name);
   }
 
-  /** The name that the label stands for; what stands for it where nobody knows it. */
+  /** Name of a label; a placeholder if the label is unknown. */
   static String name(long label) {
     return label >= 0 && label < NAMES.length ? NAMES[(int) label] : UNKNOWN + label;
   }
 
-  /** What a key says that came as text: itself, but for a label that another did not know. */
+  /** Name of a text key: the text itself, or the name of the label in a placeholder. */
   static String name(String key) {
     if (!key.startsWith(UNKNOWN)) {
       return key;

@@ -1,6 +1,6 @@
 package org.u2sa.messages.schema;
 
-/** What all kinds of fields have in common, as the schema hands it to them. */
+/** Properties common to all kinds of fields, passed by the schema. */
 record FieldOutline(
     String owner, String name, String unit, FieldPresence presence, int slot, int bit, int since) {
   static FieldOutline of(

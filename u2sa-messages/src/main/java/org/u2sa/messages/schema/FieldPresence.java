@@ -2,10 +2,10 @@ package org.u2sa.messages.schema;
 
 /** Whether a field may be missing. */
 enum FieldPresence {
-  /** Absent is absent: never 0, never NaN. */
+  /** May be absent; absence is not encoded as 0 or NaN. */
   OPTIONAL,
-  /** No message is published or decoded without it. */
+  /** Required for publishing and decoding. */
   REQUIRED,
-  /** Has a value from the start; always written. */
+  /** Has a default; always written. */
   DEFAULTED
 }

@@ -1,6 +1,6 @@
 package org.u2sa.messages.schema;
 
-/** Allots storage and presence bits to the fields of one class, after those of its parent. */
+/** Allocates storage and presence bits to the fields of one class, after its parent's. */
 final class FieldSlots {
   private static final int MAX = Long.SIZE; // presence is one long
 
@@ -8,7 +8,7 @@ final class FieldSlots {
   private int values;
   private int bits;
 
-  /** The sizes of a parent: where its child goes on. */
+  /** Sizes of the parent, where its child continues. */
   static FieldSlots after(MessageType.Sizes parent) {
     FieldSlots slots = new FieldSlots();
     slots.numbers = parent.numbers();

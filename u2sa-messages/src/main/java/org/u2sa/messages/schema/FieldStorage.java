@@ -8,19 +8,16 @@ import org.u2sa.messages.frame.Point;
 /**
  * The values of one message.
  *
- * <p>Most messages set few of the numbers that their type could have. So the numbers that are set
- * stand without gaps in the order of their slots, and a mask says which they are. All else is kept
- * as immutable objects by slot, but for the timestamp, which nearly every message has: it needs no
- * object.
+ * <p>Most messages set few of their type's numbers, so the set numbers are stored without gaps in slot order, with a mask of the used slots. All other values are immutable objects by slot, except the timestamp, which nearly every message has and which is kept unboxed.
  */
 final class FieldStorage {
   private static final double[] NO_NUMBERS = {};
-  private static final int ROOM_TO_BEGIN_WITH = 4; // numbers: a position or a velocity
+  private static final int ROOM_TO_BEGIN_WITH = 4; // enough for a position or a velocity
 
   private double[] numbers = NO_NUMBERS;
   private Object[] values;
   private long present; // bit n: the number of slot n is set
-  private long valuesPresent; // likewise: the value
+  private long valuesPresent; // likewise for values
   private long timestampMicros;
   private boolean timed; // the timestamp is set
   private boolean frozen;
@@ -29,17 +26,17 @@ final class FieldStorage {
     values = new Object[sizes.values()];
   }
 
-  /** Which numbers are set, a bit each, by slot. */
+  /** Mask of set numbers, by slot. */
   long numbersSet() {
     return present;
   }
 
-  /** Which values are set, a bit each, by slot; the timestamp is none of them. */
+  /** Mask of set values, by slot; excludes the timestamp. */
   long valuesSet() {
     return valuesPresent;
   }
 
-  /** The numbers that are set, in the order of their slots; nobody changes them. */
+  /** Set numbers in slot order; not to be modified. */
   double[] numbers() {
     return numbers;
   }
@@ -61,20 +58,20 @@ final class FieldStorage {
     return has(field) ? numbers[indexOf(field.slot)] : field.ifUnset;
   }
 
-  /** Where the number of a slot stands or would stand: after all those of lower slots. */
+  /** Index of a slot's number, whether set or not: after all lower slots. */
   int indexOf(int slot) {
     return Long.bitCount(present & (1L << slot) - 1);
   }
 
   /** The value, or the default, or null. */
   @SuppressWarnings(
-      "unchecked") // slot and value's class belong to the same field: only put fills it
+      "unchecked") // only put fills the slot, with the class of the same field
   <V> V get(ValueField<?, V> field) {
     Object value = values[field.slot];
     return value == null ? field.ifUnset : (V) value;
   }
 
-  /** The timestamp [µs]; 0 if there is none. */
+  /** The timestamp [µs]; 0 if absent. */
   long timestamp() {
     return timestampMicros;
   }
@@ -90,11 +87,10 @@ final class FieldStorage {
   }
 
   /**
-   * Keeps numbers as readers come by them: behind all that are set, in a message that is not
-   * frozen.
+   * Appends numbers in reading order, after all set ones, to a message that is not frozen.
    *
-   * @param slots of the numbers, a bit each
-   * @param more the numbers in the order of their slots; nobody else changes them any more
+   * @param slots mask of the numbers' slots
+   * @param more the numbers in slot order; the caller must not modify the array afterwards
    */
   void append(long slots, double[] more) {
     int count = Long.bitCount(present);
@@ -113,7 +109,7 @@ final class FieldStorage {
     if (count == old.length) {
       numbers = Arrays.copyOf(old, Math.min(2 * count + ROOM_TO_BEGIN_WITH, Long.SIZE));
     }
-    if (index < count) { // else it comes last, as in messages that are read or filled in order
+    if (index < count) { // otherwise append: the usual case when reading or filling in order
       System.arraycopy(old, index, numbers, index + 1, count - index);
     }
   }
@@ -124,8 +120,8 @@ final class FieldStorage {
     valuesPresent |= 1L << field.slot;
   }
 
-  /** The points of a list, by its slot; none if it is unset. */
-  @SuppressWarnings("unchecked") // only lists of points are kept there
+  /** Points of the list in a slot; empty if unset. */
+  @SuppressWarnings("unchecked") // the slot holds only lists of points
   List<Point> points(int slot) {
     return values[slot] == null ? List.of() : (List<Point>) values[slot];
   }
@@ -137,7 +133,7 @@ final class FieldStorage {
   }
 
   /**
-   * Takes over all values of another message of the type, and copies of the messages within.
+   * Copies all values of another message of the type, including nested messages.
    *
    * @param messageLists slots of the lists that hold them
    */
@@ -171,7 +167,7 @@ final class FieldStorage {
   }
 
   /**
-   * Freezes this message and the messages within.
+   * Freezes this message and nested ones.
    *
    * @param messageLists slots of the lists that hold them
    */

@@ -4,29 +4,27 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The fields of a type in the order of the wire with their keys of one form, laid out so that
- * writers and readers pass over them without asking each for what never changes. Safe for all
- * threads.
+ * The fields of a type in wire order with their keys of one form, as parallel arrays so that writers and readers need not query each field for constant properties. Thread-safe.
  *
  * @param <T> the message class
  */
 final class FieldTable<T extends U2SAData> {
   private static final int LEAST_BYTES = 32;
   private static final int MOST_BYTES =
-      4096; // a single large message must not make all others dear
+      4096; // one large message must not inflate all later buffers
 
   private final MessageField<T>[] fields;
-  private final FieldKey[] keys; // of them
-  private final NumberRun[] runs; // by index: that of a number; null for other kinds
+  private final FieldKey[] keys; // of the fields
+  private final NumberRun[] runs; // run of each number by index; null for other kinds
   private final long defaultedNumbers; // bit n: the number of slot n has a default
   private final long requiredNumbers; // likewise
-  private final ValueField<T, ?>[] values; // of the fields
-  private final FieldKey[] valueKeys; // of them
-  private final int[] valueIndexes; // which of the fields they are
-  private final NumberRun[] runsBefore; // by index in values, and behind the last; null: none
+  private final ValueField<T, ?>[] values; // fields other than numbers
+  private final FieldKey[] valueKeys; // keys of values
+  private final int[] valueIndexes; // indexes of values in the fields
+  private final NumberRun[] runsBefore; // by index in values, plus one after the last; null if none
   private final long defaultedValues; // bit n: the value of slot n has a default
   private final long requiredValues; // likewise
-  private int typicalBytes = LEAST_BYTES; // of the last message written: a guess, so no lock
+  private int typicalBytes = LEAST_BYTES; // of the last message: an estimate, so no lock
 
   FieldTable(List<MessageField<T>> all, WireForm form) {
     fields = fieldArray(all);
@@ -68,7 +66,7 @@ final class FieldTable<T extends U2SAData> {
     requiredValues = neededValues;
   }
 
-  /** The numbers from one index to before another; null if there are none. */
+  /** Run of the numbers between two indexes, the second exclusive; null if empty. */
   private NumberRun run(int start, int end) {
     if (start == end) {
       return null;
@@ -84,7 +82,7 @@ final class FieldTable<T extends U2SAData> {
     return run;
   }
 
-  @SuppressWarnings({"unchecked", "rawtypes"}) // there are no arrays of generic types
+  @SuppressWarnings({"unchecked", "rawtypes"}) // generic arrays cannot be created
   private static <T extends U2SAData> MessageField<T>[] fieldArray(List<MessageField<T>> fields) {
     return fields.toArray(new MessageField[0]);
   }
@@ -94,7 +92,7 @@ final class FieldTable<T extends U2SAData> {
     return values.toArray(new ValueField[0]);
   }
 
-  /** A required field that the message does not have; null if it has all. */
+  /** A missing required field; null if none is missing. */
   MessageField<T> missing(T message) {
     FieldStorage storage = message.storage();
     boolean isComplete =
@@ -112,7 +110,7 @@ final class FieldTable<T extends U2SAData> {
     return null;
   }
 
-  /** How many fields of a message are on the wire. */
+  /** Number of fields of a message on the wire. */
   int count(T message) {
     FieldStorage storage = message.storage();
     return Long.bitCount(storage.numbersSet() | defaultedNumbers)
@@ -120,17 +118,17 @@ final class FieldTable<T extends U2SAData> {
         + (storage.hasTimestamp() ? 1 : 0);
   }
 
-  /** About as many bytes as the last message took. */
+  /** Approximate size of the last message. */
   int typicalBytes() {
     return typicalBytes;
   }
 
-  /** Remembers how many bytes a message took. */
+  /** Remembers the size of a message. */
   void typicalBytes(int bytes) {
     typicalBytes = Math.max(LEAST_BYTES, Math.min(bytes, MOST_BYTES));
   }
 
-  /** Writes all fields of a message that are to be written, in their order. */
+  /** Writes all fields of a message that must be written, in order. */
   void write(CborOutput out, T message) {
     FieldStorage storage = message.storage();
     for (int i = 0; i < values.length; i++) {
@@ -145,12 +143,9 @@ final class FieldTable<T extends U2SAData> {
   }
 
   /**
-   * Reads pairs of a map as long as they come as our writers put them: each key in its shortest
-   * form and in the order of the fields, numbers as {@link NumberRun} expects them.
+   * Fast path: reads pairs of a map as long as they are in our writers' form: shortest keys in field order, numbers as {@link NumberRun} expects them.
    *
-   * @param pairs of the map
-   * @param read how many of them were read before
-   * @return how many have been read then
+   * @param pairs number of pairs in the map @param read number of pairs already read @return number of pairs read in total
    */
   long readInOrder(CborReader reader, CborInput in, T message, long pairs, long read)
       throws MalformedMessageException {
@@ -161,7 +156,7 @@ final class FieldTable<T extends U2SAData> {
       NumberPattern numbers = run == null ? null : run.read(in, storage, pairs, pairs - done);
       if (numbers != null) {
         done += numbers.count();
-        reader.reading(run.start() + numbers.last()); // where errors of what follows are
+        reader.reading(run.start() + numbers.last()); // position for errors in what follows
       }
       if (i == values.length) {
         return done;
@@ -171,7 +166,7 @@ final class FieldTable<T extends U2SAData> {
         in.passTo(start + valueKeys[i].length());
         reader.reading(valueIndexes[i]);
         if (!values[i].read(reader, message)) {
-          in.passTo(start); // for who remembers the keys that have no value
+          in.passTo(start); // so that keys without a value are recorded
           return done;
         }
         done++;
@@ -181,11 +176,10 @@ final class FieldTable<T extends U2SAData> {
   }
 
   /**
-   * Which field's key comes next, written as short as can be; it stays there.
+   * Peeks which field's key comes next, in its shortest form.
    *
-   * @param from index of the field to begin with: that after the one before, as writers keep the
-   *     order
-   * @return the field's index; {@link #size()} if it is none of those, or is before that one
+   * @param from index of the first candidate: the field after the previous one, as writers keep the order
+   * @return the field's index; {@link #size()} if none matches or the field is before {@code from}
    */
   int find(CborInput in, int from) {
     int index = from;
@@ -195,12 +189,12 @@ final class FieldTable<T extends U2SAData> {
     return index;
   }
 
-  /** The numbers that the field at that index is one of; null if it is of another kind. */
+  /** Run that the field at this index belongs to; null if it is not a number. */
   NumberRun runAt(int index) {
     return runs[index];
   }
 
-  /** How many bytes the key of a field takes. */
+  /** Size of a field's key. */
   int keyBytes(int index) {
     return keys[index].length();
   }

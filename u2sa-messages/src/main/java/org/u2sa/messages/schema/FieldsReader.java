@@ -5,8 +5,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Reads the pairs of one map into a message in whatever order and form CBOR allows; those that are
- * written as our writers do were read before by {@link FieldTable#readInOrder}.
+ * Reads the pairs of one map into a message in any order and form that CBOR allows; pairs in our writers' form have already been read by {@link FieldTable#readInOrder}.
  *
  * @param <T> the message's class
  */
@@ -16,11 +15,11 @@ final class FieldsReader<T extends U2SAData> {
   private final T message;
   private final MessageType<T> type;
   private final FieldTable<T> table;
-  private final Map<String, Object> unknown; // null: what the message cannot hold is skipped
-  private int next; // index of the field after the one before
-  private NumberRun run; // whose numbers are being read; null: none
-  private long opening; // how the map opened where they began
-  private Set<String> others; // keys without a value in the message; null: none
+  private final Map<String, Object> unknown; // null: unknown fields are skipped
+  private int next; // index after the previous field
+  private NumberRun run; // run being read; null if none
+  private long opening; // fingerprint of the map at the start of the run
+  private Set<String> others; // keys without a value in the message; null if none
 
   FieldsReader(
       CborReader reader,
@@ -38,8 +37,7 @@ final class FieldsReader<T extends U2SAData> {
   }
 
   /**
-   * @param pairs of the map
-   * @param read how many of them were read before
+   * @param pairs number of pairs in the map @param read number of pairs already read
    */
   void readRest(long pairs, long read) throws MalformedMessageException {
     for (long done = read; !in.isDone(pairs, done); done++) {
@@ -60,7 +58,7 @@ final class FieldsReader<T extends U2SAData> {
     enter(null, pairs);
   }
 
-  /** Lets a run of numbers remember at its end which it had: it did not expect them. */
+  /** At the end of an unexpected run of numbers, lets the run remember the pattern. */
   private void enter(NumberRun following, long pairs) {
     if (following == run) {
       return;

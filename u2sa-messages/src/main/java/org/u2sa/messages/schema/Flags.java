@@ -4,7 +4,7 @@ import java.util.AbstractList;
 import java.util.Collection;
 import java.util.RandomAccess;
 
-/** An immutable list of true and false that takes a byte for each of them. */
+/** An immutable list of booleans, one byte each. */
 final class Flags extends AbstractList<Boolean> implements RandomAccess {
   private final boolean[] values;
 
@@ -12,7 +12,7 @@ final class Flags extends AbstractList<Boolean> implements RandomAccess {
     this.values = values;
   }
 
-  /** These; nobody else changes the array any more. */
+  /** Wraps the array, which the caller must not modify afterwards. */
   static Flags owning(boolean[] values) {
     return new Flags(values);
   }
@@ -37,7 +37,7 @@ final class Flags extends AbstractList<Boolean> implements RandomAccess {
     return new Flags(values);
   }
 
-  /** The value at an index, as such. */
+  /** Unboxed value at an index. */
   boolean at(int index) {
     return values[index];
   }

@@ -1,6 +1,6 @@
 package org.u2sa.messages.schema;
 
-/** What a field of a message holds, and so how it is written on the wire and in XML. */
+/** Kind of a field's value, which determines its form on the wire and in XML. */
 public enum Kind {
   /** A finite double. CBOR float64. */
   DOUBLE("float64"),
@@ -16,7 +16,7 @@ public enum Kind {
   STRING_LIST("array of text"),
   /** A list of finite doubles. CBOR array of float64. */
   DOUBLE_LIST("array of float64"),
-  /** A list of true or false. CBOR array of bool. */
+  /** A list of booleans. CBOR array of bool. */
   BOOLEAN_LIST("array of bool"),
   /** One of an enum's constants. CBOR text, the constant's name. */
   ENUM("text (enum)"),
@@ -35,7 +35,7 @@ public enum Kind {
     this.cborType = cborType;
   }
 
-  /** The type on the wire, in words, as docs/wire-protocol.md has it. */
+  /** The type on the wire, in the words of docs/wire-protocol.md. */
   public String cborType() {
     return cborType;
   }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.function.Function;
 import org.u2sa.messages.frame.Point;
 
-/** Kinds of lists: their elements are checked, parsed, written and read as single values are. */
+/** Kinds of lists, whose elements are checked, parsed, written and read like single values. */
 final class ListKinds {
   static final ValueKind<List<String>> TEXTS =
       new TextList(new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", ScalarKinds.TEXT));

@@ -1,6 +1,6 @@
 package org.u2sa.messages.schema;
 
-/** Bytes that are no message: says where, in which field, and what was expected there. */
+/** Thrown for bytes that are not a valid message; names the position, the field and what was expected. */
 public final class MalformedMessageException extends Exception {
   private static final long serialVersionUID = 1L;
 

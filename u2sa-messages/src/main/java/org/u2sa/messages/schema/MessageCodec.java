@@ -3,35 +3,34 @@ package org.u2sa.messages.schema;
 import java.util.List;
 
 /**
- * Messages to bytes for a transport, and bytes to messages of the registered types. Immutable, safe
- * for all threads.
+ * Encodes messages and decodes messages of the registered types. Immutable and thread-safe.
  */
 public final class MessageCodec {
   private final MessageTypes types;
   private final WireForm keys;
   private final RecentTexts texts = new RecentTexts();
 
-  /** A codec that knows the given types and writes fields with their names. */
+  /** Creates a codec for the given types that writes fields with their names. */
   public MessageCodec(MessageTypes types) {
     this(types, WireForm.READABLE);
   }
 
   /**
-   * @param types that it reads; it writes any
-   * @param keys how it names the fields of what it writes; it reads either form
+   * @param types types to decode; any type can be encoded
+   * @param keys form of field keys when encoding; either form is decoded
    */
   public MessageCodec(MessageTypes types, WireForm keys) {
     this.types = types;
     this.keys = keys;
   }
 
-  /** The types that it knows. */
+  /** The known types. */
   public MessageTypes types() {
     return types;
   }
 
   /**
-   * As {@link U2SAData#serialize()}, but with fields named as this codec does.
+   * Like {@link U2SAData#serialize()}, but with this codec's form of field keys.
    *
    * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
    */
@@ -40,7 +39,7 @@ public final class MessageCodec {
   }
 
   /**
-   * {@link #encode(U2SAData)} with a word about who sends it.
+   * Like {@link #encode(U2SAData)}, with the sender's origin.
    *
    * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
    */
@@ -49,13 +48,10 @@ public final class MessageCodec {
   }
 
   /**
-   * The message in the bytes. Unknown keys are skipped; a type that is not registered is read as
-   * its nearest registered ancestor, or as an {@link OpaqueMessage}, and keeps what it has beyond
-   * that one for {@link U2SAData#enumerateFields()}.
+   * Decodes a message. Unknown keys are skipped; an unregistered type is decoded as its nearest registered ancestor, or as an {@link OpaqueMessage}, and keeps its additional fields for {@link U2SAData#enumerateFields()}.
    *
    * @param typeChain from the topic, see {@link MessageType#chain()}
-   * @throws MalformedMessageException for whatever is wrong with chain or bytes; no other exception
-   *     is thrown for them
+   * @throws MalformedMessageException for any malformed chain or bytes; no other exception is thrown
    */
   public U2SAData decode(List<String> typeChain, byte[] bytes) throws MalformedMessageException {
     if (bytes.length > Limits.PAYLOAD_BYTES) {

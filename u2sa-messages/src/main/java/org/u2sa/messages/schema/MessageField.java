@@ -39,50 +39,48 @@ public abstract class MessageField<T extends U2SAData> {
     return name;
   }
 
-  /** What it holds. */
+  /** Kind of value. */
   public final Kind kind() {
     return kind;
   }
 
   /**
-   * "m", "rad", "m/s", …; empty if it has none. For the coordinates x and y see {@link #unitIn}.
+   * Unit: "m", "rad", "m/s", …; empty if none. For the coordinates x and y see {@link #unitIn}.
    */
   public final String unit() {
     return unit;
   }
 
-  /** The unit in this very message: x and y in GLOBAL are "deg", else "m". */
+  /** Unit in this message: "deg" for x and y in GLOBAL, else "m". */
   public String unitIn(T message) {
     return unit;
   }
 
-  /** The unit that the field has in messages written in the given frame. */
+  /** Unit in messages of the given frame. */
   public String unitIn(ReferenceFrame frame) {
     return unit;
   }
 
-  /** True if a message may be published without it. */
+  /** Whether it may be absent from a published message. */
   public final boolean isOptional() {
     return presence == FieldPresence.OPTIONAL;
   }
 
   /**
-   * True if a message may not be published without it; neither optional nor required fields have a
-   * default.
+   * Whether a message cannot be published without it; optional and required fields have no default.
    */
   public final boolean isRequired() {
     return presence == FieldPresence.REQUIRED;
   }
 
   /**
-   * Its bit in {@link U2SAData#presenceVector()}; empty for fields that have none (texts, lists,
-   * whatever is not optional).
+   * Its bit in {@link U2SAData#presenceVector()}; empty for fields without one (texts, lists, and all that are not optional).
    */
   public final OptionalInt bit() {
     return bit == NO_BIT ? OptionalInt.empty() : OptionalInt.of(bit);
   }
 
-  /** Version of the wire format that brought the field; counts from 1. */
+  /** Wire format version that introduced the field, from 1. */
   public final int since() {
     return since;
   }
@@ -90,7 +88,7 @@ public abstract class MessageField<T extends U2SAData> {
   /** The value, or its default; empty if absent. */
   public abstract Optional<Object> get(T message);
 
-  /** True if the value was set, be it to its default. */
+  /** Whether the value was set explicitly, even to its default. */
   public abstract boolean isSet(T message);
 
   /**
@@ -102,9 +100,7 @@ public abstract class MessageField<T extends U2SAData> {
   public abstract void set(T message, Object value);
 
   /**
-   * Sets the value from the text of an XML element or an operator. Lists of texts are split at
-   * commas; bytes are in base64; points are two or three numbers separated by blanks or commas,
-   * lists of points separate them by semicolons.
+   * Parses the value from an XML element or operator input. Lists of texts are comma-separated; bytes are base64; points are two or three numbers separated by blanks or commas, and lists of points are separated by semicolons.
    *
    * @throws IllegalArgumentException naming field, text and what was expected
    * @throws IllegalStateException if the message is frozen
@@ -112,15 +108,14 @@ public abstract class MessageField<T extends U2SAData> {
   public abstract void setText(T message, String text);
 
   /**
-   * As {@link #setText} for an element that is given several times, as {@code <next>} may be: a
-   * list of texts takes all.
+   * Like {@link #setText} for repeatable elements such as {@code <next>}: a list of texts takes all.
    */
   public abstract void setTexts(T message, List<String> texts);
 
-  /** True if an encoder must write the field. */
+  /** Whether an encoder must write the field. */
   abstract boolean isWritten(T message);
 
-  /** Reads the value; false if it was passed over as one that only later readers know. */
+  /** Reads the value; false if skipped because only later versions define it. */
   abstract boolean read(CborReader in, T message) throws MalformedMessageException;
 
   /** "Waypoint.x", for errors. */

@@ -10,13 +10,12 @@ import java.util.function.Supplier;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * A message class's schema: its name, ancestry and fields. Immutable; one instance a class, {@code
- * public static final TYPE}, made by {@link Schema}.
+ * A message class's schema: its name, ancestry and fields. Immutable; one instance per class, {@code public static final TYPE}, built by {@link Schema}.
  *
  * @param <T> the message class
  */
 public final class MessageType<T extends U2SAData> {
-  /** Who the type is. */
+  /** Identity of the type. */
   record Identity<T extends U2SAData>(
       String name,
       Class<T> messageClass,
@@ -24,7 +23,7 @@ public final class MessageType<T extends U2SAData> {
       boolean isAbstract,
       MessageType<? super T> parent) {}
 
-  /** How much storage a message needs, and how many presence bits it has. */
+  /** Storage size and number of presence bits. */
   record Sizes(int numbers, int values, int bits) {}
 
   private final Identity<T> identity;
@@ -37,7 +36,7 @@ public final class MessageType<T extends U2SAData> {
   private final Sizes sizes;
   private final List<String> chain;
   private final FieldTable<T> names;
-  private volatile FieldTable<T> labels; // made when first wanted: most processes never do
+  private volatile FieldTable<T> labels; // created lazily: most processes never need it
   private final int[] messageLists; // slots of values
 
   MessageType(
@@ -76,14 +75,14 @@ public final class MessageType<T extends U2SAData> {
         .toArray();
   }
 
-  /** A field reads and writes every subclass of the class that declares it. */
+  /** Fields apply to all subclasses of the declaring class. */
   @SuppressWarnings(
-      "unchecked") // MessageField only ever takes its T, so a parent's field serves the child
+      "unchecked") // MessageField is contravariant in T, so a parent's field works on the child
   static <T extends U2SAData> MessageField<T> inherited(MessageField<? super T> field) {
     return (MessageField<T>) field;
   }
 
-  /** As in topics and XML: the class's simple name. */
+  /** Name in topics and XML: the class's simple name. */
   public String name() {
     return identity.name();
   }
@@ -93,25 +92,25 @@ public final class MessageType<T extends U2SAData> {
     return identity.messageClass();
   }
 
-  /** The type of the superclass; empty for {@link U2SAData} alone. */
+  /** Type of the superclass; empty only for {@link U2SAData}. */
   public Optional<MessageType<? super T>> parent() {
     return Optional.ofNullable(identity.parent());
   }
 
-  /** True if no message is of this type itself; such as stand for unknown subclasses excepted. */
+  /** Whether the type is abstract: its only direct instances stand for unknown subclasses. */
   public boolean isAbstract() {
     return identity.isAbstract();
   }
 
   /**
-   * Names from the eldest ancestor to this type, U2SAData left out: ["ActuatorCommand",
+   * Names from the topmost ancestor to this type, without U2SAData: ["ActuatorCommand",
    * "PercentageCommand"].
    */
   public List<String> chain() {
     return chain;
   }
 
-  /** All fields, inherited ones first; the order of the wire. */
+  /** All fields in wire order, inherited ones first. */
   public List<MessageField<T>> fields() {
     return fields;
   }
@@ -122,8 +121,7 @@ public final class MessageType<T extends U2SAData> {
   }
 
   /**
-   * A field by the name that XML gives it: its own, its first letter in either case, or one of its
-   * aliases.
+   * A field by its XML name: its own name, with the first letter in either case, or an alias.
    */
   public Optional<MessageField<T>> fieldByElementName(String element) {
     String name =
@@ -135,7 +133,7 @@ public final class MessageType<T extends U2SAData> {
   }
 
   /**
-   * A message with nothing set.
+   * Creates an empty message.
    *
    * @throws IllegalStateException if the type is abstract
    */
@@ -147,9 +145,9 @@ public final class MessageType<T extends U2SAData> {
   }
 
   /**
-   * A message to decode or copy into: of this type, or a stand-in if it is abstract.
+   * Creates a message to decode or copy into: of this type, or a placeholder if it is abstract.
    *
-   * @throws IllegalStateException for U2SAData, of which there is none
+   * @throws IllegalStateException for U2SAData, which has no instances
    */
   T newCarrier() {
     if (identity.empty() == null) {
@@ -158,18 +156,18 @@ public final class MessageType<T extends U2SAData> {
     return identity.empty().get();
   }
 
-  /** The fields as writers and readers pass over them, with their names. */
+  /** Field table with names as keys. */
   FieldTable<T> table() {
     return names;
   }
 
-  /** The fields as writers and readers pass over them, with keys of that form. */
+  /** Field table with keys of the given form. */
   FieldTable<T> table(WireForm form) {
     if (form == WireForm.READABLE) {
       return names;
     }
     FieldTable<T> made = labels;
-    if (made == null) { // by two threads, maybe: what either makes is the same
+    if (made == null) { // benign race: both threads create equal tables
       made = new FieldTable<>(fields, WireForm.COMPACT);
       labels = made;
     }
@@ -190,12 +188,12 @@ public final class MessageType<T extends U2SAData> {
     return byName.get(name);
   }
 
-  /** The field that names the frame of the coordinates; null if there is none. */
+  /** The field with the frame of the coordinates; null if none. */
   ValueField<?, ReferenceFrame> frameField() {
     return frameField;
   }
 
-  /** The coordinate that is a latitude in GLOBAL; null if there is none. */
+  /** The coordinate that is a latitude in GLOBAL; null if none. */
   NumberField<?> latitudeField() {
     return latitudeField;
   }

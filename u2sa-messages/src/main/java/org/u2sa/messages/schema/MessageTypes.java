@@ -11,14 +11,13 @@ import java.util.ServiceLoader;
 
 /** The message types that a reader knows. Immutable. */
 public final class MessageTypes {
-  private final LinkedHashMap<String, MessageType<?>> byName; // nobody changes it
+  private final LinkedHashMap<String, MessageType<?>> byName; // never modified
 
   private MessageTypes(LinkedHashMap<String, MessageType<?>> byName) {
     this.byName = byName;
   }
 
-  /**
-   * The given types.
+  /** Creates a set of the given types.
    *
    * @throws IllegalArgumentException if two types have the same name
    */
@@ -76,15 +75,11 @@ public final class MessageTypes {
   }
 
   /**
-   * The nearest ancestor that is known, the type itself included (8.2.5). An abstract one is
-   * answered too: the codec makes a message that stands for the unknown subclass. {@link
-   * OpaqueMessage#TYPE} if none is known.
+   * The nearest known type in the chain, including the type itself (8.2.5). It may be abstract: the codec then creates a placeholder for the unknown subclass. {@link OpaqueMessage#TYPE} if none is known.
    *
-   * <p>The chain up to the known type must be that type's own: whoever looks at the first names and
-   * whoever makes a message of the last one must have the same type in mind.
+   * <p>The chain up to the known type must equal that type's own chain, so that filters on the first names and the decoder, which uses the last, agree on the type.
    *
-   * @throws MalformedMessageException if the chain is empty or longer than a chain can be, or
-   *     claims another ancestry for a known type than it has
+   * @throws MalformedMessageException if the chain is empty or too long, or contradicts the ancestry of a known type
    */
   public MessageType<?> nearest(List<String> chain) throws MalformedMessageException {
     return nearest(chain, 0L);
@@ -97,7 +92,7 @@ public final class MessageTypes {
           "type chain", offset, "expected 1…" + Limits.DEPTH + " type names, not " + size);
     }
     MessageType<?> known = byName.get(chain.get(size - 1));
-    return known != null && known.chain() == chain // as all have that this process made
+    return known != null && known.chain() == chain // fast path: a type of this process
         ? known
         : nearest(chain, size, offset);
   }

@@ -18,7 +18,7 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
   private final String globalUnit;
   private final double min;
   private final double max;
-  private final double least; // finite, so that comparing with them refuses infinities and NaN too
+  private final double least; // finite, so that comparisons also reject infinities and NaN
   private final double most;
 
   NumberField(FieldOutline outline, String globalUnit, double ifUnset, double min, double max) {
@@ -31,32 +31,32 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
     most = max == Double.POSITIVE_INFINITY ? Limits.NUMBER : max;
   }
 
-  /** Whether the field may have that value. */
+  /** Whether the value is within bounds. */
   boolean takes(double value) {
     return value >= least && value <= most;
   }
 
-  /** Smallest value taken, as a finite number. */
+  /** Effective minimum, finite. */
   double least() {
     return least;
   }
 
-  /** Largest value taken, as a finite number. */
+  /** Effective maximum, finite. */
   double most() {
     return most;
   }
 
-  /** Smallest value declared; -∞ if none is, and then a number of any use is taken. */
+  /** Declared minimum; -∞ if none, and then any practical number is accepted. */
   public double min() {
     return min;
   }
 
-  /** Largest value declared; +∞ if none is, and then a number of any use is taken. */
+  /** Declared maximum; +∞ if none, and then any practical number is accepted. */
   public double max() {
     return max;
   }
 
-  /** Whether it is an angle in that frame, but a length in others. */
+  /** Whether it is an angle in this frame but a length in others. */
   boolean isAngleIn(ReferenceFrame frame) {
     return !unitIn(frame).equals(unit());
   }

@@ -4,29 +4,27 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /**
- * Which numbers of a {@link NumberRun} a message has: the bytes of all of them but for the values,
- * and where the values go. Immutable.
+ * A combination of present numbers of a {@link NumberRun}: their encoded bytes without the values, and the values' offsets. Immutable.
  *
- * <p>The loops wrap the array in a {@link ByteBuffer} of their own: it does not escape, so the
- * just-in-time compiler removes it.
+ * <p>The loops wrap the array in a local {@link ByteBuffer}, which escape analysis removes.
  */
 final class NumberPattern {
   private static final int WORD = Long.BYTES;
 
   private final long set;
-  private final boolean isWhole; // nothing is written that is not set
+  private final boolean isWhole; // everything written is set
   private final int last;
   private final byte[] bytes;
-  private final int[] places; // of the values within the bytes, in slot order
-  private final double[] bounds; // least and most of each value
-  private final int[] keyPlaces; // eight bytes each, which together cover all keys
-  private final long[] keyWords; // word, and the bits of it that belong to a key, of each place
+  private final int[] places; // offsets of the values, in slot order
+  private final double[] bounds; // minimum and maximum of each value
+  private final int[] keyPlaces; // offsets of eight-byte words that cover all keys
+  private final long[] keyWords; // word and mask of key bits at each offset
 
   /**
-   * @param fields all numbers of the run
-   * @param keys of them
-   * @param set numbers that the message has, a bit each, by slot
-   * @param written likewise: those and the ones that are written with their defaults
+   * @param fields all fields of the run
+   * @param keys keys of the fields
+   * @param set mask of the numbers in the message, by slot
+   * @param written likewise, plus the numbers written with their defaults
    */
   NumberPattern(NumberField<?>[] fields, FieldKey[] keys, long set, long written) {
     this.set = set;
@@ -61,17 +59,17 @@ final class NumberPattern {
     keyWords = words.of(bytes);
   }
 
-  /** The numbers that the message has, a bit each, by slot. */
+  /** Mask of the numbers in the message, by slot. */
   long set() {
     return set;
   }
 
-  /** How many those are. */
+  /** Count of these numbers. */
   int count() {
     return places.length;
   }
 
-  /** Which field of the run the last of them is. */
+  /** Index in the run of the last one. */
   int last() {
     return last;
   }
@@ -84,8 +82,7 @@ final class NumberPattern {
   /**
    * Writes keys and values.
    *
-   * @param numbers the values, of which those of this run begin at {@code first}
-   * @return where they end
+   * @param numbers the values; this run's start at {@code first} @return end position
    */
   int put(byte[] into, int at, double[] numbers, int first) {
     System.arraycopy(bytes, 0, into, at, bytes.length);
@@ -97,8 +94,7 @@ final class NumberPattern {
   }
 
   /**
-   * The values, if those bytes are these keys with a float64 within its field's bounds behind each;
-   * else null.
+   * The values, if the bytes are these keys, each followed by a float64 within its field's bounds; else null.
    */
   double[] read(byte[] from, int at) {
     if (!isWhole || from.length - at < bytes.length || !hasKeysAt(from, at)) {
@@ -109,7 +105,7 @@ final class NumberPattern {
     boolean isWithin = true;
     for (int i = 0; i < values.length; i++) {
       double value = view.getDouble(at + places[i]);
-      isWithin &= value >= bounds[2 * i] & value <= bounds[2 * i + 1]; // NaN is not
+      isWithin &= value >= bounds[2 * i] & value <= bounds[2 * i + 1]; // false for NaN
       values[i] = value;
     }
     return isWithin ? values : null;
@@ -124,7 +120,7 @@ final class NumberPattern {
     return differing == 0L;
   }
 
-  /** Words that cover keys, the first byte of a float64 included. */
+  /** Words that cover keys, including the first byte of each float64. */
   private static final class WordList {
     private int[] places = new int[Long.SIZE];
     private long[] masks = new long[Long.SIZE];
@@ -145,12 +141,12 @@ final class NumberPattern {
       return Arrays.copyOf(places, count);
     }
 
-    /** Each word, and behind it its mask. */
+    /** Each word followed by its mask. */
     long[] of(byte[] bytes) {
       ByteBuffer view = ByteBuffer.wrap(bytes);
       long[] words = new long[2 * count];
       for (int i = 0; i < count; i++) {
-        words[2 * i] = view.getLong(places[i]); // a value of eight bytes is behind each key
+        words[2 * i] = view.getLong(places[i]); // an eight-byte value follows each key
         words[2 * i + 1] = masks[i];
       }
       return words;

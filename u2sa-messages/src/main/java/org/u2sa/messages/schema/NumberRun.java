@@ -3,32 +3,28 @@ package org.u2sa.messages.schema;
 import java.util.List;
 
 /**
- * Numbers of a type that follow one another on the wire, with no field of another kind between
- * them.
+ * Consecutive number fields of a type on the wire.
  *
- * <p>A publisher sets the same numbers in every message, so the run remembers the patterns that it
- * has met: a message of a known pattern is written by copying its bytes and filling in the values,
- * and read by comparing them. Safe for all threads: a pattern that one thread stores and another
- * does not see is only made twice.
+ * <p>Publishers set the same numbers in every message, so the run caches the patterns it has met: a known pattern is written by copying its bytes and filling in the values, and read by comparing them. Thread-safe: a pattern not yet visible to another thread is merely created twice.
  */
 final class NumberRun {
   private static final int REMEMBERED_BITS = 4;
   private static final int REMEMBERED = 1 << REMEMBERED_BITS;
-  private static final long GOLDEN_RATIO = 0x9E37_79B9_7F4A_7C15L; // spreads what is hashed
+  private static final long GOLDEN_RATIO = 0x9E37_79B9_7F4A_7C15L; // spreads hash values
 
   private final int start;
   private final NumberField<?>[] fields;
   private final FieldKey[] keys; // of them
   private final int firstSlot;
-  private final long slots; // of all, a bit each
-  private final long defaulted; // likewise: those that are always written
+  private final long slots; // mask of all
+  private final long defaulted; // mask of those always written
   private final NumberPattern[] written = new NumberPattern[REMEMBERED]; // by numbers set
-  private final NumberPattern[] expected = new NumberPattern[REMEMBERED]; // by how a map opens
+  private final NumberPattern[] expected = new NumberPattern[REMEMBERED]; // by fingerprint
 
   /**
-   * @param start how many fields of the type are before it
-   * @param fields in wire order, which is that of their slots
-   * @param keys of them
+   * @param start number of fields of the type before it
+   * @param fields fields in wire order, which is slot order
+   * @param keys keys of the fields
    */
   NumberRun(int start, List<NumberField<?>> fields, List<FieldKey> keys) {
     this.start = start;
@@ -45,12 +41,12 @@ final class NumberRun {
     defaulted = always;
   }
 
-  /** How many fields of the type are before it. */
+  /** Number of fields of the type before it. */
   int start() {
     return start;
   }
 
-  /** Writes those that are set or have a default. */
+  /** Writes the numbers that are set or have a default. */
   void write(CborOutput out, FieldStorage storage) {
     long set = storage.numbersSet() & slots;
     if ((set | defaulted) != 0L) {
@@ -69,13 +65,12 @@ final class NumberRun {
   }
 
   /**
-   * Reads the numbers that the last map had that opened alike, if they are there. Else reads
-   * nothing; whoever then reads them one by one calls {@link #expect}.
+   * Fast path: reads the same numbers as the last map with this fingerprint, if present. Otherwise reads nothing; a caller that then reads them one by one calls {@link #expect}.
    *
-   * @param storage of a message that has none of them yet, nor any behind them
-   * @param pairs of the map
-   * @param atMost how many numbers there can be
-   * @return which were read; null if none
+   * @param storage storage of a message without these and any later numbers
+   * @param pairs number of pairs in the map
+   * @param atMost maximum number of numbers
+   * @return pattern read; null if none
    */
   NumberPattern read(CborInput in, FieldStorage storage, long pairs, long atMost) {
     NumberPattern pattern = expected[hash(opening(in, pairs))];
@@ -92,14 +87,13 @@ final class NumberRun {
   }
 
   /**
-   * What tells apart maps that have different numbers, as far as possible. To be asked for where
-   * the first of them comes next.
+   * Fingerprint that distinguishes maps with different numbers as far as possible; taken before the first number is read.
    */
   static long opening(CborInput in, long pairs) {
     return pairs << Short.SIZE | in.word() >>> Long.SIZE - Short.SIZE;
   }
 
-  /** Remembers which numbers a map had that opened so. */
+  /** Remembers the numbers of a map with this fingerprint. */
   void expect(long opening, FieldStorage storage) {
     long set = storage.numbersSet() & slots;
     if (set != 0L) {

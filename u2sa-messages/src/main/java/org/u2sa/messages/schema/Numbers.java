@@ -5,7 +5,7 @@ import java.util.AbstractList;
 import java.util.Collection;
 import java.util.RandomAccess;
 
-/** An immutable list of finite numbers that needs no object for each of them. */
+/** An immutable list of unboxed finite numbers. */
 final class Numbers extends AbstractList<Double> implements RandomAccess {
   private final double[] values;
 
@@ -14,13 +14,13 @@ final class Numbers extends AbstractList<Double> implements RandomAccess {
   }
 
   /**
-   * These numbers; nobody else changes the array any more.
+   * Wraps the array, which the caller must not modify afterwards.
    *
    * @throws IllegalArgumentException if one is not finite
    */
   static Numbers owning(double[] values) {
     for (double value : values) {
-      if (!(Math.abs(value) <= Limits.NUMBER)) { // NaN, too
+      if (!(Math.abs(value) <= Limits.NUMBER)) { // true for NaN
         String bound = Double.isFinite(value) ? " of at most " + Limits.NUMBER : "";
         throw ScalarKinds.expected("finite numbers" + bound + ", not " + value);
       }
@@ -49,12 +49,12 @@ final class Numbers extends AbstractList<Double> implements RandomAccess {
   }
 
   /**
-   * Writes them as float64, for which there must be room.
+   * Writes the numbers as float64; the caller ensures space.
    *
-   * @return where they end
+   * @return end position
    */
   int put(byte[] bytes, int start) {
-    ByteBuffer into = ByteBuffer.wrap(bytes); // nobody else's: compilers leave it out
+    ByteBuffer into = ByteBuffer.wrap(bytes); // local: removed by escape analysis
     int at = start;
     for (double value : values) {
       bytes[at] = (byte) Cbor.FLOAT_64;
@@ -64,7 +64,7 @@ final class Numbers extends AbstractList<Double> implements RandomAccess {
     return at;
   }
 
-  /** Writes them one behind the other in the order of bytes that the buffer has. */
+  /** Writes the numbers consecutively in the buffer's byte order. */
   void put(ByteBuffer into) {
     into.asDoubleBuffer().put(values);
   }

@@ -3,8 +3,7 @@ package org.u2sa.messages.schema;
 import java.util.List;
 
 /**
- * A message of a type that the reader never saw and knows no ancestor of. All its fields show in
- * {@link #enumerateFields()}, and it is written as it was read.
+ * A message of an unknown type without a known ancestor. All its fields appear in {@link #enumerateFields()}, and it is re-encoded unchanged.
  */
 public final class OpaqueMessage extends U2SAData {
   /** Opaque messages share this schema; their own type's names are in {@link #typeChain()}. */

@@ -4,28 +4,25 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Short texts that were read lately. Messages repeat the names of systems, services and frames, so
- * reading one mostly finds it here, which is faster than making it anew and leaves no garbage.
+ * Cache of recently read short texts. Messages repeat the names of systems, services and frames, and a cache hit is faster than creating a string and leaves no garbage.
  *
- * <p>Safe for all threads: entries are immutable, and one that another thread does not see yet is
- * only made twice.
+ * <p>Thread-safe: entries are immutable, and one not yet visible to another thread is merely created twice.
  */
 final class RecentTexts {
-  /** Length of the longest text that is kept. */
+  /** Maximum length of a cached text. */
   static final int LONGEST = 3 * Long.BYTES - 1;
 
   private static final int INDEX_BITS = 8;
-  private static final long SIGNS = 0x8080_8080_8080_8080L; // set in bytes that are not ASCII
-  private static final long GOLDEN_RATIO = 0x9E37_79B9_7F4A_7C15L; // spreads what is hashed
+  private static final long SIGNS = 0x8080_8080_8080_8080L; // sign bits, set in non-ASCII bytes
+  private static final long GOLDEN_RATIO = 0x9E37_79B9_7F4A_7C15L; // spreads hash values
 
   private final Entry[] entries = new Entry[1 << INDEX_BITS];
 
-  /** A text, and its bytes as big-endian words that are filled up with zeros. */
+  /** A text and its bytes as zero-padded big-endian words. */
   private record Entry(long first, long second, long third, int length, String text) {}
 
   /**
-   * The text in those bytes, of which there are at most {@link #LONGEST}; null if they are not all
-   * ASCII.
+   * Text of at most {@link #LONGEST} bytes; null if not ASCII.
    */
   String text(byte[] bytes, int start, int length) {
     long first = word(bytes, start, length);
@@ -50,7 +47,7 @@ final class RecentTexts {
     return text;
   }
 
-  /** The first eight of those bytes, or what there is of them and zeros. */
+  /** The first eight bytes, zero-padded. */
   private static long word(byte[] bytes, int start, int length) {
     if (bytes.length - start >= Long.BYTES) {
       return ByteBuffer.wrap(bytes).getLong(start) & FieldKey.mask(length);

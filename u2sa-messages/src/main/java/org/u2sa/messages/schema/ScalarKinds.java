@@ -68,7 +68,7 @@ final class ScalarKinds {
 
   private static String text(Object value) {
     String text = instance(value, String.class, "text");
-    if (text.length() > Limits.TEXT_BYTES / 3 // UTF-8 takes at most three bytes a char
+    if (text.length() > Limits.TEXT_BYTES / 3 // UTF-8 takes at most three bytes per char
         && text.getBytes(StandardCharsets.UTF_8).length > Limits.TEXT_BYTES) {
       throw expected("at most " + Limits.TEXT_BYTES + " bytes of text");
     }
@@ -76,7 +76,7 @@ final class ScalarKinds {
     return text;
   }
 
-  /** Half a surrogate pair is no character, and UTF-8 cannot carry it. */
+  /** Rejects unpaired surrogates, which UTF-8 cannot encode. */
   static void requireUnicode(String text) {
     for (int i = 0; i < text.length(); i++) {
       if (Character.isSurrogate(text.charAt(i))) {
@@ -107,7 +107,7 @@ final class ScalarKinds {
   }
 
   /**
-   * A coordinate whose square is a number, so that calculations with it end in none that is not.
+   * Checks that a coordinate's square is finite, so that calculations with it stay finite.
    */
   static void requireNear(double coordinate) {
     if (Math.abs(coordinate) > Limits.COORDINATE) {
@@ -234,7 +234,7 @@ final class ScalarKinds {
       return in.read(reader);
     }
 
-    /** The reader lets nothing pass that the check refuses, and what it gives is immutable. */
+    /** The reader enforces the same bounds as the check and returns immutable values. */
     @Override
     public V readChecked(CborReader reader) throws MalformedMessageException {
       return in.read(reader);

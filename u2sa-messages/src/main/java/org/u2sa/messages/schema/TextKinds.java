@@ -5,9 +5,7 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * Kinds of texts with bounds of their own. A name or identifier beyond its bound is refused,
- * because a part of it could be another one's. A note is text for people, often composed of what
- * other messages say: it is shortened instead, so that setting it never fails for its content.
+ * Kinds of texts with their own bounds. Overlong names and identifiers are rejected, because truncated ones could be ambiguous. Notes are texts for people that often quote other messages: they are truncated instead, so that setting one never fails because of its content.
  */
 final class TextKinds {
   static final ValueKind<String> NAME = new Bounded(Limits.NAME_CHARS);
@@ -19,7 +17,7 @@ final class TextKinds {
 
   private TextKinds() {}
 
-  /** At most {@link Limits#NOTE_CHARS} characters, all of them Unicode. */
+  /** At most {@link Limits#NOTE_CHARS} characters of valid Unicode. */
   private static String shortened(String text) {
     if (text.length() <= Limits.NOTE_CHARS && isUnicode(text)) {
       return text;
@@ -41,7 +39,7 @@ final class TextKinds {
   private static boolean isUnicode(String text) {
     for (int i = 0; i < text.length(); i++) {
       if (Character.isSurrogate(text.charAt(i))) {
-        return false; // most texts have none; whether it is half a pair is found out later
+        return false; // most texts have no surrogates; pairing is checked later
       }
     }
     return true;

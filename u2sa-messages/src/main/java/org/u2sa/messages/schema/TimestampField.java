@@ -1,6 +1,6 @@
 package org.u2sa.messages.schema;
 
-/** When what a message tells was measured [µs]: a field of every message, kept as a plain long. */
+/** Time of measurement [µs]: a field of every message, kept as an unboxed long. */
 final class TimestampField extends ValueField<U2SAData, Long> {
   TimestampField(FieldOutline outline) {
     super(outline, ScalarKinds.COUNT, null);
@@ -21,7 +21,7 @@ final class TimestampField extends ValueField<U2SAData, Long> {
     message.storage().timestamp(this, within(micros));
   }
 
-  /** Sums, differences and nanoseconds of what passes are numbers of 64 bits. */
+  /** Bounds timestamps so that sums, differences and conversion to nanoseconds fit into 64 bits. */
   static long within(long micros) {
     if (micros > Limits.TIMESTAMP_MICROS || micros < -Limits.TIMESTAMP_MICROS) {
       throw ScalarKinds.expected("a time of at most " + Limits.TIMESTAMP_MICROS + " µs");

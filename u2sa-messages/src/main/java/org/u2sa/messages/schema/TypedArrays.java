@@ -6,14 +6,13 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Lists of numbers and points as typed arrays (RFC 8746): a tag says how the numbers are written
- * that stand without gaps in a byte string. Points are the rows of a two-dimensional array.
+ * Lists of numbers and points as typed arrays (RFC 8746): a tag gives the number format of a packed byte string. Points are the rows of a two-dimensional array.
  */
 final class TypedArrays {
-  /** Tag of an array of several dimensions, row by row (3.1.1): [dimensions, elements]. */
+  /** Tag of a multi-dimensional array, row-major (3.1.1): [dimensions, elements]. */
   static final int ROW_MAJOR = 40;
 
-  /** Tag of float64, little-endian as processors have it (2.1): the one that is written. */
+  /** Tag of little-endian float64, the native order of processors (2.1): the only one written. */
   static final int FLOAT_64_LITTLE_ENDIAN = 86;
 
   private static final int FIRST_FLOAT = 80;
@@ -24,12 +23,12 @@ final class TypedArrays {
 
   private TypedArrays() {}
 
-  /** Whether the tag is one of numbers that are read: floats of 16, 32 or 64 bits, in any order. */
+  /** Whether the tag is readable: floats of 16, 32 or 64 bits, in either byte order. */
   static boolean isOfFloats(long tag) {
     return tag >= FIRST_FLOAT && tag <= FLOAT_64_LITTLE_ENDIAN && (tag & LENGTH) != LENGTH;
   }
 
-  /** The numbers of a typed array whose tag was read. */
+  /** Reads the numbers of a typed array after its tag. */
   static double[] read(CborInput in, long tag) {
     ByteBuffer data = CborStrings.bytesInPlace(in);
     data.order(tag < FIRST_LITTLE_ENDIAN ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);

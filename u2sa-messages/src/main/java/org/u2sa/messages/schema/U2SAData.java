@@ -10,11 +10,9 @@ import java.util.OptionalLong;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * What every message is and can (thesis 3.2.3.1, figure 5): it knows its system and its time, its
- * fields, and its bytes.
+ * Base class of all messages (thesis 3.2.3.1, figure 5), with system, timestamp, field access and serialisation.
  *
- * <p>Filled by setters, then frozen by whoever publishes it, and from then on safe to share between
- * threads. A subclass declares its fields in a {@link Schema} and writes getters and setters over
+ * <p>Filled by setters, then frozen by the publisher, and thread-safe from then on. A subclass declares its fields in a {@link Schema} and writes getters and setters over
  * {@link #get}, {@link #require} and {@link #put}.
  */
 public abstract class U2SAData {
@@ -25,14 +23,14 @@ public abstract class U2SAData {
   /** The root of all types: systemId and timestamp. */
   public static final MessageType<U2SAData> TYPE = SCHEMA.build();
 
-  private static final int SHOWN_CHARS = 1_000; // of a value, for people
+  private static final int SHOWN_CHARS = 1_000; // of a value in toString
 
   private final FieldStorage storage;
   private UnknownPart
-      unknown; // what a subclass unknown here had, for messages that stand for one; else null
-  private Origin origin; // of one that came over MQTT; else null
+      unknown; // fields of the unknown subclass in placeholders; else null
+  private Origin origin; // of messages received over MQTT; else null
 
-  /** An empty message of the type that {@link #type()} names. */
+  /** Creates an empty message of the type {@link #type()}. */
   protected U2SAData() {
     storage = new FieldStorage(type().sizes());
   }
@@ -41,8 +39,7 @@ public abstract class U2SAData {
   public abstract MessageType<?> type();
 
   /**
-   * Names from the eldest ancestor to the message's own type, even if this reader does not know
-   * that one.
+   * Names from the topmost ancestor to the message's own type, even if unknown to this reader.
    */
   public final List<String> typeChain() {
     return unknown == null ? type().chain() : unknown.chain();
@@ -59,7 +56,7 @@ public abstract class U2SAData {
     put(SYSTEM_ID, id);
   }
 
-  /** When what the message tells was measured [µs of the run's clock]; empty until set. */
+  /** Time of measurement [µs of the run's clock]; empty until set. */
   public final OptionalLong timestamp() {
     return storage.hasTimestamp() ? OptionalLong.of(storage.timestamp()) : OptionalLong.empty();
   }
@@ -74,7 +71,7 @@ public abstract class U2SAData {
   }
 
   /**
-   * One bit for each optional number, point or enum that is set, in the schema's order from bit 0
+   * Presence bits of the optional numbers, points and enums, in schema order from bit 0
    * (8.2.3.2).
    */
   public long presenceVector() {
@@ -88,7 +85,7 @@ public abstract class U2SAData {
   }
 
   /**
-   * The message as a CBOR map, as docs/wire-protocol.md has it (thesis 3.2.3.1).
+   * Encodes the message as a CBOR map, as specified in docs/wire-protocol.md (thesis 3.2.3.1).
    *
    * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
    */
@@ -96,12 +93,12 @@ public abstract class U2SAData {
     return CborWriter.bytes(this, null, WireForm.READABLE);
   }
 
-  /** Who sent the bytes that this was read from; empty if they did not say, or there were none. */
+  /** Sender of the bytes it was decoded from; empty if unknown or not decoded. */
   public final Optional<Origin> origin() {
     return Optional.ofNullable(origin);
   }
 
-  /** Every field with its unit and value, absent ones empty, in wire order (thesis 3.2.3.1). */
+  /** All fields with unit and value, in wire order; absent values are empty (thesis 3.2.3.1). */
   public final List<FieldValue> enumerateFields() {
     List<FieldValue> all = new ArrayList<>();
     for (MessageField<U2SAData> field : fields()) {
@@ -112,7 +109,7 @@ public abstract class U2SAData {
   }
 
   /**
-   * Ends all setting, here and in messages within; whoever publishes a message calls it.
+   * Makes this message and nested ones immutable; called by the publisher.
    *
    * @throws IllegalStateException naming the required field that is missing, or what does not agree
    */
@@ -123,12 +120,12 @@ public abstract class U2SAData {
     }
   }
 
-  /** True once frozen: setters throw. */
+  /** Whether the message is frozen, so that setters throw. */
   public final boolean isFrozen() {
     return storage.isFrozen();
   }
 
-  /** A message with the same values that is not frozen. */
+  /** Unfrozen copy. */
   public U2SAData copy() {
     U2SAData copy = type().newCarrier();
     copy.storage.takeFrom(storage, type().messageLists());
@@ -137,9 +134,7 @@ public abstract class U2SAData {
   }
 
   /**
-   * Checks what no field's own bounds can: whether fields agree, whether packed content can be
-   * unpacked. Called before a message is frozen, written or handed to whoever reads it, so that no
-   * receiver meets one that fails here.
+   * Checks consistency beyond single fields' bounds: whether fields agree, whether packed content can be unpacked. Called before a message is frozen, encoded or delivered, so that receivers never see an inconsistent one.
    *
    * @throws IllegalStateException naming the field, and what is wrong
    */
@@ -150,7 +145,7 @@ public abstract class U2SAData {
    */
   void requireComplete() {
     if (storage.isFrozen()) {
-      return; // it was complete when it was frozen
+      return; // checked when frozen
     }
     MessageField<U2SAData> missing = ownType().table().missing(this);
     if (missing != null) {
@@ -178,7 +173,7 @@ public abstract class U2SAData {
     return value;
   }
 
-  /** The value of a whole number; empty if it is absent and has no default. */
+  /** The value of an integer; empty if it is absent and has no default. */
   protected final OptionalLong optionalCount(ValueField<?, Long> field) {
     Long value = storage.get(field);
     return value == null ? OptionalLong.empty() : OptionalLong.of(value);
@@ -224,7 +219,7 @@ public abstract class U2SAData {
     return self();
   }
 
-  @SuppressWarnings("unchecked") // fields are set on messages of the class that declares them
+  @SuppressWarnings("unchecked") // fields are set on messages of the declaring class
   private <T extends U2SAData> T self() {
     return (T) this;
   }
@@ -238,8 +233,7 @@ public abstract class U2SAData {
   }
 
   /**
-   * The frame that the message's coordinates are written in: its field of that kind; BODY for
-   * messages that have none.
+   * Frame of the message's coordinates, from its frame field; BODY for messages without one.
    */
   final ReferenceFrame frame() {
     ValueField<?, ReferenceFrame> field = type().frameField();
@@ -258,8 +252,8 @@ public abstract class U2SAData {
     return unknown == null ? Map.of() : unknown.fields();
   }
 
-  /** {@link #type()}, typed for whoever goes through the fields of any message. */
-  @SuppressWarnings("unchecked") // a message is an instance of its own type's class
+  /** {@link #type()}, typed for iterating over the fields of any message. */
+  @SuppressWarnings("unchecked") // a message is an instance of its type's class
   protected final MessageType<U2SAData> ownType() {
     return (MessageType<U2SAData>) type();
   }
@@ -281,7 +275,7 @@ public abstract class U2SAData {
     return 31 * typeChain().hashCode() + enumerateFields().hashCode();
   }
 
-  /** "Waypoint{uid=1, x=10.0 deg}": what is set, each value shortened to 1,000 characters. */
+  /** "Waypoint{uid=1, x=10.0 deg}": set fields, each value truncated to 1,000 characters. */
   @Override
   public final String toString() {
     List<String> parts = new ArrayList<>();
@@ -301,10 +295,10 @@ public abstract class U2SAData {
   }
 
   /**
-   * What the reader's classes cannot hold of a message.
+   * Parts of a message unknown to the reader's classes.
    *
    * @param chain the message's own type chain
-   * @param fields those beyond the known ancestor's, as read
+   * @param fields fields beyond the known ancestor's, as read
    */
   record UnknownPart(List<String> chain, Map<String, Object> fields) {}
 }

@@ -6,7 +6,7 @@ import java.util.OptionalInt;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * A field that holds anything but a double.
+ * A field of any kind except double.
  *
  * @param <T> the message class
  * @param <V> the value's class; immutable
@@ -14,7 +14,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 public class ValueField<T extends U2SAData, V> extends MessageField<T> {
   final V ifUnset; // null: none
   private final ValueKind<V> values;
-  private final int longest; // text that is within the kind's bounds whatever it says
+  private final int longest; // length up to which any text is within bounds
 
   ValueField(FieldOutline outline, ValueKind<V> values, V ifUnset) {
     super(outline, values.kind());
@@ -33,12 +33,12 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     return values.constants();
   }
 
-  /** Maximum characters of a text, or of each in a list; empty if only its bytes are bounded. */
+  /** Maximum length of a text, or of each in a list [characters]; empty if only its bytes are bounded. */
   public final OptionalInt maxLength() {
     return longest == Integer.MAX_VALUE ? OptionalInt.empty() : OptionalInt.of(longest);
   }
 
-  /** Whether longer texts are shortened to {@link #maxLength} instead of refused. */
+  /** Whether longer texts are truncated to {@link #maxLength} instead of rejected. */
   public final boolean shortens() {
     return values.shortens();
   }
@@ -56,7 +56,7 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     return message.storage().get(this);
   }
 
-  /** Keeps a value that is {@link #checked}. */
+  /** Stores a value that is {@link #checked}. */
   void put(T message, V value) {
     message.storage().put(this, value);
   }
@@ -97,12 +97,12 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     set(message, value);
   }
 
-  /** Writes key and value if the field {@link #isWritten}. */
+  /** Writes key and value if {@link #isWritten}. */
   void write(CborOutput out, FieldKey key, T message) {
     V value = valueIn(message);
     if (value != null) {
       out.key(key);
-      if (value instanceof String text) { // most are: no need to ask what kind it is
+      if (value instanceof String text) { // fast path for the most common kind
         out.text(text);
       } else if (value instanceof ReferenceFrame frame) {
         out.text(frame.name());
@@ -121,19 +121,19 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
       if (!isOptional()) {
         throw e;
       }
-      return false; // as if it were absent: what it would have meant, this reader cannot know
+      return false; // treated as absent, because its meaning is unknown to this reader
     }
     put(message, value);
     return true;
   }
 
   @SuppressWarnings("unchecked") // a field of that kind holds texts
-  private V text(CborReader in) { // as most are: no need to ask the kind how to read it
+  private V text(CborReader in) { // fast path for the most common kind
     String text = in.text();
     return text.length() <= longest ? (V) text : values.checked(text);
   }
 
-  /** A constant of an enum that a later version of the data model has and this reader does not. */
+  /** Thrown for an enum constant of a later data model version. */
   static final class UnknownConstantException extends IllegalArgumentException {
     private static final long serialVersionUID = 1L;
 

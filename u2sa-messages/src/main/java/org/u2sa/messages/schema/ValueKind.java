@@ -3,13 +3,12 @@ package org.u2sa.messages.schema;
 import java.util.List;
 
 /**
- * How values of one {@link Kind} are checked, parsed, written and read. Errors of check and parse
- * say what was expected.
+ * Checks, parses, writes and reads values of one {@link Kind}. Errors of check and parse name what was expected.
  */
 interface ValueKind<V> {
   Kind kind();
 
-  /** The value as it is kept: immutable and within bounds. */
+  /** The value as stored: immutable and within bounds. */
   V checked(Object value);
 
   V parsed(List<String> texts);
@@ -23,22 +22,22 @@ interface ValueKind<V> {
     return checked(read(in));
   }
 
-  /** The type of the messages in a list; null if it is no list of messages. */
+  /** Type of the messages in a list; null for other kinds. */
   default MessageType<?> elementType() {
     return null;
   }
 
-  /** Length up to which a text is within bounds without {@link #checked} having to look. */
+  /** Length up to which any text is within bounds, so that {@link #checked} can be skipped. */
   default int longest() {
     return Integer.MAX_VALUE;
   }
 
-  /** Whether texts beyond {@link #longest} are shortened instead of refused. */
+  /** Whether overlong texts are truncated instead of rejected. */
   default boolean shortens() {
     return false;
   }
 
-  /** All values there are, if they are few; else empty. */
+  /** All possible values, if enumerable; else empty. */
   default List<V> constants() {
     return List.of();
   }

@@ -1,8 +1,8 @@
 package org.u2sa.messages.schema;
 
-/** How a message is written. Readers take either form, pair by pair. */
+/** Form of an encoded message. Readers accept either form, for each pair. */
 public enum WireForm {
-  /** Fields by their names, as text, and lists as arrays: any CBOR tool shows what is meant. */
+  /** Text names as keys and plain arrays as lists: readable with any CBOR tool. */
   READABLE {
     @Override
     FieldKey key(String name) {
@@ -10,9 +10,7 @@ public enum WireForm {
     }
   },
   /**
-   * Fields by their labels, numbers of one to three bytes, where they have any, and lists of
-   * numbers and points as {@link TypedArrays}: for links on which bytes are dear. Readers before
-   * format 3 refuse it.
+   * Labels of one to three bytes as keys, where defined, and lists of numbers and points as {@link TypedArrays}: for low-bandwidth links. Readers before format 3 reject it.
    */
   COMPACT {
     @Override

@@ -1,5 +1,4 @@
 /**
- * What a message is: its type, fields, presence and CBOR form. The messages themselves are
- * elsewhere.
+ * Message infrastructure: types, fields, presence and CBOR form. The messages themselves are elsewhere.
  */
 package org.u2sa.messages.schema;

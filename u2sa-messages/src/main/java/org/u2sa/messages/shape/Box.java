@@ -6,7 +6,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
-/** A solid box around the centre, upright: its height is along z. */
+/** An upright solid box around the centre, its height along z. */
 public class Box extends ShapeSetters<Box> {
   private static final Schema<Box> SCHEMA = Schema.of(Box.class, Box::new, ShapeDescription.TYPE);
   private static final NumberField<Box> LENGTH = SCHEMA.number("length", "m", 0.0, 0.0);
@@ -42,7 +42,7 @@ public class Box extends ShapeSetters<Box> {
     return put(WIDTH, value);
   }
 
-  /** Height [m], half of it to each side of the centre. */
+  /** Height [m], centred on z. */
   public double height() {
     return require(HEIGHT);
   }
@@ -52,7 +52,7 @@ public class Box extends ShapeSetters<Box> {
     return put(HEIGHT, value);
   }
 
-  /** Turn of the length axis from the frame's own zero [rad]: in the frame's sense of psi. */
+  /** Direction of the length axis [rad], measured as the frame measures psi. */
   public double psi() {
     return require(PSI);
   }

@@ -19,7 +19,7 @@ public class Circle extends ShapeSetters<Circle> {
     return TYPE;
   }
 
-  /** Radius [m], 0 until set: a point. */
+  /** Radius [m]; defaults to 0, a point. */
   public double radius() {
     return require(RADIUS);
   }

@@ -20,7 +20,7 @@ public class Cylinder extends ShapeSetters<Cylinder> {
     return TYPE;
   }
 
-  /** Radius [m], 0 until set: a point. */
+  /** Radius [m]; defaults to 0, a point. */
   public double radius() {
     return require(RADIUS);
   }
@@ -30,7 +30,7 @@ public class Cylinder extends ShapeSetters<Cylinder> {
     return put(RADIUS, value);
   }
 
-  /** Height [m], half of it to each side of the centre. */
+  /** Height [m], centred on z. */
   public double height() {
     return require(HEIGHT);
   }

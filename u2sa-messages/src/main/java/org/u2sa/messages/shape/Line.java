@@ -6,7 +6,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
-/** A line through points in order, as a fence, a kerb or a shore. */
+/** A polyline, such as a fence, a kerb or a shoreline. */
 public class Line extends ShapeSetters<Line> {
   private static final Schema<Line> SCHEMA =
       Schema.of(Line.class, Line::new, ShapeDescription.TYPE);
@@ -20,7 +20,7 @@ public class Line extends ShapeSetters<Line> {
     return TYPE;
   }
 
-  /** The points in order, in the message's frame: not relative to the centre. */
+  /** The points in order, in the message's frame, not relative to the centre. */
   public List<Point> points() {
     return require(POINTS);
   }

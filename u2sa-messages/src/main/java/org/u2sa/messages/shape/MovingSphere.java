@@ -8,9 +8,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Something that moves, as other traffic, in the middle of a ball that nobody may enter: its radius
- * is the distance to be kept from the centre (thesis 4.4.1.3). Its velocity is that of {@link
- * #motion()}; where it is known to turn, {@link #trajectory()} says more.
+ * A moving object, such as other traffic, at the centre of a keep-out sphere whose radius is the separation distance (thesis 4.4.1.3). Its velocity is that of {@link #motion()}; if it is known to turn, {@link #trajectory()} gives predicted positions.
  */
 public class MovingSphere extends Sphere {
   private static final Schema<MovingSphere> SCHEMA =
@@ -28,7 +26,7 @@ public class MovingSphere extends Sphere {
     return TYPE;
   }
 
-  /** Time from one point of the trajectory to the next [s]. */
+  /** Time step of the trajectory [s]. */
   public double timeStep() {
     return require(TIME_STEP);
   }
@@ -39,8 +37,7 @@ public class MovingSphere extends Sphere {
   }
 
   /**
-   * Where the centre will be after one time step, two and so on, in the message's frame; empty if
-   * all that is known is the velocity.
+   * Predicted positions of the centre after one time step, two and so on, in the message's frame; empty if only the velocity is known.
    */
   public List<Point> trajectory() {
     return require(TRAJECTORY);
@@ -58,10 +55,9 @@ public class MovingSphere extends Sphere {
   }
 
   /**
-   * Where the centre will be: along the trajectory, and behind its end, or without one, on with the
-   * velocity.
+   * Predicted position of the centre: along the trajectory, and at constant velocity beyond its end or without one.
    *
-   * @param seconds from the time that the message is of, not negative
+   * @param seconds since the message's timestamp, not negative
    */
   public Point centerAfter(double seconds) {
     List<Point> points = trajectory();
@@ -75,7 +71,7 @@ public class MovingSphere extends Sphere {
     return moved(from, metres, rest / timeStep());
   }
 
-  /** Distance from a point to the ball, when some time has passed [m]; 0 inside. */
+  /** Distance from a point to the sphere at a later time [m]; 0 inside. */
   public double distanceAfter(double seconds, Point from) {
     return Math.max(0.0, metres(from).distanceTo(metres(centerAfter(seconds))) - radius());
   }

@@ -10,7 +10,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * An object seen as points (thesis 3.2.3.6, figure 10), at least one, in the message's own frame.
+ * An object measured as at least one point (thesis 3.2.3.6, figure 10), in the message's own frame.
  */
 public class PointCloud extends ObjectDescription {
   private static final Schema<PointCloud> SCHEMA =

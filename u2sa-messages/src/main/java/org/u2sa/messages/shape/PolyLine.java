@@ -7,9 +7,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * A band of some width in the x-y plane along points in order, as a painted line, a road or a
- * corridor; with a height, a wall. The points' own z says nothing: it is around the centre's. To
- * those who do not know it, it is a {@link Line}.
+ * A band of some width along a polyline in the x-y plane, such as a painted line, a road or a corridor; with a height, a wall. The points' own z is ignored; the height is centred on the object's z. Readers that do not know this class see a {@link Line}.
  */
 public class PolyLine extends Line {
   private static final Schema<PolyLine> SCHEMA =
@@ -25,7 +23,7 @@ public class PolyLine extends Line {
     return TYPE;
   }
 
-  /** Width [m], half of it to each side of the line, round at both ends; 0 until set. */
+  /** Width [m], centred on the line, with rounded ends; defaults to 0. */
   public double width() {
     return require(WIDTH);
   }
@@ -35,7 +33,7 @@ public class PolyLine extends Line {
     return put(WIDTH, value);
   }
 
-  /** Height [m], half of it to each side of the centre; 0 until set: flat. */
+  /** Height [m], centred on z; defaults to 0, flat. */
   public double height() {
     return require(HEIGHT);
   }

@@ -8,8 +8,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * An area of the x-y plane within corners, as a building, a field or a no-fly zone; with a height,
- * an upright prism. The corners' own z says nothing: the prism is around the centre's.
+ * A polygon in the x-y plane, such as a building, a field or a no-fly zone; with a height, an upright prism. The corners' own z is ignored; the prism is centred on the object's z.
  */
 public class Polygon extends ShapeSetters<Polygon> {
   private static final Schema<Polygon> SCHEMA =
@@ -26,9 +25,7 @@ public class Polygon extends ShapeSetters<Polygon> {
   }
 
   /**
-   * The corners in order, either way round, in the message's frame, not relative to the centre; the
-   * last is joined to the first. Where edges cross, a place is inside if a way out of it crosses an
-   * odd number of them.
+   * The corners in order, either way round, in the message's frame, not relative to the centre; the last is joined to the first. Even-odd rule for crossing edges: a point is inside if a ray from it crosses an odd number of edges.
    */
   public List<Point> points() {
     return require(POINTS);
@@ -39,7 +36,7 @@ public class Polygon extends ShapeSetters<Polygon> {
     return put(POINTS, value);
   }
 
-  /** Height [m], half of it to each side of the centre; 0 until set: flat. */
+  /** Height [m], centred on z; defaults to 0, flat. */
   public double height() {
     return require(HEIGHT);
   }

@@ -42,7 +42,7 @@ public class Rectangle extends ShapeSetters<Rectangle> {
     return put(WIDTH, value);
   }
 
-  /** Turn of the length axis from the frame's own zero [rad]: in the frame's sense of psi. */
+  /** Direction of the length axis [rad], measured as the frame measures psi. */
   public double psi() {
     return require(PSI);
   }

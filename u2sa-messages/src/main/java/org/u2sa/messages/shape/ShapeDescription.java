@@ -5,8 +5,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * An object described by geometry (thesis 3.2.3.7, figure 11): a subclass for each shape, around
- * the centre x, y, z.
+ * An object with a geometric shape (thesis 3.2.3.7, figure 11): one subclass per shape, around the centre x, y, z.
  */
 public abstract class ShapeDescription extends ObjectDescription {
   /** The schema. */
@@ -18,6 +17,6 @@ public abstract class ShapeDescription extends ObjectDescription {
     return TYPE;
   }
 
-  /** Stands for a shape that the reader does not know: only its centre is certain. */
+  /** Placeholder for a shape unknown to the reader: only its centre is known. */
   private static final class UnknownShape extends ShapeDescription {}
 }

@@ -4,7 +4,7 @@ import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * The setters that all shapes inherit, returning the shape itself.
+ * Setters common to all shapes, which return the shape itself.
  *
  * @param <S> the shape
  */

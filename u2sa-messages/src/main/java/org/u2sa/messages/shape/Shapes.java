@@ -10,13 +10,13 @@ import org.u2sa.messages.frame.ReferenceFrame;
 final class Shapes {
   private Shapes() {}
 
-  /** To an upright solid cylinder, or to a disc if its height is 0. */
+  /** Distance to an upright solid cylinder, or to a disc if its height is 0. */
   static double toDisc(Point p, double radius, double height) {
     double outside = Math.max(0.0, Math.hypot(p.x(), p.y()) - radius);
     return Math.hypot(outside, beyond(p.z(), height));
   }
 
-  /** To an upright box of length, width and height, turned by psi. */
+  /** Distance to an upright box of length, width and height, rotated by psi. */
   static double toBox(ReferenceFrame frame, Point p, double psi, Point size) {
     // Length axis in the frame's x-y plane: GLOBAL and UTM count psi clockwise from y (north), the
     // others from x towards y.
@@ -32,7 +32,7 @@ final class Shapes {
     return Math.max(0.0, Math.abs(coordinate) - size / 2.0);
   }
 
-  /** To the nearest of some points; to the centre if there is none. */
+  /** Distance to the nearest of some points; to the centre if there are none. */
   static double toNearest(Metric metric, List<Point> points, Point from) {
     Point p = metric.metres(from);
     double nearest = Double.POSITIVE_INFINITY;
@@ -42,7 +42,7 @@ final class Shapes {
     return points.isEmpty() ? p.distance() : nearest;
   }
 
-  /** To the nearest point of a line through points in order; to the centre if there is none. */
+  /** Distance to a polyline; to the centre if it has no points. */
   static double toPolyline(Metric metric, List<Point> points, Point from) {
     Point p = metric.metres(from);
     double nearest = toNearest(metric, points, from);
@@ -53,7 +53,7 @@ final class Shapes {
     return nearest;
   }
 
-  /** To an upright prism over a polygon, or to the polygon if its height is 0. */
+  /** Distance to an upright prism over a polygon, or to the polygon if its height is 0. */
   static double toPolygon(Metric metric, List<Point> points, double height, Point from) {
     Point p = metric.metres(from);
     List<Point> corners = flat(metric, points);
@@ -61,7 +61,7 @@ final class Shapes {
     return Math.hypot(outside, beyond(p.z(), height));
   }
 
-  /** To an upright band along a line through points in order, of width y and height z. */
+  /** Distance to an upright band along a polyline, of width y and height z. */
   static double toBand(Metric metric, List<Point> points, Point size, Point from) {
     Point p = metric.metres(from);
     double outside = Math.max(0.0, toOutline(flat(metric, points), p, false) - size.y() / 2.0);
@@ -80,7 +80,7 @@ final class Shapes {
     return Point.of(p.x(), p.y(), 0.0);
   }
 
-  /** In the x-y plane; to the centre if there is no point. */
+  /** Distance in the x-y plane; to the centre if there are no points. */
   private static double toOutline(List<Point> points, Point from, boolean closed) {
     Point p = level(from);
     if (points.isEmpty()) {

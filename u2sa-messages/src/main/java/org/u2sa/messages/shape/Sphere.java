@@ -5,7 +5,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
-/** A ball around the centre. */
+/** A solid sphere around the centre. */
 public class Sphere extends ShapeSetters<Sphere> {
   private static final Schema<Sphere> SCHEMA =
       Schema.of(Sphere.class, Sphere::new, ShapeDescription.TYPE);
@@ -19,7 +19,7 @@ public class Sphere extends ShapeSetters<Sphere> {
     return TYPE;
   }
 
-  /** Radius [m], 0 until set: a point. */
+  /** Radius [m]; defaults to 0, a point. */
   public double radius() {
     return require(RADIUS);
   }

@@ -4,14 +4,14 @@ import java.util.List;
 import org.u2sa.vision.lens.LensCalibration.Spot;
 
 /**
- * What was found in one picture of a chessboard.
+ * Detection result of one chessboard image.
  *
- * @param name of the picture, for messages
- * @param corners where they were found [pixels], row by row of the board; empty if no board was
- * @param errorPx mean distance of the corners from where the calibration puts them [pixels]
+ * @param name image name, for messages
+ * @param corners detected corners [px], row-major on the board; empty if no board was found
+ * @param errorPx mean reprojection error of the corners [px]
  */
 public record BoardPicture(String name, List<Spot> corners, double errorPx) {
-  /** Whether a whole board was found. */
+  /** Whether a complete board was found. */
   public boolean hasBoard() {
     return !corners.isEmpty();
   }

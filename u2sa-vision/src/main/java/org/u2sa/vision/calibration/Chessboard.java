@@ -4,10 +4,10 @@ import java.util.Locale;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A printed chessboard.
+ * A printed chessboard as calibration target.
  *
- * @param columns corners within, where four squares meet, along its longer side
- * @param rows corners within along its shorter side
+ * @param columns inner corners, where four squares meet, along the longer side
+ * @param rows inner corners along the shorter side
  * @param squareM edge of a square [m]
  */
 public record Chessboard(int columns, int rows, double squareM) {
@@ -28,7 +28,7 @@ public record Chessboard(int columns, int rows, double squareM) {
   }
 
   /**
-   * From a text such as 9x6.
+   * Parses a text such as 9x6.
    *
    * @throws BadInputException naming the text
    */

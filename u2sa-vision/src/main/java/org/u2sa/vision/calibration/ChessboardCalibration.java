@@ -20,35 +20,34 @@ import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.lens.LensCalibration.Spot;
 
 /**
- * A camera's calibration from pictures of a chessboard in several places and tilts (Zhang, A
- * Flexible New Technique for Camera Calibration, IEEE PAMI 22, 2000). Takes seconds: for commands,
- * not for the loop.
+ * Calibrates a camera from images of a chessboard at several positions and tilts (Zhang, A
+ * Flexible New Technique for Camera Calibration, IEEE PAMI 22, 2000). Takes seconds: for commands, not for control loops.
  */
 public final class ChessboardCalibration {
-  /** Fewer pictures of the board leave the geometry undetermined or badly known. */
+  /** Minimum number of board images for a well-determined geometry. */
   public static final int FEWEST = 4;
 
-  private static final int RADIAL = 2; // k1, k2: a third is ill determined by a few pictures
+  private static final int RADIAL = 2; // k1, k2: a third is poorly determined by few images
   private static final double LARGEST_ERROR_PX = 3.0;
   private static final double LEAST_TILT =
-      Math.toRadians(10.0); // between two pictures of the board
-  private static final double HALF = 0.5; // BoofCV's 0 is the first pixel's edge, ours its middle
+      Math.toRadians(10.0); // between two images of the board
+  private static final double HALF = 0.5; // BoofCV's 0 is a pixel's edge, ours its centre
 
   private final Chessboard board;
   private final DetectSingleFiducialCalibration detector;
   private final List<String> names = new ArrayList<>();
-  private final List<CalibrationObservation> found = new ArrayList<>(); // null: no board
+  private final List<CalibrationObservation> found = new ArrayList<>(); // null if no board
   private int width;
   private int height;
 
   /**
-   * A calibration and how each picture agrees with it.
+   * A calibration and the residuals of each image.
    *
-   * @param pictures in the order in which they were added
+   * @param pictures in the order added
    */
   public record Result(LensCalibration lens, List<BoardPicture> pictures) {}
 
-  /** With this board in the pictures. */
+  /** Uses this board. */
   public ChessboardCalibration(Chessboard board) {
     this.board = board;
     detector =
@@ -57,11 +56,10 @@ public final class ChessboardCalibration {
   }
 
   /**
-   * Looks for the board in a picture.
+   * Detects the board in an image.
    *
-   * @param name of the picture, for messages
-   * @return whether it is there as a whole
-   * @throws BadInputException if the picture's size is not that of those before
+   * @param name image name, for messages @return whether a complete board was found
+   * @throws BadInputException if the image size differs from earlier ones
    */
   public boolean add(String name, CameraFrame picture) {
     if (names.isEmpty()) {
@@ -79,7 +77,7 @@ public final class ChessboardCalibration {
     return isThere;
   }
 
-  /** How many pictures show the board. */
+  /** Number of images that show the board. */
   public int boards() {
     return (int) found.stream().filter(each -> each != null).count();
   }
@@ -105,7 +103,7 @@ public final class ChessboardCalibration {
   /**
    * Computes the calibration.
    *
-   * @throws BadInputException if too few pictures show the board, or they do not determine it
+   * @throws BadInputException if too few images show the board, or they do not determine the geometry
    */
   public Result calibrate() {
     if (boards() < FEWEST) {
@@ -122,7 +120,7 @@ public final class ChessboardCalibration {
     CameraPinholeBrown brown;
     try {
       brown = calibrator.process();
-    } catch (RuntimeException e) { // BoofCV's own word for views that determine nothing
+    } catch (RuntimeException e) { // thrown by BoofCV for degenerate views
       throw new BadInputException(undetermined(), e);
     }
     if (tilt(calibrator) < LEAST_TILT) {
@@ -153,7 +151,7 @@ public final class ChessboardCalibration {
         + "the corners of the picture too";
   }
 
-  /** Largest angle between the boards of two pictures [rad]: parallel boards determine nothing. */
+  /** Largest angle between the boards of two images [rad]: parallel boards are degenerate. */
   private double tilt(CalibrateMonoPlanar calibrator) {
     double least = 1.0; // cosine
     for (int i = 0; i < boards(); i++) {

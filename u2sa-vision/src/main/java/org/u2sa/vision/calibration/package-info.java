@@ -1,5 +1,4 @@
 /**
- * Measures a camera's geometry with pictures of a chessboard, by BoofCV, whose types stay in here.
- * What is done with the result belongs to {@link org.u2sa.vision.lens}.
+ * Calibrates cameras from chessboard images with BoofCV, whose types are confined to this package. The result is used by {@link org.u2sa.vision.lens}.
  */
 package org.u2sa.vision.calibration;

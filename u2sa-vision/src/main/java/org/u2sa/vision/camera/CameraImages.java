@@ -6,7 +6,7 @@ import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.schema.ByteString;
 import org.u2sa.vision.picture.JpegEncoder;
 
-/** Makes a message of a camera's picture now and then, for people to look at. For one thread. */
+/** Periodically turns camera frames into messages for display. Not thread-safe. */
 final class CameraImages {
   private static final int QUALITY = 80;
   private static final double MICROS_PER_S = 1e6;
@@ -14,11 +14,11 @@ final class CameraImages {
   private final JpegEncoder encoder = new JpegEncoder(QUALITY);
   private final String sensorName;
   private final long everyMicros;
-  private long lastMicros; // of the picture before, published or not
-  private long dueMicros; // when the next one is; 0 before the first
+  private long lastMicros; // of the previous frame, published or not
+  private long dueMicros; // time of the next one; 0 before the first
 
   /**
-   * @param everyS from one picture to the next [s], on average if the camera can
+   * @param everyS average period [s], as far as the camera's rate allows
    */
   CameraImages(String sensorName, double everyS) {
     this.sensorName = sensorName;
@@ -26,13 +26,13 @@ final class CameraImages {
   }
 
   /**
-   * The picture as a message if it is time for one, JPEG and of the picture's time.
+   * Returns the frame as a JPEG message with the frame's time, if one is due.
    *
-   * @throws IllegalArgumentException if the picture is too large for a message
+   * @throws IllegalArgumentException if the image is too large for a message
    */
   Optional<CameraImage> of(CameraFrame frame) {
     long micros = frame.measuredAtMicros();
-    boolean isSetBack = micros < lastMicros; // the clock was
+    boolean isSetBack = micros < lastMicros; // clock was set back
     lastMicros = micros;
     if (micros < dueMicros && !isSetBack) {
       return Optional.empty();

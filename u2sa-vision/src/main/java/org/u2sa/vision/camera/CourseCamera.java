@@ -13,11 +13,7 @@ import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.AttitudeHistory;
 
 /**
- * Sees white lines, potholes, barrels, sawhorses and flags on the ground (thesis 4.1.1.1). In:
- * state, for roll and pitch. Out: sensed-objects in BODY, with the time of the picture: lines as
- * PolyLine, potholes as Circle, the rest as Cylinder; their standard deviations grow with distance.
- * Of a picture without any of these: one ObjectDescription of type {@link SeenMessages#NOTHING}. On
- * images the picture itself, now and then, where IMAGE EVERY says so.
+ * Detects white lines, potholes, barrels, sawhorses and flags on the ground (thesis 4.1.1.1). In: state, for roll and pitch. Out: sensed-objects in BODY, with the time of the image: lines as PolyLine, potholes as Circle, the rest as Cylinder; standard deviations grow with distance. An image without detections yields one ObjectDescription of type {@link SeenMessages#NOTHING}. Out: images, the camera image itself, every IMAGE EVERY seconds if set.
  */
 public final class CourseCamera extends CameraSensor {
   private record Showing(
@@ -33,17 +29,17 @@ public final class CourseCamera extends CameraSensor {
 
   private final AttitudeHistory attitudes = new AttitudeHistory();
   private final PictureReading reading;
-  private final Optional<CameraImages> images; // empty: none are published
+  private final Optional<CameraImages> images; // empty: not published
   private long pictures;
 
-  /** Called by the launcher: the camera is the one that the configuration names. */
+  /** Launcher constructor: opens the configured camera. */
   public CourseCamera(ServiceContext context) {
     super(context, "CourseCamera");
     reading = reading(context);
     images = images();
   }
 
-  /** With a camera that the host made: the phone's, a simulated one. */
+  /** Uses the given camera, e.g. the phone's or a simulated one. */
   public CourseCamera(ServiceContext context, Camera camera) {
     super(context, "CourseCamera", camera);
     reading = reading(context);

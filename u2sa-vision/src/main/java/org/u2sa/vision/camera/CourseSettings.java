@@ -2,7 +2,7 @@ package org.u2sa.vision.camera;
 
 import org.u2sa.interfaces.configuration.Variable;
 
-/** What a {@link CourseCamera} looks for, and how. */
+/** Detection settings of a {@link CourseCamera}. */
 public record CourseSettings(
     @Variable(
             ifAbsentText = "",
@@ -184,7 +184,7 @@ public record CourseSettings(
   private static final double CELLS_A_LINE = 3.0;
 
   /**
-   * @throws IllegalArgumentException if the ground looked at is empty
+   * @throws IllegalArgumentException if the observed ground area is empty
    */
   public CourseSettings {
     if (!(farthest > nearest)) {
@@ -193,7 +193,7 @@ public record CourseSettings(
     }
   }
 
-  /** Edge of the cells that the ground is divided into: a third of a line's width [m]. */
+  /** Cell size of the ground view: a third of a line's width [m]. */
   double cellM() {
     return lineWidth / CELLS_A_LINE;
   }

@@ -18,8 +18,7 @@ import org.u2sa.vision.object.SeenObject;
 import org.u2sa.vision.picture.Shades;
 
 /**
- * Recognises what is on a course in one picture after another: lines, discs and objects. For one
- * thread; reuses its memory, so what it returns is read before the next picture is taken.
+ * Detects lines, discs and objects on a course, image by image. Not thread-safe; reuses its buffers, so results are valid until the next image.
  */
 public final class CourseSight {
   private final CourseSettings settings;
@@ -30,11 +29,11 @@ public final class CourseSight {
   private boolean[] hidden = new boolean[0];
 
   /**
-   * What one picture shows.
+   * Detections in one image.
    *
-   * @param view the picture's way to the ground
+   * @param view projection between image and ground
    * @param lines nearest first
-   * @param discs that mark potholes
+   * @param discs pothole markings
    * @param objects nearest first
    */
   public record Seen(
@@ -43,7 +42,7 @@ public final class CourseSight {
       List<PaintedDisc> discs,
       List<SeenObject> objects) {}
 
-  /** Looks for what the settings say. */
+  /** Creates a detector with these settings. */
   public CourseSight(CourseSettings settings) {
     this.settings = settings;
     top =
@@ -77,12 +76,12 @@ public final class CourseSight {
   }
 
   /**
-   * Looks at a picture.
+   * Processes an image.
    *
-   * @param frame with its pixels, not packed as JPEG
-   * @param lens of a picture of this size
-   * @param rollRad of the vehicle when it was taken, right side down positive
-   * @param pitchRad of the vehicle, front up positive
+   * @param frame decoded frame, not JPEG
+   * @param lens geometry for this image size
+   * @param rollRad roll of the vehicle at exposure, right side down positive
+   * @param pitchRad pitch of the vehicle, front up positive
    */
   public Seen look(
       CameraFrame frame, LensCalibration lens, CameraMount mount, double rollRad, double pitchRad) {
@@ -99,7 +98,7 @@ public final class CourseSight {
     return new Seen(view, painted.lines(), painted.discs(), found);
   }
 
-  /** How well places on the ground are known with this lens. */
+  /** Uncertainty of ground positions with this lens. */
   public GroundSigma sigma(LensCalibration lens) {
     return new GroundSigma(
         settings.pixelSigma() / lens.pinhole().focalX(),
@@ -108,12 +107,12 @@ public final class CourseSight {
         settings.ownSigma());
   }
 
-  /** The ground from above, of the picture last looked at; for pictures of what is seen. */
+  /** Bird's-eye view of the last image, for display. */
   public TopView top() {
     return top;
   }
 
-  /** How much each of its cells looks like paint, 0 not at all; unsigned. */
+  /** Paint strength of each of its cells, 0 for none; unsigned. */
   public byte[] strength() {
     return paint.strength();
   }

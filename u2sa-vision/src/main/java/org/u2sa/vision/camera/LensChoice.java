@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.u2sa.device.CameraFrame;
 import org.u2sa.vision.lens.LensCalibration;
 
-/** Which geometry a picture is read with: the calibrated one, the camera's own, or a guess. */
+/** Selects the lens geometry: calibrated, reported by the camera, or assumed. */
 public final class LensChoice {
   private final Optional<LensCalibration> calibrated;
   private final double viewRad;
@@ -12,7 +12,7 @@ public final class LensChoice {
 
   /**
    * @param calibrated by a chessboard
-   * @param viewRad from left to right, if nothing else is known [rad]
+   * @param viewRad horizontal field of view to assume otherwise [rad]
    */
   public LensChoice(Optional<LensCalibration> calibrated, double viewRad) {
     this.calibrated = calibrated;
@@ -20,9 +20,9 @@ public final class LensChoice {
   }
 
   /**
-   * The geometry of a picture.
+   * Geometry for an image.
    *
-   * @throws IllegalArgumentException if the calibration was made with pictures of another shape
+   * @throws IllegalArgumentException if the calibration images had a different aspect ratio
    */
   public LensCalibration of(CameraFrame frame) {
     if (calibrated.isPresent()) {
@@ -37,7 +37,7 @@ public final class LensChoice {
         .orElseGet(() -> LensCalibration.ofView(frame.width(), frame.height(), viewRad));
   }
 
-  /** In a few words, for health reports. */
+  /** Short description for health reports. */
   @Override
   public String toString() {
     return calibrated

@@ -19,8 +19,7 @@ import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.picture.JpegDecoder;
 
 /**
- * Reads pictures as one configured camera takes them: unpacks them, knows lens and mounting, and
- * makes messages of what is seen. For one thread.
+ * Processes the images of one configured camera: decodes them, applies lens and mounting, and converts detections to messages. Not thread-safe.
  */
 public final class PictureReading {
   private final CourseSettings settings;
@@ -31,8 +30,8 @@ public final class PictureReading {
   private final Optional<JpegDecoder> jpeg;
 
   /**
-   * @param sensorName in the messages
-   * @param resolve finds a file that the configuration names
+   * @param sensorName sensor name for the messages
+   * @param resolve resolves file names in the configuration
    * @throws BadInputException if the calibration file is wrong, or the camera below the ground
    */
   public PictureReading(
@@ -60,12 +59,12 @@ public final class PictureReading {
   }
 
   /**
-   * What a picture shows.
+   * Detects objects in an image.
    *
    * @param rollRad of the vehicle when it was taken, right side down positive
    * @param pitchRad of the vehicle, front up positive
-   * @throws BadInputException if it cannot be unpacked
-   * @throws IllegalArgumentException if its shape is not that of the calibration
+   * @throws BadInputException if it cannot be decoded
+   * @throws IllegalArgumentException if its aspect ratio differs from the calibration's
    */
   public Seen read(CameraFrame frame, double rollRad, double pitchRad) {
     CameraFrame pixels = unpacked(frame);
@@ -75,8 +74,7 @@ public final class PictureReading {
   }
 
   /**
-   * What was seen as messages in BODY, of the picture's time [µs]. On a slope, places are less
-   * certain.
+   * Converts detections to messages in BODY with the image's time [µs]. Positions are less certain on a slope.
    *
    * @param rollRad of the vehicle when it was taken, right side down positive
    * @param pitchRad of the vehicle, front up positive
@@ -86,7 +84,7 @@ public final class PictureReading {
     return messages.of(seen, sight.sigma(seen.view().lens()).tilted(slope), micros);
   }
 
-  /** The same picture with its pixels. */
+  /** Decoded copy of the frame. */
   public CameraFrame unpacked(CameraFrame frame) {
     if (frame.format() != PixelFormat.JPEG) {
       return frame;
@@ -96,12 +94,12 @@ public final class PictureReading {
         .decode(frame);
   }
 
-  /** Finds what is seen; its view from above is that of the picture last read. */
+  /** The detector; its bird's-eye view is that of the last image. */
   public CourseSight sight() {
     return sight;
   }
 
-  /** Which geometry is used. */
+  /** Lens geometry in use. */
   public LensChoice lens() {
     return lenses;
   }

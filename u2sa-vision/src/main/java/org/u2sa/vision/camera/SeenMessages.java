@@ -19,15 +19,15 @@ import org.u2sa.vision.line.PaintedLine;
 import org.u2sa.vision.object.ObjectKind;
 import org.u2sa.vision.object.SeenObject;
 
-/** What a picture shows as Object Descriptions in BODY. */
+/** Converts detections to Object Descriptions in BODY. */
 public final class SeenMessages {
   /** Type of a painted line. */
   public static final String LINE = "white line";
 
-  /** Type of a disc that marks a pothole. */
+  /** Type of a pothole marking. */
   public static final String POTHOLE = "pothole";
 
-  /** Type of what is reported of a picture that shows none of the things looked for. */
+  /** Type reported for an image without detections. */
   public static final String NOTHING = "nothing";
 
   private static final double POLE_M = 0.05; // radius kept clear around a flag's pole
@@ -37,7 +37,7 @@ public final class SeenMessages {
   private final double lineWidthM;
 
   /**
-   * @param sensorName that saw it; begins each UID
+   * @param sensorName detecting sensor; prefix of each UID
    */
   public SeenMessages(String sensorName, double lineWidthM) {
     this.sensorName = sensorName;
@@ -45,9 +45,7 @@ public final class SeenMessages {
   }
 
   /**
-   * All that is seen, with the picture's time [µs]. A picture that shows nothing is said as well,
-   * by one object of type {@link #NOTHING} that hinders nobody: a map learns from it that something
-   * is not there, and a watch that the camera works.
+   * All detections, with the image's time [µs]. An image without detections yields one object of type {@link #NOTHING} that is no obstacle: it is negative evidence for maps and a sign of life for monitoring.
    */
   public List<ObjectDescription> of(Seen seen, GroundSigma sigma, long micros) {
     List<ObjectDescription> messages = new ArrayList<>();
@@ -104,7 +102,7 @@ public final class SeenMessages {
     boolean isFlag = object.kind() == ObjectKind.RED_FLAG || object.kind() == ObjectKind.BLUE_FLAG;
     Cylinder message = new Cylinder().radius(isFlag ? POLE_M : object.radiusM());
     message.height(object.heightM());
-    // The cloth hangs on one side of the pole, nobody knows on which.
+    // The cloth hangs on an unknown side of the pole.
     double across = isFlag ? Math.hypot(object.acrossM(), object.radiusM()) : object.acrossM();
     Point middle = object.foot().minus(Point.of(0.0, 0.0, 0.5 * object.heightM()));
     centred(message, middle, view, sigma.turned(way(object.foot(), view), object.alongM(), across));

@@ -4,7 +4,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
-/** How the vehicle stood lately, so that a picture is seen from where it was taken. */
+/** Recent roll and pitch of the vehicle, for looking up the attitude at exposure. */
 public final class AttitudeHistory {
   private static final int LENGTH = 64;
   private static final long STALE_MICROS = Clock.micros(1.0);
@@ -14,7 +14,7 @@ public final class AttitudeHistory {
   private final double[] pitches = new double[LENGTH];
   private int count;
 
-  /** Takes a state; one without time, roll and pitch, or older than the last, says nothing. */
+  /** Adds a state; ignored if it lacks time, roll or pitch, or is older than the last. */
   public void add(StateInformation state) {
     if (!state.timestamp().isPresent()
         || state.referenceFrame().isBody()
@@ -33,17 +33,17 @@ public final class AttitudeHistory {
     count++;
   }
 
-  /** Right side down [rad]; 0 if nothing is known of that time. */
+  /** Roll, right side down positive [rad]; 0 if unknown at that time. */
   public double roll(long atMicros) {
     return at(rolls, atMicros);
   }
 
-  /** Front up [rad]; 0 if nothing is known of that time. */
+  /** Pitch, front up positive [rad]; 0 if unknown at that time. */
   public double pitch(long atMicros) {
     return at(pitches, atMicros);
   }
 
-  /** Between the two states around a time; the nearest before all and after all. */
+  /** Interpolates between the states around a time; clamps to the first and last. */
   private double at(double[] values, long atMicros) {
     int oldest = Math.max(0, count - LENGTH);
     for (int i = count - 1; i >= oldest; i--) {

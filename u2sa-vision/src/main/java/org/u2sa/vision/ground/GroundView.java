@@ -7,29 +7,27 @@ import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.lens.LensCalibration.Spot;
 
 /**
- * One picture's way to the ground and back: a plane below the vehicle, level by gravity, seen by a
- * camera of known geometry and mounting while the vehicle rolls and pitches (Hartley and Zisserman,
- * 2nd ed., section 8.1.1: the homography of a plane, here as rays so that distortion is exact).
+ * Projection between one image and the ground: a horizontal plane below the vehicle, seen by a camera of known geometry and mounting while the vehicle rolls and pitches (Hartley and Zisserman, 2nd ed., section 8.1.1: the homography of a plane, here by rays so that distortion is exact).
  *
- * <p>Places on the ground are in LEVEL axes: x forward along the heading, y right, z down, from the
- * vehicle's reference point; {@link #toBody} takes them to BODY. Immutable.
+ * <p>Ground positions are in LEVEL axes: x forward along the heading, y right, z down, from the
+ * vehicle's reference point; {@link #toBody} converts them to BODY. Immutable.
  */
 public final class GroundView {
-  private static final double HORIZON = 1e-3; // sine of the least angle below the horizon
+  private static final double HORIZON = 1e-3; // sine of the minimum angle below the horizon
 
   private final LensCalibration lens;
   private final Rotation levelFromBody;
   private final Rotation bodyFromLevel;
   private final double groundZ;
-  private final double[] place; // of the camera, LEVEL
+  private final double[] place; // camera position, LEVEL
   private final double[] ahead; // the camera's axes in LEVEL
   private final double[] right;
   private final double[] down;
   private final double reach;
 
   /**
-   * @param rollRad of the vehicle, right side down positive
-   * @param pitchRad of the vehicle, front up positive
+   * @param rollRad roll of the vehicle, right side down positive
+   * @param pitchRad pitch of the vehicle, front up positive
    */
   public GroundView(LensCalibration lens, CameraMount mount, double rollRad, double pitchRad) {
     this.lens = lens;
@@ -53,22 +51,22 @@ public final class GroundView {
     return lens;
   }
 
-  /** Height of the camera above the ground now [m]. */
+  /** Current height of the camera above the ground [m]. */
   public double heightM() {
     return groundZ - place[2];
   }
 
-  /** Place of the camera, LEVEL [m]. */
+  /** Camera position, LEVEL [m]. */
   public Point camera() {
     return Point.of(place[0], place[1], place[2]);
   }
 
-  /** Where a pixel's ray meets the ground, LEVEL; empty at and above the horizon. */
+  /** Intersection of a pixel's ray with the ground, LEVEL; empty at and above the horizon. */
   public Optional<Point> ground(double column, double row) {
     return atHeight(column, row, 0.0);
   }
 
-  /** Where a pixel's ray is at a height above the ground [m], LEVEL; empty if it never is. */
+  /** Intersection of a pixel's ray with a plane at a height above the ground [m], LEVEL; empty if none. */
   public Optional<Point> atHeight(double column, double row, double heightM) {
     Optional<Spot> seen = lens.place(column, row);
     if (!seen.isPresent()) {
@@ -86,7 +84,7 @@ public final class GroundView {
             place[0] + times * ray.x(), place[1] + times * ray.y(), place[2] + times * ray.z()));
   }
 
-  /** The direction of a pixel's ray, LEVEL, of any length; empty where the lens shows nothing. */
+  /** Direction of a pixel's ray, LEVEL, not normalised; empty beyond the lens's field of view. */
   public Optional<Point> ray(double column, double row) {
     return lens.place(column, row).map(this::direction);
   }
@@ -98,7 +96,7 @@ public final class GroundView {
         ahead[2] + seen.x() * right[2] + seen.y() * down[2]);
   }
 
-  /** The pixel at which a place is seen, LEVEL; empty behind the camera and beyond the lens. */
+  /** Pixel of a position in LEVEL; empty behind the camera and outside the field of view. */
   public Optional<Spot> pixel(Point level) {
     double x = level.x() - place[0];
     double y = level.y() - place[1];
@@ -114,23 +112,23 @@ public final class GroundView {
         : Optional.of(lens.pixel(across, below));
   }
 
-  /** A place on the ground, LEVEL. */
+  /** A ground position, LEVEL. */
   public Point onGround(double forward, double toRight) {
     return Point.of(forward, toRight, groundZ);
   }
 
-  /** From LEVEL to BODY: x forward, y left, z down, turned with the vehicle. */
+  /** Converts from LEVEL to BODY: x forward, y left, z down, fixed to the vehicle. */
   public Point toBody(Point level) {
     Point frd = bodyFromLevel.times(level);
     return Point.of(frd.x(), -frd.y(), frd.z());
   }
 
-  /** From BODY to LEVEL. */
+  /** Converts from BODY to LEVEL. */
   public Point toLevel(Point body) {
     return levelFromBody.times(Point.of(body.x(), -body.y(), body.z()));
   }
 
-  /** What {@link TopView} needs to step through cells without an object for each. */
+  /** Coefficients with which {@link TopView} steps through cells without allocating. */
   double[] cameraFrom(double forward, double toRight) {
     double x = forward - place[0];
     double y = toRight - place[1];

@@ -1,18 +1,17 @@
 package org.u2sa.vision.ground;
 
 /**
- * How uncertain the tilt of the ground ahead is while the vehicle is on a slope: the slope may go
- * on or end at any place, so it is anything between level and the vehicle's own tilt.
+ * Uncertainty of the tilt of the ground ahead while the vehicle is on a slope: the slope may continue or end anywhere, so the tilt lies between level and the vehicle's own.
  */
 public final class SlopeSigma {
-  private static final double UNIFORM = Math.sqrt(3.0); // a whole range by its root mean square
+  private static final double UNIFORM = Math.sqrt(3.0); // range over standard deviation
 
   private SlopeSigma() {}
 
   /**
-   * Root mean square of that tilt [rad]: 0 on level ground.
+   * RMS tilt of the ground ahead [rad]; 0 on level ground.
    *
-   * @param slopeAboveRad tilt up to which a vehicle merely sways; from twice that on all counts
+   * @param slopeAboveRad tilt below which the vehicle is taken to sway on level ground; counts fully from twice this value
    */
   public static double rad(double slopeAboveRad, double rollRad, double pitchRad) {
     double tilt = Math.hypot(rollRad, pitchRad);

@@ -5,11 +5,10 @@ import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.picture.Shades;
 
 /**
- * The ground ahead as seen from above, cell by cell, so that paint is as wide far away as it is
- * near. Row 0 is nearest, column 0 farthest left. Reuses its memory.
+ * Bird's-eye view of the ground ahead as a grid, in which paint has the same width at any distance. Row 0 is nearest, column 0 leftmost. Reuses its buffers.
  */
 public final class TopView {
-  /** Where the cells are, LEVEL. */
+  /** Area of the grid, LEVEL. */
   public record Area(double nearM, double farM, double sideM, double cellM) {
     /**
      * @throws IllegalArgumentException if it is empty or has more than four million cells
@@ -24,25 +23,25 @@ public final class TopView {
       }
     }
 
-    /** Rows of cells. */
+    /** Number of rows. */
     public int rows() {
       return (int) Math.round((farM - nearM) / cellM);
     }
 
-    /** Cells of a row. */
+    /** Number of columns. */
     public int columns() {
       return (int) Math.round(2.0 * sideM / cellM);
     }
   }
 
-  private static final int FRACTION = 256; // parts of a pixel
+  private static final int FRACTION = 256; // subpixels per pixel
 
   private final Area area;
   private final byte[] white;
   private final byte[] tint;
   private final boolean[] seen;
 
-  /** Of an area of which nothing is seen yet. */
+  /** Creates an empty view of an area. */
   public TopView(Area area) {
     this.area = area;
     int cells = area.rows() * area.columns();
@@ -51,10 +50,9 @@ public final class TopView {
     seen = new boolean[cells];
   }
 
-  /**
-   * Looks.
+  /** Fills the view from an image.
    *
-   * @param hidden pixels behind which the ground is not seen, row by row, at half the resolution
+   * @param hidden pixels that occlude the ground, row-major, at half the resolution
    */
   public void look(Shades shades, GroundView view, boolean[] hidden) {
     LensCalibration lens = view.lens();
@@ -124,32 +122,32 @@ public final class TopView {
     return (byte) ((top * (FRACTION - low) + bottom * low + FRACTION * FRACTION / 2) >> 16);
   }
 
-  /** Middle of a row, forward [m]. */
+  /** Centre of a row, forward [m]. */
   public double forwardM(double row) {
     return area.nearM() + (row + 0.5) * area.cellM();
   }
 
-  /** Middle of a column, to the right [m]. */
+  /** Centre of a column, to the right [m]. */
   public double rightM(double column) {
     return -area.sideM() + (column + 0.5) * area.cellM();
   }
 
-  /** Where the cells are. */
+  /** Area of the grid. */
   public Area area() {
     return area;
   }
 
-  /** As {@link Shades#white}, row by row from the nearest. */
+  /** Like {@link Shades#white}, row-major from the nearest row. */
   public byte[] white() {
     return white;
   }
 
-  /** As {@link Shades#tint}. */
+  /** Like {@link Shades#tint}. */
   public byte[] tint() {
     return tint;
   }
 
-  /** Whether a cell is in the picture and not hidden. */
+  /** Whether a cell is visible: inside the image and not occluded. */
   public boolean[] seen() {
     return seen;
   }

@@ -5,16 +5,14 @@ import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The circle through points of its near side: the one of least squared distances, by Gauss and
- * Newton from the algebraic one of Kåsa (IEEE Trans. Instrum. Meas. 25, 1976), and how well its
- * centre is known.
+ * Least-squares fit of a circle to points on its near side, by Gauss-Newton from Kåsa's algebraic fit (IEEE Trans. Instrum. Meas. 25, 1976), with the uncertainty of the centre.
  *
  * @param x of the centre [m]
  * @param y of the centre [m]
  * @param radius [m]
- * @param sigmaX standard deviation of the centre [m]
- * @param sigmaY see sigmaX
- * @param offM root of the mean square distance of the points from the circle [m]
+ * @param sigmaX standard deviation of the centre along x [m]
+ * @param sigmaY standard deviation of the centre along y [m]
+ * @param offM RMS distance of the points from the circle [m]
  */
 record CircleFit(double x, double y, double radius, double sigmaX, double sigmaY, double offM) {
   private static final int LEAST = 5; // points
@@ -22,8 +20,8 @@ record CircleFit(double x, double y, double radius, double sigmaX, double sigmaY
   private static final double SINGULAR = 1e-12;
 
   /**
-   * @param noiseM standard deviation of a point along its beam, at least [m]
-   * @return empty if there are too few points or they lie on a straight line
+   * @param noiseM lower bound of the range noise, 1 σ [m]
+   * @return empty if there are too few points or they are collinear
    */
   static Optional<CircleFit> of(List<Point> points, double noiseM) {
     if (points.size() < LEAST) {
@@ -67,7 +65,7 @@ record CircleFit(double x, double y, double radius, double sigmaX, double sigmaY
             off));
   }
 
-  /** x² + y² = 2 a x + 2 b y + c around the points' mean; null on a straight line. */
+  /** x² + y² = 2 a x + 2 b y + c around the points' mean; null if collinear. */
   private static double[] algebraic(List<Point> points) {
     double meanX = points.stream().mapToDouble(Point::x).average().orElseThrow();
     double meanY = points.stream().mapToDouble(Point::y).average().orElseThrow();
@@ -97,7 +95,7 @@ record CircleFit(double x, double y, double radius, double sigmaX, double sigmaY
     return new double[] {meanX + a, meanY + b, Math.sqrt(a * a + b * b + squares / points.size())};
   }
 
-  /** xx, xy, xr, yy, yr, rr of the normal equations, and their right side. */
+  /** Coefficients xx, xy, xr, yy, yr, rr of the normal equations, and their right-hand side. */
   private static double[] equations(List<Point> points, double[] circle, double[] right) {
     double[] normal = new double[6];
     for (Point point : points) {
@@ -117,7 +115,7 @@ record CircleFit(double x, double y, double radius, double sigmaX, double sigmaY
     return normal;
   }
 
-  /** By Cramer's rule; null if there is no one solution. */
+  /** Solves by Cramer's rule; null if singular. */
   private static double[] solve(double[] n, double[] right) {
     double a = n[3] * n[5] - n[4] * n[4];
     double b = n[2] * n[4] - n[1] * n[5];

@@ -2,7 +2,7 @@ package org.u2sa.vision.laser;
 
 import org.u2sa.interfaces.configuration.Variable;
 
-/** How {@link ScanClusters} makes objects of a scan. */
+/** Settings of {@link ScanClusters}. */
 record ClusterSettings(
     @Variable(
             unit = "m",
@@ -60,7 +60,7 @@ record ClusterSettings(
             text = "Height above level ground below which an echo is the ground itself.")
         double lowest) {
   /**
-   * @throws IllegalArgumentException if no radius fits
+   * @throws IllegalArgumentException if the radius range is empty
    */
   ClusterSettings {
     if (!(largestRadius > smallestRadius)) {

@@ -8,12 +8,10 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * The echoes of a scan in groups of neighbours in space (Rusu, Semantic 3D Object Maps, 2009,
- * Euclidean clustering; along the beams, since a scan is ordered). A beam that goes past between
- * two echoes does not part them, as long as they are near each other.
+ * Clusters the echoes of a scan by distance (Rusu, Semantic 3D Object Maps, 2009, Euclidean clustering; along the beams, since a scan is ordered). Beams without an echo between two close echoes do not split a cluster.
  */
 final class Clusters {
-  private static final int BEAMS_PAST = 2; // between two echoes of one thing
+  private static final int BEAMS_PAST = 2; // missing beams within a cluster
 
   private final ClusterSettings settings;
 
@@ -22,10 +20,9 @@ final class Clusters {
   }
 
   /**
-   * Groups of echoes, points in BODY, in the order of the beams; the last goes on in the first if
-   * the scan goes all around.
+   * Clusters of echoes, as points in BODY in beam order; the last is joined to the first if the scan covers a full circle.
    *
-   * @param isGround which points are no thing
+   * @param isGround points to ignore as ground
    */
   List<List<Point>> of(RangeScan scan, Predicate<Point> isGround) {
     Rotation frd = Rotation.nedFromFrd(-scan.phi(), scan.theta(), -scan.psi());

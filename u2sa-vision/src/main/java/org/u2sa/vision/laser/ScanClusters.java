@@ -15,20 +15,17 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.vision.ground.AttitudeHistory;
 
 /**
- * Makes objects of the echoes of scanning range finders (thesis 4.1.1.1): what is round and of the
- * right size as a fitted circle, anything else of limited size as the circle around its echoes. In:
- * scans; state, for roll and pitch. Out: sensed-objects in BODY, as Circle of no known type: what
- * it is, a camera says. The map of free space is made of the scans themselves.
+ * Detects objects in the scans of range finders (thesis 4.1.1.1): round clusters of the right size as a fitted circle, other clusters of limited size as the circle around their echoes. In: scans; state, for roll and pitch. Out: sensed-objects in BODY, as Circle without a type, which a camera can provide. Free space is mapped from the scans themselves.
  */
 public final class ScanClusters extends EventDrivenService {
-  private static final double TIGHT = 3.0; // times the echoes' error that a circle may be off
+  private static final double TIGHT = 3.0; // max. fit residual, in multiples of the range noise
 
   private final ClusterSettings settings;
   private final Clusters clusters;
   private final AttitudeHistory attitudes = new AttitudeHistory();
   private long scans;
 
-  /** Called by the launcher. */
+  /** Launcher constructor. */
   public ScanClusters(ServiceContext context) {
     super(context, ServiceRole.EXTEROCEPTIVE_SENSOR, "ScanClusters");
     settings = settings(ClusterSettings.class).get();
@@ -65,7 +62,7 @@ public final class ScanClusters extends EventDrivenService {
 
   private static ObjectDescription named(Circle object, RangeScan scan, int number) {
     String name =
-        scan.sensorName() + " objects"; // not the scanner's: its scans say nothing of types
+        scan.sensorName() + " objects"; // not the scanner's own name: scans carry no types
     object
         .uid(scan.sensorName() + " object " + number)
         .referenceFrame(ReferenceFrame.BODY)
@@ -90,7 +87,7 @@ public final class ScanClusters extends EventDrivenService {
     return Optional.of(fit.isPresent() ? round(fit.get(), height) : around(group, extent, height));
   }
 
-  /** Of a size that is looked for, near the echoes, and behind them as seen from the vehicle. */
+  /** Whether a fit has a plausible size, a small residual, and its centre behind the echoes as seen from the vehicle. */
   private boolean isRound(CircleFit circle, List<Point> group) {
     Point middle = group.get(group.size() / 2);
     return circle.radius() >= settings.smallestRadius()
@@ -107,7 +104,7 @@ public final class ScanClusters extends EventDrivenService {
     return circle;
   }
 
-  /** The circle around echoes of a thing whose far side nobody sees. */
+  /** Circle around the echoes of an object whose far side is occluded. */
   private Circle around(List<Point> group, double extent, double height) {
     double x = group.stream().mapToDouble(Point::x).average().orElseThrow();
     double y = group.stream().mapToDouble(Point::y).average().orElseThrow();

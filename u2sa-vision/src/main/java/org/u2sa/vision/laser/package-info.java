@@ -1,4 +1,4 @@
 /**
- * What a scanning range finder sees as objects. Maps of free space are the World Modeler's matter.
+ * Object detection with scanning range finders. Free space is mapped by the World Modeler.
  */
 package org.u2sa.vision.laser;

@@ -10,7 +10,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 
-/** A {@link LensCalibration} as an XML file, which people can read and change. */
+/** Reads and writes a {@link LensCalibration} as a human-editable XML file. */
 public final class CalibrationFile {
   private static final String ROOT = "camera";
 
@@ -19,7 +19,7 @@ public final class CalibrationFile {
   /**
    * Reads a file.
    *
-   * @throws BadInputException if it is missing or says something else; names file, line and value
+   * @throws BadInputException if it is missing or malformed; names file, line and value
    */
   public static LensCalibration read(Path file) {
     XmlElement root = XmlReader.read(file, ROOT);
@@ -50,7 +50,7 @@ public final class CalibrationFile {
   }
 
   /**
-   * Writes a file; numbers are exact, so that reading it gives the same calibration.
+   * Writes a file; numbers are exact, so that the calibration round-trips.
    *
    * @throws IOException if it cannot be written
    */

@@ -4,22 +4,20 @@ import java.util.Optional;
 import org.u2sa.device.CameraFrame.Intrinsics;
 
 /**
- * A camera's geometry as a calibration measured it: a pinhole with Brown's distortion (Brown 1966;
- * the coefficients and their order are those of OpenCV and BoofCV). Along the optical axes x right,
- * y down, by depth: a point (x, y) at r² = x² + y² is seen at x (1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1
- * x y + p2 (r² + 2 x²), and alike for y.
+ * A calibrated camera geometry: pinhole model with Brown's distortion (Brown 1966;
+ * the coefficients and their order are those of OpenCV and BoofCV). In normalised image coordinates, x right and y down: a point (x, y) with r² = x² + y² is imaged at x (1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1
+ * x y + p2 (r² + 2 x²), and likewise for y.
  *
- * @param width pixels of a row of the pictures it was measured with
- * @param height their rows
- * @param pinhole focal lengths and centre [pixels]; 0 is the middle of the first pixel
+ * @param width image width of the calibration [px]
+ * @param height image height of the calibration [px]
+ * @param pinhole focal lengths and principal point [px]; 0 is the centre of the first pixel
  * @param k1 radial distortion
  * @param k2 radial distortion
  * @param p1 tangential distortion
  * @param p2 tangential distortion
  * @param k3 radial distortion
- * @param errorPx root of the mean square distance between measured and computed corners [pixels]; 0
- *     if nothing was measured
- * @param pictures how many it was measured with; 0 if none
+ * @param errorPx RMS reprojection error [px]; 0 if not measured
+ * @param pictures number of calibration images; 0 if none
  */
 public record LensCalibration(
     int width,
@@ -32,16 +30,16 @@ public record LensCalibration(
     double k3,
     double errorPx,
     int pictures) {
-  private static final double WIDEST = 3.0; // tan of the largest angle from the axis looked at
+  private static final double WIDEST = 3.0; // tangent of the largest angle off axis considered
   private static final double STEP = 0.01;
   private static final int ITERATIONS = 12;
   private static final double SMALLEST = 1e-12;
 
-  /** A place on the plane at depth 1: x right, y down, by depth; or a pixel. */
+  /** A point in normalised image coordinates (plane at depth 1, x right, y down), or a pixel. */
   public record Spot(double x, double y) {}
 
   /**
-   * @throws IllegalArgumentException if there are no pixels or a number is not finite
+   * @throws IllegalArgumentException if the image is empty or a number is not finite
    */
   public LensCalibration {
     if (width < 1 || height < 1) {
@@ -52,12 +50,12 @@ public record LensCalibration(
     }
   }
 
-  /** A pinhole without distortion, as a simulated camera states it. */
+  /** Distortion-free pinhole, as reported by simulated cameras. */
   public static LensCalibration pinhole(int width, int height, Intrinsics pinhole) {
     return new LensCalibration(width, height, pinhole, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0);
   }
 
-  /** A guess for a camera of which only the angle of view from left to right is known [rad]. */
+  /** Approximation for a camera with only a known horizontal field of view [rad]. */
   public static LensCalibration ofView(int width, int height, double viewRad) {
     double focal = 0.5 * width / Math.tan(0.5 * viewRad);
     return pinhole(
@@ -65,9 +63,9 @@ public record LensCalibration(
   }
 
   /**
-   * The same lens with pictures of another size, taken by the whole sensor.
+   * Copy scaled to images of another size taken with the full sensor.
    *
-   * @throws IllegalArgumentException if their shape is another: then it is not the whole sensor
+   * @throws IllegalArgumentException if the aspect ratio differs, which means that the image is cropped
    */
   public LensCalibration scaledTo(int newWidth, int newHeight) {
     if (newWidth == width && newHeight == height) {
@@ -90,7 +88,7 @@ public record LensCalibration(
         newWidth, newHeight, scaled, k1, k2, p1, p2, k3, errorPx * by, pictures);
   }
 
-  /** Where a place at depth 1 is seen through the lens, still at depth 1. */
+  /** Distorts a point in normalised coordinates. */
   public Spot distorted(double x, double y) {
     double r2 = x * x + y * y;
     double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
@@ -99,7 +97,7 @@ public record LensCalibration(
         y * radial + p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y);
   }
 
-  /** The pixel at which a place at depth 1 is seen. */
+  /** Pixel of an undistorted point in normalised coordinates. */
   public Spot pixel(double x, double y) {
     Spot seen = distorted(x, y);
     return new Spot(
@@ -108,8 +106,7 @@ public record LensCalibration(
   }
 
   /**
-   * The place at depth 1 that is seen at a pixel, by Newton's method; empty where the lens shows
-   * nothing: beyond {@link #reach}.
+   * Undistorted normalised coordinates of a pixel, by Newton's method; empty outside the field of view, beyond {@link #reach}.
    */
   public Optional<Spot> place(double column, double row) {
     double wantedX = (column - pinhole.centreX()) / pinhole.focalX();
@@ -144,8 +141,7 @@ public record LensCalibration(
   }
 
   /**
-   * How far from the axis, at depth 1, the lens still shows things in order: beyond, the polynomial
-   * turns back and would show far things a second time.
+   * Radius at depth 1 up to which the distortion is monotonic: beyond it, the polynomial folds back and would image points twice.
    */
   public double reach() {
     double last = 0.0;

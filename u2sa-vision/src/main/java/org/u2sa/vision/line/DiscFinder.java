@@ -8,16 +8,15 @@ import org.u2sa.vision.ground.TopView;
 import org.u2sa.vision.picture.Shades;
 
 /**
- * Finds white discs of a known size: brighter and paler within than on all four sides, about as
- * large as they should be, and filled. Reuses its memory.
+ * Detects white discs of a known size: brighter and paler inside than on all four sides, of about the right size, and filled. Reuses its buffers.
  */
 final class DiscFinder {
   private static final double COARSE_M = 0.08;
-  private static final double LEAST_CONTRAST = 0.35; // of brightness, in octaves
+  private static final double LEAST_CONTRAST = 0.35; // minimum brightness ratio, in octaves
   private static final double GREYISH = 25.0;
   private static final double PALER = 0.65;
-  private static final double FILLED = 0.72; // of its own bounding circle: a disc is 1
-  private static final double OFF_SIZE = 0.40; // of the radius, either way
+  private static final double FILLED = 0.72; // min. share of its bounding circle; 1 for a disc
+  private static final double OFF_SIZE = 0.40; // relative radius tolerance
 
   private final TopView.Area area;
   private final double radiusM;
@@ -45,7 +44,7 @@ final class DiscFinder {
     return discs;
   }
 
-  /** Whether the middle is bright and pale against patches on four sides, two of them seen. */
+  /** Whether the centre is brighter and paler than the patches on four sides, at least two of them visible. */
   private boolean looksLike(PaintMap map, int row, int column) {
     int inner = (int) Math.round(0.5 * radiusM / area.cellM());
     double middle = mean(map.sums(), row, column, inner);
@@ -61,7 +60,7 @@ final class DiscFinder {
     return tint <= GREYISH || tint <= PALER * ground(map.tints(), row, column);
   }
 
-  /** Mean of the patches around; so bright that nothing is brighter if too few are seen. */
+  /** Mean of the surrounding patches; a maximum that nothing exceeds if too few are visible. */
   private double ground(SummedArea sums, int row, int column) {
     int off = (int) Math.round(1.7 * radiusM / area.cellM());
     int half = Math.max(1, (int) Math.round(0.3 * radiusM / area.cellM()));
@@ -83,7 +82,7 @@ final class DiscFinder {
     return sums.mean(row - half, column - half, row + half + 1, column + half + 1, (all + 1) / 2);
   }
 
-  /** Takes all cells around that are nearer to the disc's brightness than to the ground's. */
+  /** Grows the region over all cells closer to the disc's brightness than to the ground's. */
   private void grow(
       PaintMap map, TopView top, int row, int column, GroundView view, List<PaintedDisc> discs) {
     int inner = (int) Math.round(0.5 * radiusM / area.cellM());

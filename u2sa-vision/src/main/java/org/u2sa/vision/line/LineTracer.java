@@ -11,26 +11,24 @@ import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.ground.TopView;
 
 /**
- * Follows paint from where it is strongest, step by step in both directions, over gaps too, as a
- * finger would: curves of any shape become chains of points in the middle of the paint. Reuses its
- * memory.
+ * Traces paint from its strongest spots, step by step in both directions and across gaps: curves of any shape become polylines along the centre of the paint. Reuses its buffers.
  */
 final class LineTracer {
   private static final double STEP_M = 0.12;
-  private static final double WINDOW_M = 0.10; // around the expected place, within which paint is
-  private static final double DIRECTION_M = 0.30; // around a place, for the paint's direction
-  private static final double SHARPEST = Math.cos(Math.toRadians(35.0)); // turn in one step
-  private static final double ELONGATION = 3.0; // least ratio of a line's spread along to across
+  private static final double WINDOW_M = 0.10; // search window around the predicted position
+  private static final double DIRECTION_M = 0.30; // window for the paint's direction
+  private static final double SHARPEST = Math.cos(Math.toRadians(35.0)); // sharpest turn per step
+  private static final double ELONGATION = 3.0; // min. ratio of spread along to across a line
   private static final double LEAST_SUPPORT = 0.55;
   private static final int BLOCK = 6; // cells
 
   private final TopView.Area area;
   private final PaintSettings settings;
-  private final byte[] left; // strength of paint not yet part of a line
-  private final int[] order; // blocks by their paint
+  private final byte[] left; // strength of paint not yet assigned to a line
+  private final int[] order; // blocks by amount of paint
   private final long[] weight;
-  private final double leastWeight; // of paint in a window
-  private double middleX; // columns, of what was looked at last
+  private final double leastWeight; // minimum paint in a window
+  private double middleX; // result of the last search, columns
   private double middleY;
   private double alongX;
   private double alongY;
@@ -45,7 +43,7 @@ final class LineTracer {
     leastWeight = 0.25 * settings.widthM() * WINDOW_M / (area.cellM() * area.cellM());
   }
 
-  /** The lines of a map, nearest first, in pieces. */
+  /** Lines of a map, nearest first, cut into pieces. */
   List<PaintedLine> trace(PaintMap map, TopView top, GroundView view) {
     System.arraycopy(map.strength(), 0, left, 0, left.length);
     List<PaintedLine> lines = new ArrayList<>();
@@ -88,7 +86,7 @@ final class LineTracer {
     return count;
   }
 
-  /** Goes to the middle of a block's paint that is left. */
+  /** Moves to the centre of a block's unassigned paint. */
   private boolean strongest(int row, int column) {
     double half = 0.5 * (BLOCK - 1);
     return centre(column + half, row + half, 0.5 * BLOCK + 0.5) >= leastWeight;
@@ -105,7 +103,7 @@ final class LineTracer {
     double dy = alongY;
     Deque<double[]> chain = new ArrayDeque<>();
     chain.add(new double[] {seedX, seedY});
-    int[] painted = {1, 1}; // steps on paint, all steps
+    int[] painted = {1, 1}; // steps on paint, total steps
     extend(seedX, seedY, dx, dy, chain, true, painted);
     extend(seedX, seedY, -dx, -dy, chain, false, painted);
     chain.forEach(place -> wipe(place[0], place[1]));
@@ -124,7 +122,7 @@ final class LineTracer {
     double hereY = y;
     double toX = dx;
     double toY = dy;
-    List<double[]> bridge = new ArrayList<>(); // steps without paint since the last with it
+    List<double[]> bridge = new ArrayList<>(); // steps since the last one on paint
     while (bridge.size() <= mostMissed) {
       double nextX = hereX + step * toX;
       double nextY = hereY + step * toY;
@@ -137,7 +135,7 @@ final class LineTracer {
       double wayY = foundY - anchor[1];
       double way = Math.hypot(wayX, wayY);
       boolean isAhead = way > 0.4 * step && (wayX * toX + wayY * toY) / way >= SHARPEST;
-      if (!isPaint || !isAhead) { // nothing, or the end of what has been followed already
+      if (!isPaint || !isAhead) { // no paint, or already traced
         bridge.add(new double[] {nextX, nextY});
         hereX = nextX;
         hereY = nextY;
@@ -152,7 +150,7 @@ final class LineTracer {
         double newY = sign * alongY + toY + wayY / way;
         double size = Math.hypot(newX, newY);
         if (sign * (alongX * toX + alongY * toY) < SHARPEST && !bridge.isEmpty()) {
-          return; // paint beyond the gap is of another line
+          return; // paint beyond the gap belongs to another line
         }
         toX = newX / size;
         toY = newY / size;
@@ -161,7 +159,7 @@ final class LineTracer {
       }
       steps[0]++;
       steps[1] += 1 + bridge.size();
-      for (int i = 0; i < bridge.size(); i++) { // straight over the gap
+      for (int i = 0; i < bridge.size(); i++) { // bridge the gap
         double share = (i + 1.0) / (bridge.size() + 1.0);
         add(chain, last, anchor[0] + share * wayX, anchor[1] + share * wayY);
       }
@@ -189,7 +187,7 @@ final class LineTracer {
     return false;
   }
 
-  /** Takes paint off beside a line's middle, so that it is no other line's. */
+  /** Removes the paint around a line's centre, so that no other line claims it. */
   private void wipe(double x, double y) {
     double reach = (0.5 * STEP_M + settings.widthM()) / area.cellM();
     for (int row = least(y - reach); row <= most(y + reach, area.rows()); row++) {
@@ -207,7 +205,7 @@ final class LineTracer {
     return Math.min(count - 1, (int) Math.floor(place));
   }
 
-  /** Finds the middle of the paint around a place; its weight is cells of full strength. */
+  /** Finds the centroid of the paint around a position; its weight is in cells of full strength. */
   private double centre(double x, double y, double reach) {
     double sum = 0.0;
     double sumX = 0.0;
@@ -229,7 +227,7 @@ final class LineTracer {
     return cells;
   }
 
-  /** Finds which way the paint around a place runs; false if no way. */
+  /** Finds the direction of the paint around a position; false if it has none. */
   private boolean direction(double x, double y) {
     double reach = DIRECTION_M / area.cellM();
     double sum = 0.0;
@@ -281,14 +279,14 @@ final class LineTracer {
         int to = (piece + 1) * (points.size() - 1) / pieces;
         List<Point> own = new ArrayList<>(points.subList(from, to + 1));
         if (own.get(0).distance() > own.get(own.size() - 1).distance()) {
-          Collections.reverse(own); // from near to far
+          Collections.reverse(own); // near to far
         }
         lines.add(new PaintedLine(List.copyOf(own), support));
       }
     }
   }
 
-  /** A mean over three places, which takes the cells' roughness out and leaves the ends. */
+  /** Smooths by a three-point mean against cell quantisation, keeping the ends. */
   private static List<Point> smooth(List<double[]> chain, TopView top, GroundView view) {
     List<Point> points = new ArrayList<>(chain.size());
     for (int i = 0; i < chain.size(); i++) {

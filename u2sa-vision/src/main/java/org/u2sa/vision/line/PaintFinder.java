@@ -4,17 +4,17 @@ import java.util.List;
 import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.ground.TopView;
 
-/** Finds painted lines and discs in a view from above. For one thread; reuses its memory. */
+/** Detects painted lines and discs in a bird's-eye view. Not thread-safe; reuses its buffers. */
 public final class PaintFinder {
   private final PaintMap map;
   private final LineTracer tracer;
   private final DiscFinder discs;
 
-  /** What was found. */
+  /** Detections. */
   public record Paint(List<PaintedLine> lines, List<PaintedDisc> discs) {}
 
   /**
-   * @param discRadiusM of the discs to find [m]
+   * @param discRadiusM radius of the discs to find [m]
    */
   public PaintFinder(TopView.Area area, PaintSettings settings, double discRadiusM) {
     map = new PaintMap(area, settings);
@@ -22,15 +22,14 @@ public final class PaintFinder {
     discs = new DiscFinder(area, discRadiusM);
   }
 
-  /** Lines and discs, nearest first. */
+  /** Detects lines and discs, nearest first. */
   public Paint find(TopView top, GroundView view) {
     map.look(top);
     return new Paint(tracer.trace(map, top, view), discs.find(map, top, view));
   }
 
   /**
-   * How much each cell looked like paint in the view last looked at, 0 not at all; unsigned, row by
-   * row from the nearest. For pictures of what is seen.
+   * Paint strength of each cell in the last view, 0 for none; unsigned, row-major from the nearest row. For display.
    */
   public byte[] strength() {
     return map.strength();

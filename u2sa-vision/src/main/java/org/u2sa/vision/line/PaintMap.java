@@ -5,22 +5,19 @@ import org.u2sa.vision.ground.TopView;
 import org.u2sa.vision.picture.Shades;
 
 /**
- * How much each cell of the ground looks like the middle of a painted line: brighter than the
- * ground on both of its sides, at a line's width, along rows or along columns (symmetrical local
- * threshold: Veit et al., Evaluation of Road Marking Feature Extraction, IEEE ITSC 2008). A
- * shadow's edge is brighter on one side only, glare is too wide; what is as coloured as its
- * surroundings is a strip of light on them. Reuses its memory.
+ * Likelihood of each ground cell to be the centre of a painted line: brighter than the ground on both sides at a line's width, along rows or along columns (symmetrical local
+ * threshold: Veit et al., Evaluation of Road Marking Feature Extraction, IEEE ITSC 2008). Shadow edges are brighter on one side only, glare is too wide, and a strip as coloured as its surroundings is light rather than paint. Reuses its buffers.
  */
 final class PaintMap {
   private static final double MAD_TO_SIGMA = 1.4826;
-  private static final double BAND_M = 1.0; // of distance, within which roughness is measured
-  private static final double GREYISH = 20.0; // tint of what is white in any light
-  private static final double PALER = 0.65; // of the surroundings' tint: paint among tinted light
+  private static final double BAND_M = 1.0; // distance band for measuring roughness
+  private static final double GREYISH = 20.0; // max. tint of white paint in any light
+  private static final double PALER = 0.65; // of the surroundings' tint: paint in tinted light
 
   private final TopView.Area area;
-  private final int half; // cells from the middle of the paint to its edge, rounded up
-  private final int guard; // cells from the middle to where the ground begins
-  private final int side; // cells of ground looked at on each side
+  private final int half; // cells from the paint's centre to its edge, rounded up
+  private final int guard; // cells from the centre to the ground
+  private final int side; // cells of ground compared on each side
   private final double leastContrast;
   private final double noiseFactor;
   private final SummedArea sums;
@@ -41,7 +38,7 @@ final class PaintMap {
     strength = new byte[area.rows() * area.columns()];
   }
 
-  /** Looks at a view. */
+  /** Processes a view. */
   void look(TopView view) {
     sums.take(view.white(), view.seen());
     tints.take(view.tint(), view.seen());
@@ -55,7 +52,7 @@ final class PaintMap {
     }
   }
 
-  /** Standard deviation of the difference of two patches of ground beside each other. */
+  /** Standard deviation of the difference of two adjacent ground patches. */
   private double roughness(int fromRow, int toRow) {
     Arrays.fill(histogram, 0);
     int all = 0;
@@ -93,7 +90,7 @@ final class PaintMap {
     }
   }
 
-  /** By how much the middle is brighter than the brighter side; 0 if it is none of paint. */
+  /** Contrast of the centre over the brighter side; 0 if not paint. */
   private double response(int row, int column, boolean alongRow) {
     double middle = mean(row, column, half, alongRow);
     double left = sideMean(row, column, -1, alongRow);
@@ -118,7 +115,7 @@ final class PaintMap {
     return middle <= PALER * 0.5 * (left + right);
   }
 
-  /** Mean shade of a patch around the middle; -1 if none is seen. */
+  /** Mean shade of a patch around the centre; -1 if not visible. */
   private double mean(int row, int column, int reach, boolean alongRow) {
     return patch(sums, row, column, -reach, reach, alongRow, 1);
   }
@@ -142,17 +139,17 @@ final class PaintMap {
     return of.mean(top, left, bottom, right, least);
   }
 
-  /** Brightness over the ground's, in shades, where it looks like paint; else 0. Unsigned. */
+  /** Contrast to the ground, in shades, where it looks like paint, else 0; unsigned. */
   byte[] strength() {
     return strength;
   }
 
-  /** Sums of the white shades of the view last looked at. */
+  /** Summed white shades of the last view. */
   SummedArea sums() {
     return sums;
   }
 
-  /** Sums of its tints. */
+  /** Summed tints of the last view. */
   SummedArea tints() {
     return tints;
   }

@@ -1,14 +1,14 @@
 package org.u2sa.vision.line;
 
 /**
- * What counts as a painted line.
+ * Criteria for painted lines.
  *
- * @param widthM of the paint [m]; 0.0762 is 3 in
- * @param contrast least ratio of its brightness to the ground's on both sides, over 1: 0.15 is 15 %
- * @param noiseFactor by how many times the ground's own roughness it must be brighter
- * @param shortestM of a line [m]
- * @param longestGapM of worn or missing paint that a line bridges [m]
- * @param pieceM longest line in one piece: a longer one is cut [m]
+ * @param widthM line width [m]; 0.0762 is 3 in
+ * @param contrast minimum contrast to the ground on both sides, as brightness ratio minus 1: 0.15 is 15 %
+ * @param noiseFactor minimum contrast in multiples of the ground's roughness
+ * @param shortestM minimum length of a line [m]
+ * @param longestGapM longest gap of worn or missing paint to bridge [m]
+ * @param pieceM maximum length of a piece; longer lines are cut [m]
  */
 public record PaintSettings(
     double widthM,

@@ -3,9 +3,9 @@ package org.u2sa.vision.line;
 import org.u2sa.messages.frame.Point;
 
 /**
- * A white disc on the ground, by which IGVC marks a pothole.
+ * A white disc on the ground, IGVC's pothole marking.
  *
  * @param centre LEVEL
- * @param radiusM that of a disc of the same area [m]
+ * @param radiusM radius of a disc of equal area [m]
  */
 public record PaintedDisc(Point centre, double radiusM) {}

@@ -4,10 +4,10 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * A painted line, as far as it is seen in one piece.
+ * A visible piece of a painted line.
  *
- * @param points along its middle, LEVEL, in order; two at least
- * @param support share of its length on which paint is seen, 0…1
+ * @param points centre line, LEVEL, in order; at least two
+ * @param support share of its length with visible paint, 0…1
  */
 public record PaintedLine(List<Point> points, double support) {
   /** Length along the points [m]. */

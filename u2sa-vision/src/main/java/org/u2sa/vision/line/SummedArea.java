@@ -3,9 +3,7 @@ package org.u2sa.vision.line;
 import org.u2sa.vision.ground.TopView;
 
 /**
- * Sums of a view's shades over any rectangle of cells by four look-ups (Crow, Summed-area tables,
- * SIGGRAPH 1984), those not seen left out. Sum and count share a long, the count in the higher
- * half, so that both come from the same four. Reuses its memory.
+ * Sums of a view's shades over any rectangle of cells by four look-ups (Crow, Summed-area tables, SIGGRAPH 1984), without invisible cells. Sum and count share a long, with the count in the upper half, so that the same four look-ups yield both. Reuses its buffers.
  */
 final class SummedArea {
   private static final int COUNT = 32; // bits below the count
@@ -36,11 +34,10 @@ final class SummedArea {
   }
 
   /**
-   * Mean shade of the cells seen from a row and column up to others, these excluded; beyond the
-   * edge there is none.
+   * Mean shade of the visible cells between two rows and columns, the upper ones exclusive; cells beyond the edge are ignored.
    *
-   * @param least cells that must be seen, at least 1
-   * @return −1 if fewer are
+   * @param least required number of visible cells, at least 1
+   * @return −1 if fewer are visible
    */
   double mean(int row, int column, int toRow, int toColumn, int least) {
     int top = Math.max(0, row);

@@ -5,24 +5,22 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Cuts out of a traced line what runs straight away from the camera. Poles and posts look like
- * paint from above, and always run so; paint does only where its line leads through below the
- * camera. What begins close ahead, where no pole can be but one that is about to be hit, is paint.
+ * Removes the parts of a traced line that run radially away from the camera. Poles and posts look like paint in the bird's-eye view and always run radially; paint does so only if its line passes below the camera. Lines that start close ahead, where a pole would be about to be hit, are kept as paint.
  */
 final class UprightThings {
-  private static final int REACH = 3; // points to each side, over which a direction is measured
-  private static final double RADIAL = 0.07; // sine of the angle up to which it is away
-  private static final double SHORTEST_M = 0.4; // what is shorter may be a bend's tangent
-  private static final double CLOSE = 2.5; // heights of the camera, to where a line begins
+  private static final int REACH = 3; // points to each side for measuring the direction
+  private static final double RADIAL = 0.07; // sine of the maximum angle of a radial line
+  private static final double SHORTEST_M = 0.4; // shorter parts may be tangents of a bend
+  private static final double CLOSE = 2.5; // max. distance of a line's start, in camera heights
   private static final double AHEAD_M = 0.3; // to each side
 
   private UprightThings() {}
 
   /**
-   * The parts of a line that lie on the ground.
+   * Parts of a line that lie on the ground.
    *
    * @param points LEVEL, in order
-   * @param camera the same, above the ground
+   * @param camera camera position, LEVEL
    */
   static List<List<Point>> cutOut(List<Point> points, Point camera) {
     List<List<Point>> parts = new ArrayList<>();

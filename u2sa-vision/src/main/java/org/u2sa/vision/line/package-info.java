@@ -1,5 +1,4 @@
 /**
- * White paint on the ground: lines and discs, found in the view from above. What stands on the
- * ground belongs to {@link org.u2sa.vision.object}.
+ * Detection of white paint on the ground, lines and discs, in the bird's-eye view. Upright objects are in {@link org.u2sa.vision.object}.
  */
 package org.u2sa.vision.line;

@@ -1,6 +1,6 @@
 package org.u2sa.vision.object;
 
-/** Colours by which things on a course are known. Their order is that of the classes' numbers. */
+/** Colours that identify objects on a course. The ordinal is the class number. */
 enum ColourClass {
   /** None of them. */
   OTHER,
@@ -11,13 +11,13 @@ enum ColourClass {
   /** Of flags. */
   BLUE;
 
-  private static final double DARKEST = 35.0; // brightness below which a colour is noise
+  private static final double DARKEST = 35.0; // brightness below which hue is noise
 
   /**
    * The class of a colour by hue and saturation (Smith, Color gamut transform pairs, SIGGRAPH
-   * 1978), which light and shade change little.
+   * 1978), which are largely independent of illumination.
    *
-   * @param red 0…255, as blue and green
+   * @param red 0…255, like blue and green
    */
   static ColourClass of(double red, double green, double blue) {
     double most = Math.max(red, Math.max(green, blue));

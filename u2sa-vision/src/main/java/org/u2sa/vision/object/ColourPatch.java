@@ -1,9 +1,9 @@
 package org.u2sa.vision.object;
 
 /**
- * Pixels of one colour that touch, by their bounds in the picture [pixels], all included.
+ * Bounding box of connected pixels of one colour in the image [px], inclusive.
  *
- * @param count pixels of the colour within
+ * @param count number of pixels of the colour
  */
 record ColourPatch(ColourClass colour, int left, int top, int right, int bottom, int count) {
   int width() {
@@ -14,18 +14,18 @@ record ColourPatch(ColourClass colour, int left, int top, int right, int bottom,
     return bottom - top + 1;
   }
 
-  /** Columns that both span, as a share of the narrower's. */
+  /** Overlap in columns, as a share of the narrower patch. */
   double overlap(ColourPatch other) {
     int common = Math.min(right, other.right) - Math.max(left, other.left) + 1;
     return Math.max(0.0, (double) common / Math.min(width(), other.width()));
   }
 
-  /** Rows between the two; negative if they overlap. */
+  /** Vertical gap in rows; negative if they overlap. */
   int rowsBetween(ColourPatch other) {
     return Math.max(top, other.top) - Math.min(bottom, other.bottom) - 1;
   }
 
-  /** Both together. */
+  /** Union of both. */
   ColourPatch with(ColourPatch other) {
     return new ColourPatch(
         colour,

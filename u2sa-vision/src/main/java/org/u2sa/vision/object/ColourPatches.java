@@ -7,14 +7,13 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraFrame.PixelFormat;
 
 /**
- * Finds patches of colour in every second pixel of every second row, by runs that touch from row to
- * row (Rosenfeld and Pfaltz, Sequential Operations in Digital Picture Processing, J. ACM 13, 1966).
- * Reuses its memory.
+ * Finds connected colour patches in every second pixel of every second row, by run-based labelling (Rosenfeld and Pfaltz, Sequential Operations in Digital Picture Processing, J. ACM 13, 1966).
+ * Reuses its buffers.
  */
 final class ColourPatches {
-  private static final int BITS = 5; // of each colour in the table
+  private static final int BITS = 5; // per colour channel in the table
   private static final int SHIFT = 8 - BITS;
-  private static final int LEAST = 6; // pixels of a patch, of every fourth
+  private static final int LEAST = 6; // minimum subsampled pixels of a patch
 
   private final ColourClass[] classes = ColourClass.values();
   private final byte[] table = new byte[1 << 3 * BITS];
@@ -34,7 +33,7 @@ final class ColourPatches {
     }
   }
 
-  /** The patches of a picture; none if it has no colours. Bounds are those of the whole picture. */
+  /** Patches of an image; none if it is greyscale. Bounds are in full resolution. */
   List<ColourPatch> find(CameraFrame frame) {
     if (frame.format() != PixelFormat.RGB24) {
       return List.of();

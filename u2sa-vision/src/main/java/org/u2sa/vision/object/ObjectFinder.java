@@ -12,38 +12,36 @@ import org.u2sa.vision.ground.GroundSigma;
 import org.u2sa.vision.ground.GroundView;
 
 /**
- * Recognises barrels, sawhorses and flags by colour and size, and finds out where they stand: by
- * the pixel at which they meet the ground, and by how large they look. For one thread; reuses its
- * memory.
+ * Detects barrels, sawhorses and flags by colour and size, and locates them by the pixel where they meet the ground and by their apparent size. Not thread-safe; reuses its buffers.
  */
 public final class ObjectFinder {
-  private static final double STRIPE = 1.8; // widest stripe of a plank, of its height
-  private static final double WHITE_BAND = 0.75; // highest between two bands, of their width
-  private static final double IN_LINE = 0.6; // overlap of the bands of one barrel
-  private static final double ALIKE_WIDE = 0.55; // of two bands
+  private static final double STRIPE = 1.8; // max. width of a plank's stripe, of its height
+  private static final double WHITE_BAND = 0.75; // max. gap between two bands, of their width
+  private static final double IN_LINE = 0.6; // min. overlap of a barrel's bands
+  private static final double ALIKE_WIDE = 0.55; // min. width ratio of two bands
   private static final double EDGE_PX = 2.0; // error of a patch's edge
   private static final double SLIM = 0.55; // of a barrel's width
   private static final double STOUT = 1.6;
-  private static final double SQUAT = 0.7; // of its width: a trestle is not as high as wide
-  private static final double SOLID = 0.53; // least orange of a row of barrels: a trestle has less
+  private static final double SQUAT = 0.7; // of its width: a trestle is lower than wide
+  private static final double SOLID = 0.53; // min. orange in a row of barrels; a trestle has less
   private static final double LOW = 0.35; // of a barrel's height
   private static final double EDGE_M = 0.03; // error of an edge's height above the ground
-  private static final double LARGEST_FLAG = 0.3; // of the picture's height
-  private static final double FLATTEST = 1e-3; // difference of two rays' slopes
+  private static final double LARGEST_FLAG = 0.3; // of the image height
+  private static final double FLATTEST = 1e-3; // min. difference of two rays' slopes
   private static final int BORDER_PX = 3;
 
   private final ColourPatches patches = new ColourPatches();
   private final ObjectSettings settings;
   private final GroundSigma sigma;
-  private final List<ColourPatch> hiding = new ArrayList<>(); // of the picture last looked at
+  private final List<ColourPatch> hiding = new ArrayList<>(); // of the last image
 
-  /** For things of these sizes, with a camera as uncertain as this. */
+  /** Creates a detector for objects of these sizes and a camera of this uncertainty. */
   public ObjectFinder(ObjectSettings settings, GroundSigma sigma) {
     this.settings = settings;
     this.sigma = sigma;
   }
 
-  /** What is seen, nearest first; nothing in a picture without colours. */
+  /** Detects objects, nearest first; none in a greyscale image. */
   public List<SeenObject> find(CameraFrame frame, GroundView view) {
     List<ColourPatch> orange = new ArrayList<>();
     List<SeenObject> found = new ArrayList<>();
@@ -67,19 +65,18 @@ public final class ObjectFinder {
   }
 
   /**
-   * Marks the pixels behind which the ground is not seen, in the picture last looked at: what is
-   * orange and the white bands within, flags and their poles. None of it is a painted line.
+   * Marks the pixels of the last image that occlude the ground: orange areas with their white bands, flags and flag poles. None of these is a painted line.
    *
-   * @param into every second pixel of every second row, row by row
-   * @param width pixels of the picture's rows
-   * @param height its rows
+   * @param into every second pixel of every second row, row-major
+   * @param width image width [px]
+   * @param height image height [px]
    */
   public void hide(boolean[] into, int width, int height) {
     int columns = (width + 1) / 2;
     int rows = (height + 1) / 2;
     Arrays.fill(into, 0, columns * rows, false);
     for (ColourPatch patch : hiding) {
-      int more = 2 + patch.width() / 12; // the white edge of a plank, the blur of the lens
+      int more = 2 + patch.width() / 12; // for the white edge of a plank and lens blur
       int from = Math.max(0, (patch.left() - more) / 2);
       int to = Math.min(columns, (patch.right() + more) / 2 + 1);
       int bottom = Math.min(rows, (patch.bottom() + more) / 2 + 1);
@@ -90,7 +87,7 @@ public final class ObjectFinder {
   }
 
   /**
-   * The stripes of a plank as one patch, then the bands of a barrel and the planks of a trestle.
+   * Merges the stripes of a plank into one patch, then the bands of a barrel and the planks of a trestle.
    */
   private static List<ColourPatch> joined(List<ColourPatch> single) {
     return joined(joined(single, ObjectFinder::areStripes), ObjectFinder::areBands);
@@ -105,14 +102,14 @@ public final class ObjectFinder {
           patches.set(i, patches.get(i).with(patches.get(k)));
           patches.remove(k);
           i = k < i ? i - 1 : i;
-          k = -1; // it is larger now: all others once more
+          k = -1; // it grew: compare with all others again
         }
       }
     }
     return patches;
   }
 
-  /** Slanted stripes side by side: each reaches into the next one's columns. */
+  /** Whether these are slanted adjacent stripes, which overlap in columns. */
   private static boolean areStripes(ColourPatch a, ColourPatch b) {
     int high = Math.min(a.height(), b.height());
     int tall = Math.max(a.height(), b.height());
@@ -121,7 +118,7 @@ public final class ObjectFinder {
     return isOneStripe && apart <= 2 && -a.rowsBetween(b) >= 0.7 * high && high >= 0.6 * tall;
   }
 
-  /** Bands above each other, about as wide. */
+  /** Whether these are stacked bands of similar width. */
   private static boolean areBands(ColourPatch a, ColourPatch b) {
     int wide = Math.max(a.width(), b.width());
     int narrow = Math.min(a.width(), b.width());
@@ -130,7 +127,7 @@ public final class ObjectFinder {
         && a.rowsBetween(b) <= WHITE_BAND * wide;
   }
 
-  /** Barrels that stand so close that their colours touch, each by itself. */
+  /** Splits a patch of adjacent barrels into single barrels. */
   private List<ColourPatch> apart(ColourPatch patch, CameraFrame frame, GroundView view) {
     double middle = 0.5 * (patch.left() + patch.right());
     RangeEstimate range = byEdge(patch, middle, settings.barrelBaseM(), 0.0, frame, view);
@@ -210,10 +207,10 @@ public final class ObjectFinder {
         view);
   }
 
-  /** A flag down to the ground: its pole is bright and thin like paint, and is none. */
+  /** Marks a flag down to the ground: its pole is bright and thin like paint. */
   private ColourPatch withPole(ColourPatch cloth) {
     double down = cloth.height() * (settings.flagTopM() / settings.flagClothM() - 1.0);
-    int side = cloth.width() / 3; // the pole stands at either side of the cloth
+    int side = cloth.width() / 3; // the pole may be on either side of the cloth
     return new ColourPatch(
         cloth.colour(),
         cloth.left() - side,
@@ -299,10 +296,10 @@ public final class ObjectFinder {
   }
 
   /**
-   * The distance of its middle by its lower edge.
+   * Distance of the centre from the lower edge's pixel.
    *
    * @param edgeM height of that edge above the ground [m]
-   * @param behindM how far behind the edge the middle is [m]
+   * @param behindM distance of the centre behind the edge [m]
    */
   private RangeEstimate byEdge(
       ColourPatch patch,
@@ -312,7 +309,7 @@ public final class ObjectFinder {
       CameraFrame frame,
       GroundView view) {
     if (patch.bottom() >= frame.height() - BORDER_PX) {
-      return RangeEstimate.UNKNOWN; // it goes on below the picture
+      return RangeEstimate.UNKNOWN; // extends below the image
     }
     double edgeRad = Math.hypot(EDGE_PX / view.lens().pinhole().focalY(), sigma.tiltRad());
     double clearance = Math.max(0.1, view.heightM() - edgeM);
@@ -328,7 +325,7 @@ public final class ObjectFinder {
         .orElse(RangeEstimate.UNKNOWN);
   }
 
-  /** By how high it looks; a barrel beside the axis leans in the picture, but is as high. */
+  /** Distance from the apparent height; off-axis barrels lean in the image but keep their height. */
   private static RangeEstimate byHeight(
       double heightM, ColourPatch patch, double middle, GroundView view) {
     Optional<Point> top = view.ray(middle, patch.top() - 0.5);
@@ -344,7 +341,7 @@ public final class ObjectFinder {
     return new RangeEstimate(range, range * Math.hypot(EDGE_PX / patch.height(), 0.06));
   }
 
-  /** By how much a ray falls in a metre. */
+  /** Descent of a ray per metre. */
   private static double slope(Point ray) {
     return ray.z() / Math.max(FLATTEST, Math.hypot(ray.x(), ray.y()));
   }

@@ -1,6 +1,6 @@
 package org.u2sa.vision.object;
 
-/** What is recognised, by the names that worlds and planners use for it. */
+/** Kinds of detected objects, with the type names used by worlds and planners. */
 public enum ObjectKind {
   /** A traffic barrel, orange with white bands. */
   BARREL("barrel"),
@@ -17,7 +17,7 @@ public enum ObjectKind {
     this.typeName = typeName;
   }
 
-  /** As in {@link org.u2sa.messages.ObjectDescription#objectType}. */
+  /** Name for {@link org.u2sa.messages.ObjectDescription#objectType}. */
   public String typeName() {
     return typeName;
   }

@@ -1,12 +1,12 @@
 package org.u2sa.vision.object;
 
 /**
- * A distance and how well it is known [m].
+ * A distance with its uncertainty [m].
  *
- * @param sigma standard deviation; infinite if nothing is known
+ * @param sigma standard deviation; infinite if unknown
  */
 record RangeEstimate(double range, double sigma) {
-  private static final double DISAGREE = 3.0; // standard deviations between two estimates
+  private static final double DISAGREE = 3.0; // in standard deviations of the difference
 
   static final RangeEstimate UNKNOWN = new RangeEstimate(0.0, Double.POSITIVE_INFINITY);
 
@@ -14,7 +14,7 @@ record RangeEstimate(double range, double sigma) {
     return sigma < Double.POSITIVE_INFINITY;
   }
 
-  /** Whether both can be of the same thing. */
+  /** Whether both are consistent with one object. */
   boolean agreesWith(RangeEstimate other) {
     return !isKnown()
         || !other.isKnown()
@@ -22,8 +22,7 @@ record RangeEstimate(double range, double sigma) {
   }
 
   /**
-   * Both together, weighted by how well they are known; if they disagree, this one, and by half the
-   * difference less certain.
+   * Inverse-variance fusion of both; if they disagree, this one with its uncertainty increased by half the difference.
    */
   RangeEstimate with(RangeEstimate other) {
     if (!other.isKnown()) {

@@ -3,16 +3,16 @@ package org.u2sa.vision.object;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Something recognised.
+ * A detected object.
  *
- * @param kind what it is
- * @param foot its middle on the ground, LEVEL
- * @param radiusM of a circle around it on the ground [m]
- * @param heightM above the ground [m]
+ * @param kind kind of object
+ * @param foot centre on the ground, LEVEL
+ * @param radiusM radius of its bounding circle on the ground [m]
+ * @param heightM height above the ground [m]
  * @param alongM standard deviation along the ray from the camera [m]
- * @param acrossM standard deviation across it [m]
- * @param confidence that it is one, 0…1
- * @param left bounds in the picture [pixels]
+ * @param acrossM standard deviation across the ray [m]
+ * @param confidence detection confidence, 0…1
+ * @param left image bounds [px]
  * @param top see left
  * @param right see left
  * @param bottom see left

@@ -5,7 +5,7 @@ final class CosineTransform {
   static final int SIDE = 8;
   static final int SAMPLES = SIDE * SIDE;
 
-  private final double[] cosines = new double[SAMPLES]; // row by frequency, column by place
+  private final double[] cosines = new double[SAMPLES]; // row: frequency, column: sample
   private final double[] acrossRows = new double[SAMPLES];
 
   CosineTransform() {
@@ -21,8 +21,8 @@ final class CosineTransform {
   /**
    * Transforms a block.
    *
-   * @param samples row by row, around 0
-   * @param coefficients are written: vertical frequency by row, horizontal one by column
+   * @param samples row-major, centred on 0
+   * @param coefficients output: vertical frequency by row, horizontal by column
    */
   void forward(double[] samples, double[] coefficients) {
     for (int row = 0; row < SAMPLES; row += SIDE) {

@@ -2,17 +2,17 @@ package org.u2sa.vision.picture;
 
 import java.io.ByteArrayOutputStream;
 
-/** Writes blocks of coefficients in Huffman's code (ITU-T T.81, annex F.1.2). */
+/** Huffman-encodes blocks of coefficients (ITU-T T.81, annex F.1.2). */
 final class EntropyWriter {
   private static final int END_OF_BLOCK = 0x00;
   private static final int SIXTEEN_ZEROS = 0xF0;
   private static final int LONGEST_RUN = 15;
   private static final int RUN_SHIFT = 4;
-  private static final int MARKER = 0xFF; // in data, a byte 0 follows it
+  private static final int MARKER = 0xFF; // in data, followed by a stuffed 0
 
   private final ByteArrayOutputStream out;
-  private int pending; // its lowest bits were not yet written
-  private int count; // of these: 0…7 between calls
+  private int pending; // lowest bits not yet written
+  private int count; // number of pending bits: 0…7 between calls
 
   EntropyWriter(ByteArrayOutputStream out) {
     this.out = out;
@@ -22,7 +22,7 @@ final class EntropyWriter {
    * Writes a block.
    *
    * @param coefficients in zigzag order
-   * @param previous the constant part of the component's block before; 0 for the first
+   * @param previous DC coefficient of the component's previous block; 0 for the first
    */
   void block(int[] coefficients, int previous, HuffmanCode constant, HuffmanCode others) {
     number(constant, 0, coefficients[0] - previous);
@@ -43,7 +43,7 @@ final class EntropyWriter {
     }
   }
 
-  /** Zeros before a number and its size as a symbol, then its bits; of negative ones less one. */
+  /** Writes the run of zeros and the size as a symbol, then the number's bits (minus one if negative). */
   private void number(HuffmanCode code, int zeros, int value) {
     int size = Integer.SIZE - Integer.numberOfLeadingZeros(Math.abs(value));
     symbol(code, zeros << RUN_SHIFT | size);
@@ -68,7 +68,7 @@ final class EntropyWriter {
     }
   }
 
-  /** Fills the last byte with ones. */
+  /** Pads the last byte with ones. */
   void end() {
     int missing = (Byte.SIZE - count) % Byte.SIZE;
     put((1 << missing) - 1, missing);

@@ -1,16 +1,16 @@
 package org.u2sa.vision.picture;
 
-/** A code of ITU-T T.81, annex C: how many words there are of each length, and what they mean. */
+/** A Huffman code as in ITU-T T.81, annex C: number of codes of each length, and their symbols. */
 final class HuffmanCode {
-  /** Sizes of luminance's constant parts (table K.3). */
+  /** Luminance DC (table K.3). */
   static final HuffmanCode LUMINANCE_DC =
       new HuffmanCode("00010501010101010100000000000000", "000102030405060708090a0b");
 
-  /** Sizes of chrominance's constant parts (table K.4). */
+  /** Chrominance DC (table K.4). */
   static final HuffmanCode CHROMINANCE_DC =
       new HuffmanCode("00030101010101010101010000000000", "000102030405060708090a0b");
 
-  /** Runs and sizes of luminance's other coefficients (table K.5). */
+  /** Luminance AC (table K.5). */
   static final HuffmanCode LUMINANCE_AC =
       new HuffmanCode(
           "0002010303020403050504040000017d",
@@ -21,7 +21,7 @@ final class HuffmanCode {
               + "c6c7c8c9cad2d3d4d5d6d7d8d9dae1e2e3e4e5e6e7e8e9eaf1f2f3f4f5f6f7f8"
               + "f9fa");
 
-  /** Runs and sizes of chrominance's other coefficients (table K.6). */
+  /** Chrominance AC (table K.6). */
   static final HuffmanCode CHROMINANCE_AC =
       new HuffmanCode(
           "00020102040403040705040400010277",
@@ -35,10 +35,10 @@ final class HuffmanCode {
   private static final int SYMBOLS = 256;
   private static final int HEX = 16;
 
-  private final byte[] counts; // of words with 1, 2, … 16 bits
-  private final byte[] symbols; // in the order of their words
+  private final byte[] counts; // number of codes with 1, 2, … 16 bits
+  private final byte[] symbols; // in code order
   private final int[] words = new int[SYMBOLS];
-  private final int[] lengths = new int[SYMBOLS]; // 0: not in the code
+  private final int[] lengths = new int[SYMBOLS]; // 0 if not in the code
 
   private HuffmanCode(String countsHex, String symbolsHex) {
     counts = bytes(countsHex);
@@ -63,12 +63,12 @@ final class HuffmanCode {
     return bytes;
   }
 
-  /** How many words have 1, 2, … 16 bits. */
+  /** Number of codes with 1, 2, … 16 bits. */
   byte[] counts() {
     return counts.clone();
   }
 
-  /** What the words mean, in their order. */
+  /** Symbols in code order. */
   byte[] symbols() {
     return symbols.clone();
   }
@@ -77,7 +77,7 @@ final class HuffmanCode {
     return words[symbol];
   }
 
-  /** Bits of the symbol's word. */
+  /** Code of a symbol. */
   int length(int symbol) {
     return lengths[symbol];
   }

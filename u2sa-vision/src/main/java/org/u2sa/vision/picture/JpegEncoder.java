@@ -5,9 +5,7 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraFrame.PixelFormat;
 
 /**
- * Packs pictures as baseline JPEG files (ITU-T T.81, JFIF 1.01), colours at half the resolution. In
- * Java alone, since the desktop's and the phone's encoders have no interface in common: the same
- * picture gives the same bytes on both. For one thread.
+ * Encodes images as baseline JPEG (ITU-T T.81, JFIF 1.01) with chroma subsampling 4:2:0. Pure Java, because desktop and Android encoders have no common interface; output is byte-identical on both. Not thread-safe.
  */
 public final class JpegEncoder {
   private static final int START = 0xFFD8;
@@ -18,7 +16,7 @@ public final class JpegEncoder {
   private static final int HUFFMAN = 0xFFC4;
   private static final int SCAN = 0xFFDA;
   private static final int LARGEST_SIDE = 0xFFFF;
-  private static final int OTHERS_CLASS = 0x10; // of a code for all but the constant parts
+  private static final int OTHERS_CLASS = 0x10; // table class of AC codes
 
   private final QuantizationTable luminance;
   private final QuantizationTable chrominance;
@@ -28,8 +26,8 @@ public final class JpegEncoder {
   private final int[] coefficients = new int[CosineTransform.SAMPLES];
 
   /**
-   * @param quality 1 smallest … 100 best, as libjpeg counts
-   * @throws IllegalArgumentException if it is none of these
+   * @param quality 1 (smallest) … 100 (best), as in libjpeg
+   * @throws IllegalArgumentException if out of range
    */
   public JpegEncoder(int quality) {
     luminance = QuantizationTable.luminance(quality);
@@ -37,7 +35,7 @@ public final class JpegEncoder {
   }
 
   /**
-   * The picture as a JPEG file; one that is JPEG already as it is.
+   * Encodes a frame as a JPEG file; JPEG frames are returned as-is.
    *
    * @throws IllegalArgumentException if a side is longer than 65535 pixels
    */
@@ -100,7 +98,7 @@ public final class JpegEncoder {
     int width = frame.width();
     int high = height >>> Byte.SIZE;
     int wide = width >>> Byte.SIZE;
-    if (coloured) { // luminance 2 x 2 samples to one of each colour
+    if (coloured) { // 2 x 2 luminance samples per chroma sample
       segment(out, FRAME, 8, high, height, wide, width, 3, 1, 0x22, 0, 2, 0x11, 1, 3, 0x11, 1);
     } else {
       segment(out, FRAME, 8, high, height, wide, width, 1, 1, 0x11, 0);
@@ -158,7 +156,7 @@ public final class JpegEncoder {
     writer.end();
   }
 
-  /** Writes a block of brightness; returns its constant part. */
+  /** Writes a luminance block; returns its DC coefficient. */
   private int brightness(
       EntropyWriter writer, PicturePlanes planes, int row, int column, int last) {
     planes.brightness(row, column, samples);

@@ -4,8 +4,7 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraFrame.PixelFormat;
 
 /**
- * A picture's brightness and colours in blocks, less 128 so that they lie around 0 (JFIF 1.02, page
- * 3). Beyond the right and lower edge the last column and row are repeated.
+ * Luminance and chrominance of an image in blocks, offset by -128 to be centred on 0 (JFIF 1.02, page 3). Beyond the right and lower edges the last column and row are repeated.
  */
 final class PicturePlanes {
   private static final double MIDDLE = 128.0;
@@ -29,7 +28,7 @@ final class PicturePlanes {
     return frame.height();
   }
 
-  /** The brightness of the block whose upper left pixel this is. */
+  /** Luminance of the block with this upper left pixel. */
   void brightness(int row, int column, double[] samples) {
     boolean grey = frame.format() == PixelFormat.GREY8;
     for (int i = 0; i < samples.length; i++) {
@@ -42,7 +41,7 @@ final class PicturePlanes {
   }
 
   /**
-   * A colour difference of a block of twice the size, each sample the mean of 2 x 2 pixels.
+   * Colour difference of a block of twice the size; each sample is the mean of 2 x 2 pixels.
    *
    * @param colour 0 for blue, 1 for red
    */

@@ -1,6 +1,6 @@
 package org.u2sa.vision.picture;
 
-/** How coarsely each frequency of a block is kept, in zigzag order (ITU-T T.81, annex K.1). */
+/** Quantisation steps of a block's frequencies, in zigzag order (ITU-T T.81, annex K.1). */
 final class QuantizationTable {
   private static final int[] LUMINANCE = {
     16, 11, 10, 16, 24, 40, 51, 61, //
@@ -50,7 +50,7 @@ final class QuantizationTable {
     return new QuantizationTable(CHROMINANCE, quality);
   }
 
-  /** Row by row places in the order of figure 5: along the diagonals, to and fro. */
+  /** Row-major indexes in zigzag order (figure 5). */
   private static int[] zigzag() {
     int side = CosineTransform.SIDE;
     int[] places = new int[CosineTransform.SAMPLES];
@@ -67,7 +67,7 @@ final class QuantizationTable {
     return places;
   }
 
-  /** The step of a frequency by its place in zigzag order: 1…255. */
+  /** Step of a frequency by its zigzag index: 1…255. */
   int step(int index) {
     return steps[index];
   }
@@ -75,8 +75,7 @@ final class QuantizationTable {
   /**
    * Divides by the steps and rounds.
    *
-   * @param frequencies row by row
-   * @param coefficients are written, in zigzag order
+   * @param frequencies row-major @param coefficients output, in zigzag order
    */
   void quantize(double[] frequencies, int[] coefficients) {
     for (int i = 0; i < coefficients.length; i++) {

@@ -4,16 +4,13 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraFrame.PixelFormat;
 
 /**
- * A picture as two shades a pixel, in logarithms, so that a difference is a ratio of brightness
- * whatever the light: how bright the darkest of its colours is (white paint is bright in all, grass
- * dark in blue), and how coloured it is (brightest by darkest colour). One octave is {@link
- * #OCTAVE} steps. Reuses its memory: one picture at a time.
+ * An image as two log-scale channels, so that a difference is a brightness ratio independent of illumination: brightness of the darkest colour (white paint is bright in all, grass is dark in blue), and tint (brightest over darkest colour). One octave is {@link #OCTAVE} steps. Reuses its buffers: holds one image at a time.
  */
 public final class Shades {
-  /** Steps by which a shade rises if the brightness doubles. */
+  /** Steps per doubling of brightness. */
   public static final double OCTAVE = 50.0;
 
-  private static final double DARK = 8.0; // added to a brightness, so that noise in black is little
+  private static final double DARK = 8.0; // offset that suppresses noise in dark pixels
 
   private final byte[] log = new byte[256];
   private byte[] white = new byte[0];
@@ -21,7 +18,7 @@ public final class Shades {
   private int width;
   private int height;
 
-  /** Shades of no picture yet. */
+  /** Creates an empty buffer. */
   public Shades() {
     for (int i = 0; i < log.length; i++) {
       log[i] = (byte) Math.round(OCTAVE * Math.log((i + DARK) / DARK) / Math.log(2.0));
@@ -29,9 +26,9 @@ public final class Shades {
   }
 
   /**
-   * Takes a picture.
+   * Computes the channels of an image.
    *
-   * @throws IllegalArgumentException if it is still packed as JPEG
+   * @throws IllegalArgumentException if it is still JPEG-encoded
    */
   public void take(CameraFrame frame) {
     if (frame.format() == PixelFormat.JPEG) {
@@ -67,22 +64,22 @@ public final class Shades {
     }
   }
 
-  /** Pixels of a row. */
+  /** Width [px]. */
   public int width() {
     return width;
   }
 
-  /** Rows. */
+  /** Height [px]. */
   public int height() {
     return height;
   }
 
-  /** Shade of the darkest colour, unsigned, row by row; longer than the picture if it shrank. */
+  /** Shade of the darkest colour, unsigned, row-major; may be longer than the image. */
   public byte[] white() {
     return white;
   }
 
-  /** Shade of brightest by darkest colour, unsigned; 0 is grey. */
+  /** Shade of brightest over darkest colour, unsigned; 0 is grey. */
   public byte[] tint() {
     return tint;
   }
