@@ -147,6 +147,7 @@ MESSAGES = [
         ('landGoals', 'int', 'optional', None, None, None, (), 3, None, False),
         ('fileFaults', 'texts', 'optional', None, None, None, (), 3, 1000, True),
         ('paused', 'bool', 'optional', None, None, None, (), 3, None, False),
+        ('elapsed', 'float64', 'optional', None, 0.0, None, (), 3, None, False),
     ]),
     (('ObjectDescription',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),

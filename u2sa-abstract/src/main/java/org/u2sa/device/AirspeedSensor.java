@@ -12,7 +12,9 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the true airspeed from a pitot tube's pressure, as the vehicle's forward speed through the fluid, once per reading. In: state, whose altitude gives the standard atmosphere's pressure and temperature if the device does not measure them. Out: sensed-state.
+ * Publishes the true airspeed from a pitot tube's pressure, as the vehicle's forward speed through
+ * the fluid, once per reading. In: state, whose altitude gives the standard atmosphere's pressure
+ * and temperature if the device does not measure them. Out: sensed-state.
  */
 public final class AirspeedSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
@@ -123,7 +125,8 @@ public final class AirspeedSensor extends ProprioceptiveSensor {
   }
 
   /**
-   * Subsonic true airspeed for an impact pressure (Gracey, NASA RP-1046, chapter 3) at the given temperature.
+   * Subsonic true airspeed for an impact pressure (Gracey, NASA RP-1046, chapter 3) at the given
+   * temperature.
    */
   private static double trueAirspeedMps(double impactPa, double staticPa, double temperatureK) {
     double ratio = Math.pow(impactPa / staticPa + 1.0, (HEAT_RATIO - 1.0) / HEAT_RATIO);

@@ -1,7 +1,8 @@
 package org.u2sa.device;
 
 /**
- * A device that can be disconnected and reconnected; {@link DeviceWatch} reports both in log and health.
+ * A device that can be disconnected and reconnected; {@link DeviceWatch} reports both in log and
+ * health.
  */
 public interface Attached {
   /** Whether the device is connected. */

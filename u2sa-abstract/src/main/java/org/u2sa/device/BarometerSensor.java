@@ -10,7 +10,8 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the altitude above mean sea level from a barometer's pressure, in GLOBAL, once per reading. QNH and both sigmas may be changed in flight. Out: sensed-state.
+ * Publishes the altitude above mean sea level from a barometer's pressure, in GLOBAL, once per
+ * reading. QNH and both sigmas may be changed in flight. Out: sensed-state.
  */
 public final class BarometerSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;

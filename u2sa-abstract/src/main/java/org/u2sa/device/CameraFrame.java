@@ -3,7 +3,9 @@ package org.u2sa.device;
 import java.util.Optional;
 
 /**
- * One frame of a camera. Pixels stay in the capturing process: channels only carry compressed images, as {@link org.u2sa.messages.CameraImage}. Compared by identity, to avoid comparing pixels.
+ * One frame of a camera. Pixels stay in the capturing process: channels only carry compressed
+ * images, as {@link org.u2sa.messages.CameraImage}. Compared by identity, to avoid comparing
+ * pixels.
  */
 public final class CameraFrame implements Device.Reading {
   /** Pixel format of a frame. */

@@ -6,9 +6,12 @@ import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Base class of camera services (thesis 3.2.2.3, 4.1.2): subclasses implement {@link #look} and publish their detections. Out: sensed-objects; images, compressed and for people only.
+ * Base class of camera services (thesis 3.2.2.3, 4.1.2): subclasses implement {@link #look} and
+ * publish their detections. Out: sensed-objects; images, compressed and for people only.
  *
- * <p>A class in a system file needs a public constructor (ServiceContext), which uses the configured camera. With another constructor (ServiceContext, Camera) the Android application can pass the phone's camera.
+ * <p>A class in a system file needs a public constructor (ServiceContext), which uses the
+ * configured camera. With another constructor (ServiceContext, Camera) the Android application can
+ * pass the phone's camera.
  */
 public abstract class CameraSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 30.0;

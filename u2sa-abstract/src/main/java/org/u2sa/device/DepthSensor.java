@@ -11,7 +11,8 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the depth of a vehicle, once per reading of an underwater pressure sensor: as altitude in GLOBAL, or as z of a local frame. Out: sensed-state.
+ * Publishes the depth of a vehicle, once per reading of an underwater pressure sensor: as altitude
+ * in GLOBAL, or as z of a local frame. Out: sensed-state.
  */
 public final class DepthSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;

@@ -19,7 +19,8 @@ public interface Device<R extends Device.Reading> extends Attached, AutoCloseabl
    * Reads the device. Returns immediately and never throws for a lost device.
    *
    * @param nowMicros the time now [µs of the run's clock], never less than at the last call
-   * @return the latest reading, repeated until a newer one arrives, even while the device is lost; empty before the first
+   * @return the latest reading, repeated until a newer one arrives, even while the device is lost;
+   *     empty before the first
    */
   Optional<R> read(long nowMicros);
 

@@ -4,7 +4,9 @@ import java.util.List;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Offers devices of one kind by name. A public class with a public no-argument constructor, listed in {@code META-INF/services/org.u2sa.device.DeviceProvider}; every service of that port then accepts the names in its configuration.
+ * Offers devices of one kind by name. A public class with a public no-argument constructor, listed
+ * in {@code META-INF/services/org.u2sa.device.DeviceProvider}; every service of that port then
+ * accepts the names in its configuration.
  *
  * @param <D> the port
  */
@@ -14,7 +16,8 @@ public abstract class DeviceProvider<D extends Device<?>> {
 
   /**
    * @param port such as {@code Imu.class}
-   * @param names names in a configuration, such as {@code VECTORNAV}; unique among the port's providers
+   * @param names names in a configuration, such as {@code VECTORNAV}; unique among the port's
+   *     providers
    */
   protected DeviceProvider(Class<D> port, String... names) {
     this.port = port;
@@ -30,7 +33,9 @@ public abstract class DeviceProvider<D extends Device<?>> {
   }
 
   /**
-   * Records of the {@link org.u2sa.interfaces.configuration.Variable}s of these devices, in addition to the service's own. Configurations of the port's services may set them regardless of the selected device.
+   * Records of the {@link org.u2sa.interfaces.configuration.Variable}s of these devices, in
+   * addition to the service's own. Configurations of the port's services may set them regardless of
+   * the selected device.
    */
   protected List<Class<?>> variables() {
     return List.of();

@@ -4,7 +4,8 @@ import java.util.Optional;
 import org.u2sa.service.U2SAService;
 
 /**
- * Reads a device for the service that owns it: returns each reading once, and reports device faults in log and health. Belongs to the service's thread.
+ * Reads a device for the service that owns it: returns each reading once, and reports device faults
+ * in log and health. Belongs to the service's thread.
  */
 public final class DeviceReader<R extends Device.Reading> {
   private final U2SAService service;
@@ -47,7 +48,10 @@ public final class DeviceReader<R extends Device.Reading> {
     return last;
   }
 
-  /** Reports faults of a connected device, such as a refused setup; the watch reports those of a lost one. */
+  /**
+   * Reports faults of a connected device, such as a refused setup; the watch reports those of a
+   * lost one.
+   */
   private void reportTrouble() {
     String trouble = device.isConnected() ? device.trouble() : "";
     if (!trouble.equals(said)) {

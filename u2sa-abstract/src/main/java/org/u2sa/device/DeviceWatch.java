@@ -5,7 +5,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.U2SAService;
 
 /**
- * Reports in a service's log and health when its device is lost, falls silent, sends malformed data, or recovers. Belongs to the service's thread.
+ * Reports in a service's log and health when its device is lost, falls silent, sends malformed
+ * data, or recovers. Belongs to the service's thread.
  */
 public final class DeviceWatch {
   private static final long NEVER_HEARD = Long.MIN_VALUE;
@@ -26,7 +27,8 @@ public final class DeviceWatch {
   /**
    * @param service service whose log and health are used
    * @param device name of the device there
-   * @param silentAfterS time without a readable message after which a connected device counts as silent [s]
+   * @param silentAfterS time without a readable message after which a connected device counts as
+   *     silent [s]
    */
   public DeviceWatch(U2SAService service, String device, Attached link, double silentAfterS) {
     this.service = service;
@@ -102,7 +104,8 @@ public final class DeviceWatch {
   }
 
   /**
-   * Records malformed data; logged at the 1st, 2nd, 4th, 8th, … so that a flood does not fill the log.
+   * Records malformed data; logged at the 1st, 2nd, 4th, 8th, … so that a flood does not fill the
+   * log.
    *
    * @param total since the start
    * @param why the last one was malformed; empty if unknown

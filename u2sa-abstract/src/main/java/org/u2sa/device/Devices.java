@@ -32,7 +32,8 @@ public final class Devices {
    * The device of a service. Declares CONNECTION, the variable that names the driver, and the
    * variables of all the port's drivers.
    *
-   * @param made device provided by the host, such as a phone or a simulation; overrides the configuration
+   * @param made device provided by the host, such as a phone or a simulation; overrides the
+   *     configuration
    * @throws BadInputException if there is no such driver, or more than one
    */
   public static <D extends Device<?>> D open(

@@ -31,7 +31,8 @@ public final class FixReader {
   }
 
   /**
-   * Returns the state from a new valid fix, in GLOBAL, timestamped with its validity, for publishing; call it at each step.
+   * Returns the state from a new valid fix, in GLOBAL, timestamped with its validity, for
+   * publishing; call it at each step.
    */
   public Optional<StateInformation> next(long nowMicros) {
     Optional<GpsFix> fix = reader.next(nowMicros);

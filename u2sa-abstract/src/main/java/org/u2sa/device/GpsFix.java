@@ -17,7 +17,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * @param horizontalSigmaM standard deviation of the position along each horizontal axis [m]
  * @param verticalSigmaM standard deviation of the altitude [m]
  * @param satellites number of satellites used; 0 if unknown
- * @param valid whether the receiver marks the position as valid; if not, all other numbers are meaningless
+ * @param valid whether the receiver marks the position as valid; if not, all other numbers are
+ *     meaningless
  */
 public record GpsFix(
     long measuredAtMicros,
@@ -50,7 +51,10 @@ public record GpsFix(
         false);
   }
 
-  /** Converts a valid fix to a new State Information in GLOBAL with the fix's time, without a sensor name. */
+  /**
+   * Converts a valid fix to a new State Information in GLOBAL with the fix's time, without a sensor
+   * name.
+   */
   public StateInformation toState() {
     StateInformation state =
         new StateInformation().referenceFrame(ReferenceFrame.GLOBAL).x(longitudeDeg).y(latitudeDeg);

@@ -7,7 +7,8 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes position and velocity over ground of a GNSS receiver, in GLOBAL, once per fix (thesis 4.6.3). Out: sensed-state, only for new fixes.
+ * Publishes position and velocity over ground of a GNSS receiver, in GLOBAL, once per fix (thesis
+ * 4.6.3). Out: sensed-state, only for new fixes.
  */
 public final class GpsSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0; // average latency of a fix: 10 ms

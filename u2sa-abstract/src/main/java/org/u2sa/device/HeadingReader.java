@@ -48,7 +48,8 @@ public final class HeadingReader {
   }
 
   /**
-   * Returns the state from a new heading, in GLOBAL, timestamped with its validity, for publishing; call it at each step.
+   * Returns the state from a new heading, in GLOBAL, timestamped with its validity, for publishing;
+   * call it at each step.
    */
   public Optional<StateInformation> next(long nowMicros) {
     Optional<Heading> heading = reader.next(nowMicros);
@@ -57,7 +58,9 @@ public final class HeadingReader {
     return state;
   }
 
-  /** Whether the last call of {@link #next} dropped a heading because true north is not known yet. */
+  /**
+   * Whether the last call of {@link #next} dropped a heading because true north is not known yet.
+   */
   public boolean waitsForPosition() {
     return waits;
   }

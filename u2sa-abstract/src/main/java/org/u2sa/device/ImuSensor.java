@@ -13,7 +13,10 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes an IMU's attitude and attitude rates, in GLOBAL, once per reading (thesis 4.1.1), and its gyroscope and accelerometer measurements, in BODY_FRD, as a separate source "… inertial". Heading is omitted while true north is unknown. In: state, for the magnetic declination at the vehicle's position. Out: sensed-state.
+ * Publishes an IMU's attitude and attitude rates, in GLOBAL, once per reading (thesis 4.1.1), and
+ * its gyroscope and accelerometer measurements, in BODY_FRD, as a separate source "… inertial".
+ * Heading is omitted while true north is unknown. In: state, for the magnetic declination at the
+ * vehicle's position. Out: sensed-state.
  */
 public final class ImuSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 100.0;

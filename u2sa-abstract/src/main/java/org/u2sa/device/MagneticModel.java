@@ -23,12 +23,16 @@ public final class MagneticModel {
   private MagneticModel() {}
 
   /**
-   * Declination: angle of magnetic north clockwise (east) of true north [rad], −π…π; true heading = magnetic heading + declination. Of little use within 2000 km of a magnetic pole, where compasses do not work.
+   * Declination: angle of magnetic north clockwise (east) of true north [rad], −π…π; true heading =
+   * magnetic heading + declination. Of little use within 2000 km of a magnetic pole, where
+   * compasses do not work.
    *
    * @param latitudeDeg WGS 84 [deg], −90…90
    * @param longitudeDeg WGS 84 [deg], east positive; any number of turns
-   * @param altitudeM height above the ellipsoid [m]; altitude above mean sea level is accurate enough
-   * @param decimalYear for example 2027.5; clamped to {@link #FIRST_YEAR} and {@link #LAST_YEAR}, for example for a vehicle whose clock was never set
+   * @param altitudeM height above the ellipsoid [m]; altitude above mean sea level is accurate
+   *     enough
+   * @param decimalYear for example 2027.5; clamped to {@link #FIRST_YEAR} and {@link #LAST_YEAR},
+   *     for example for a vehicle whose clock was never set
    * @throws IllegalArgumentException if an argument is NaN, or the latitude is out of range
    */
   public static double declinationRad(

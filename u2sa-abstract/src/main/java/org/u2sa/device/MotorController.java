@@ -4,7 +4,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * A controller of two motors with encoders. Both motors are off until it is commanded, and after its own command time-out.
+ * A controller of two motors with encoders. Both motors are off until it is commanded, and after
+ * its own command time-out.
  */
 public interface MotorController extends Device<MotorController.Counts> {
   /**
@@ -19,7 +20,8 @@ public interface MotorController extends Device<MotorController.Counts> {
       implements Reading {}
 
   /**
-   * {@inheritDoc} Unlike other ports, also empty after a loss until the controller answers and is set up again, before which it does not drive.
+   * {@inheritDoc} Unlike other ports, also empty after a loss until the controller answers and is
+   * set up again, before which it does not drive.
    */
   @Override
   Optional<Counts> read(long nowMicros);

@@ -5,7 +5,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * Position and orientation of a sensor on the vehicle (thesis 4.1.2), in BODY: x forward, y left, z down. The sensor's own axes follow the same convention: x ahead, y left, z down.
+ * Position and orientation of a sensor on the vehicle (thesis 4.1.2), in BODY: x forward, y left, z
+ * down. The sensor's own axes follow the same convention: x ahead, y left, z down.
  */
 public record MountingPose(
     @Variable(

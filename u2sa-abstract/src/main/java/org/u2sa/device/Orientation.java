@@ -14,7 +14,8 @@ import org.u2sa.messages.frame.Point;
  * @param xRateRadPerS angular rate about its x axis [rad/s]
  * @param yRateRadPerS angular rate about its y axis [rad/s]
  * @param zRateRadPerS angular rate about its z axis [rad/s]
- * @param specificForce specific force along these axes [m/s²], about -9.8 along z at rest; empty if not provided
+ * @param specificForce specific force along these axes [m/s²], about -9.8 along z at rest; empty if
+ *     not provided
  */
 public record Orientation(
     long measuredAtMicros,
@@ -49,7 +50,8 @@ public record Orientation(
   }
 
   /**
-   * Euler angle rates of roll, pitch and heading [rad/s]; empty near gimbal lock, with the front nearly straight up or down.
+   * Euler angle rates of roll, pitch and heading [rad/s]; empty near gimbal lock, with the front
+   * nearly straight up or down.
    */
   public Optional<Point> eulerRates() {
     return Math.abs(pitchRad) < NEARLY_VERTICAL_RAD

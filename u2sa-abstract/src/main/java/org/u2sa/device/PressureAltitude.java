@@ -3,8 +3,8 @@ package org.u2sa.device;
 import org.u2sa.messages.frame.Gravity;
 
 /**
- * Altitude and air data from static pressure in the ICAO standard atmosphere (ICAO Doc 7488/3; ISO 2533),
- * −5…20 km.
+ * Altitude and air data from static pressure in the ICAO standard atmosphere (ICAO Doc 7488/3; ISO
+ * 2533), −5…20 km.
  */
 public final class PressureAltitude {
   /** Pressure at sea level [Pa]. */
@@ -23,7 +23,8 @@ public final class PressureAltitude {
   private PressureAltitude() {}
 
   /**
-   * Pressure altitude: geopotential altitude of this pressure in the standard atmosphere [m], as an altimeter set to 1013.25 hPa shows.
+   * Pressure altitude: geopotential altitude of this pressure in the standard atmosphere [m], as an
+   * altimeter set to 1013.25 hPa shows.
    *
    * @param pascals static pressure [Pa], positive
    */
@@ -37,7 +38,8 @@ public final class PressureAltitude {
   }
 
   /**
-   * Geometric altitude above mean sea level [m] for an altimeter setting, which shifts the scale by its own standard altitude (ICAO Doc 8168, definition of QNH).
+   * Geometric altitude above mean sea level [m] for an altimeter setting, which shifts the scale by
+   * its own standard altitude (ICAO Doc 8168, definition of QNH).
    *
    * @param pascals static pressure [Pa], positive
    * @param qnhPa pressure at sea level today [Pa]

@@ -9,7 +9,8 @@ import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the nearest object detected by a single-beam range finder, as a point in BODY (thesis 4.1.2). Out: sensed-objects, once per measurement with an object in range.
+ * Publishes the nearest object detected by a single-beam range finder, as a point in BODY (thesis
+ * 4.1.2). Out: sensed-objects, once per measurement with an object in range.
  */
 public final class RangeSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 50.0;

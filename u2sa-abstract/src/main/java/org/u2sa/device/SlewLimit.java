@@ -4,7 +4,8 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Limits the slew rate of a percentage to protect gears and batteries. Keeps the last value, so use one per motor. Not thread-safe.
+ * Limits the slew rate of a percentage to protect gears and batteries. Keeps the last value, so use
+ * one per motor. Not thread-safe.
  */
 public final class SlewLimit {
   private static final double FULL_PERCENT = 100.0;
@@ -59,7 +60,10 @@ public final class SlewLimit {
     return percent;
   }
 
-  /** Starts from the value of another limiter [%] (bumpless transfer); the next step starts the timer. */
+  /**
+   * Starts from the value of another limiter [%] (bumpless transfer); the next step starts the
+   * timer.
+   */
   public void goOnFrom(double held) {
     percent = held;
     hasBegun = false;

@@ -2,9 +2,7 @@ package org.u2sa.device;
 
 import java.util.OptionalDouble;
 
-/**
- * A propeller with its motor. Off until commanded, and after its own command time-out.
- */
+/** A propeller with its motor. Off until commanded, and after its own command time-out. */
 public interface Thruster extends Device<Thruster.Turning> {
   /**
    * Measurements of the thruster; those not provided are empty.

@@ -7,7 +7,8 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * The latest report of each target, for receivers that report one target at a time. Not thread-safe.
+ * The latest report of each target, for receivers that report one target at a time. Not
+ * thread-safe.
  */
 public final class TrafficPicture {
   private static final long FORGOTTEN_AFTER_MICROS = Clock.micros(60.0);

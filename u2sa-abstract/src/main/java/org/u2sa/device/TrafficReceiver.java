@@ -8,7 +8,8 @@ public interface TrafficReceiver extends Device<TrafficReceiver.Traffic> {
    * Known traffic in the surroundings.
    *
    * @param measuredAtMicros time of the receiver's last message
-   * @param targets one per id, sorted by id, with the time of its last report; targets silent for a minute are omitted
+   * @param targets one per id, sorted by id, with the time of its last report; targets silent for a
+   *     minute are omitted
    */
   record Traffic(long measuredAtMicros, List<TrafficTarget> targets) implements Reading {}
 }

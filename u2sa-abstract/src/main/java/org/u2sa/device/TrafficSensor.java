@@ -18,7 +18,9 @@ import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes other traffic as moving keep-out spheres, in GLOBAL, once per report (thesis 4.4.1.3). In: state, whose altitude is assumed for targets that do not report theirs. Out: sensed-objects, uid {@code traffic} and the target's id.
+ * Publishes other traffic as moving keep-out spheres, in GLOBAL, once per report (thesis 4.4.1.3).
+ * In: state, whose altitude is assumed for targets that do not report theirs. Out: sensed-objects,
+ * uid {@code traffic} and the target's id.
  */
 public final class TrafficSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 20.0;

@@ -11,7 +11,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Converts magnetic to true headings for one service: by a fixed declination, or by the {@link MagneticModel} at the vehicle's position.
+ * Converts magnetic to true headings for one service: by a fixed declination, or by the {@link
+ * MagneticModel} at the vehicle's position.
  */
 public final class TrueNorth {
   private static final double SAME_PLACE_DEG =
@@ -51,7 +52,8 @@ public final class TrueNorth {
   /**
    * Updates the vehicle's position if the state has one in GLOBAL.
    *
-   * @param nowMicros time since 1970; simulated time, which starts at 0, is clamped to the model's first year
+   * @param nowMicros time since 1970; simulated time, which starts at 0, is clamped to the model's
+   *     first year
    */
   public void at(StateInformation state, long nowMicros) {
     if (!isModelled
@@ -85,7 +87,8 @@ public final class TrueNorth {
   /**
    * Converts a heading to a true one [rad, 0…2π]; empty while the declination is unknown.
    *
-   * @param turnRad angle added to the heading: direction of the vehicle's front, clockwise from the compass's
+   * @param turnRad angle added to the heading: direction of the vehicle's front, clockwise from the
+   *     compass's
    */
   public OptionalDouble of(Heading heading, double turnRad) {
     if (heading.isTrue()) {

@@ -5,7 +5,8 @@ import java.util.OptionalDouble;
 /** A Doppler velocity log, or a simpler log that measures some of these speeds. */
 public interface VelocityLog extends Device<VelocityLog.Speeds> {
   /**
-   * The vehicle's speeds along its own axes, x forward, y left, z down. Unmeasured and invalid values are empty.
+   * The vehicle's speeds along its own axes, x forward, y left, z down. Unmeasured and invalid
+   * values are empty.
    *
    * @param groundX speed over ground, forward [m/s]
    * @param groundY speed over ground, left [m/s]

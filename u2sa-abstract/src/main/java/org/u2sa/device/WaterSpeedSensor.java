@@ -12,7 +12,9 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes a velocity log's measurements, in BODY: bottom track as velocity, water track as velocity through the fluid; their difference is the current. Out: sensed-state, once per reading with a valid value.
+ * Publishes a velocity log's measurements, in BODY: bottom track as velocity, water track as
+ * velocity through the fluid; their difference is the current. Out: sensed-state, once per reading
+ * with a valid value.
  */
 public final class WaterSpeedSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;

@@ -8,7 +8,8 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes speed and yaw rate of a differential vehicle, in BODY, from standalone encoders; {@link WheelMotors} does so for those of a motor controller (thesis 4.1.1.1). Out: sensed-state.
+ * Publishes speed and yaw rate of a differential vehicle, in BODY, from standalone encoders; {@link
+ * WheelMotors} does so for those of a motor controller (thesis 4.1.1.1). Out: sensed-state.
  */
 public final class WheelEncoderSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;

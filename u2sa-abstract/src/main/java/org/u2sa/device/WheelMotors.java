@@ -19,9 +19,12 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Actuator and odometry service of a differential vehicle's motor controller; one service because both share a serial line (thesis 4.1.1.5). In: actuation, emergency-stop, arming-state. Out: sensed-state, from the wheels' speeds; power; actuators.
+ * Actuator and odometry service of a differential vehicle's motor controller; one service because
+ * both share a serial line (thesis 4.1.1.5). In: actuation, emergency-stop, arming-state. Out:
+ * sensed-state, from the wheels' speeds; power; actuators.
  *
- * <p>Both motors are off unless both have a valid command: a partial failure of control must not drive the vehicle in circles.
+ * <p>Both motors are off unless both have a valid command: a partial failure of control must not
+ * drive the vehicle in circles.
  */
 public final class WheelMotors extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 100.0;

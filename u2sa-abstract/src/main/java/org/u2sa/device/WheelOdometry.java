@@ -6,7 +6,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Speed and yaw rate of a differential vehicle from its wheel encoder counts (thesis 4.1.1.1: the X and Y speed fields).
+ * Speed and yaw rate of a differential vehicle from its wheel encoder counts (thesis 4.1.1.1: the X
+ * and Y speed fields).
  */
 final class WheelOdometry {
   // The ends of a span are each wrong by up to half a count: their difference has σ = 1/√6 counts.
@@ -25,7 +26,8 @@ final class WheelOdometry {
    * @param metresPerCount distance a wheel travels per count [m]
    * @param trackM distance between the wheels [m]
    * @param slip standard deviation of a speed, as a fraction of it
-   * @param fastestMps maximum plausible speed [m/s]; above it, the controller has restarted its counts
+   * @param fastestMps maximum plausible speed [m/s]; above it, the controller has restarted its
+   *     counts
    */
   WheelOdometry(double metresPerCount, double trackM, double slip, double fastestMps) {
     this.metresPerCount = metresPerCount;
@@ -40,7 +42,8 @@ final class WheelOdometry {
   }
 
   /**
-   * The motion since the last call, in BODY: forward speed, zero lateral speed, yaw rate (left positive); averaged, at the midpoint between the two calls.
+   * The motion since the last call, in BODY: forward speed, zero lateral speed, yaw rate (left
+   * positive); averaged, at the midpoint between the two calls.
    *
    * @param leftCounts forward positive; wraps at 32 bits
    * @param rightCounts likewise

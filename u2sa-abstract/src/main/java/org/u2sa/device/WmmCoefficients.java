@@ -8,7 +8,8 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The Gauss coefficients of the World Magnetic Model, from NOAA's WMM.COF, and the resulting field. Immutable.
+ * The Gauss coefficients of the World Magnetic Model, from NOAA's WMM.COF, and the resulting field.
+ * Immutable.
  */
 final class WmmCoefficients {
   private static final int DEGREE = 12;

@@ -52,9 +52,7 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   /** Closes the device, after {@link #neutral}. */
   protected void close() {}
 
-  /**
-   * The announcement to control systems, from the configuration; subclasses refine it.
-   */
+  /** The announcement to control systems, from the configuration; subclasses refine it. */
   protected ActuatorAnnouncement announcement() {
     return description.addTo(
         new ActuatorAnnouncement().actuatorName(actuatorName).minimum(-100.0).maximum(100.0));

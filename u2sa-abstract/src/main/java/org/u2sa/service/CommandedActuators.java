@@ -74,7 +74,8 @@ public final class CommandedActuators {
     this(service, names, () -> {}, stopped);
   }
 
-  /** Like the other constructor, with a listener for commands.
+  /**
+   * Like the other constructor, with a listener for commands.
    *
    * @param commanded called when an actuator has a new percentage
    */
@@ -266,7 +267,8 @@ public final class CommandedActuators {
   }
 
   /**
-   * Current command of an actuator as sent, for services that use an angle, speed or force directly; empty if {@link #percentage} is.
+   * Current command of an actuator as sent, for services that use an angle, speed or force
+   * directly; empty if {@link #percentage} is.
    */
   public Optional<ActuatorCommand> command(String actuator) {
     return mayMove() ? commands.command(actuator) : Optional.empty();

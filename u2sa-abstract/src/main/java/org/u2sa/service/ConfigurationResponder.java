@@ -27,7 +27,8 @@ import org.u2sa.messages.contract.ServiceMessage;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Answers queries and change requests for a service's configuration (thesis 3.2.1.1). Runs on the service's thread, except for validation and writing, done by {@link ConfigurationWriter}.
+ * Answers queries and change requests for a service's configuration (thesis 3.2.1.1). Runs on the
+ * service's thread, except for validation and writing, done by {@link ConfigurationWriter}.
  */
 final class ConfigurationResponder {
   private static final int REMEMBERED = 64;
@@ -231,7 +232,8 @@ final class ConfigurationResponder {
   }
 
   /**
-   * Rate limit of configuration changes: a burst, then a fixed rate, per author and in total. The total matters because author names are not authenticated.
+   * Rate limit of configuration changes: a burst, then a fixed rate, per author and in total. The
+   * total matters because author names are not authenticated.
    */
   private static final class ChangeRate {
     private static final int AUTHORS = 64; // tracked individually

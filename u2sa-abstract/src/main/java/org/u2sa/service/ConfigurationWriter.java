@@ -9,9 +9,12 @@ import org.u2sa.interfaces.configuration.WrittenChange;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Validates and writes requested changes sequentially on a separate thread that lives only while there is something to write, so that the service's thread never blocks on a disk. Written changes are queued until the service applies them between two messages.
+ * Validates and writes requested changes sequentially on a separate thread that lives only while
+ * there is something to write, so that the service's thread never blocks on a disk. Written changes
+ * are queued until the service applies them between two messages.
  *
- * <p>The thread takes turns on the run's clock like services, so in a simulation time stops until a change is written, and runs are repeatable however slow the disk is.
+ * <p>The thread takes turns on the run's clock like services, so in a simulation time stops until a
+ * change is written, and runs are repeatable however slow the disk is.
  */
 final class ConfigurationWriter {
   private static final int CAPACITY = 32;

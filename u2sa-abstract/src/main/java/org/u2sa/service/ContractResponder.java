@@ -15,7 +15,9 @@ import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Answers the requests of the service contract (thesis 3.2.2.1): discovery, functionality discovery and, by its {@link ConfigurationResponder}, configuration. Runs on the service's thread; the stop command is recognised here but executed by the service.
+ * Answers the requests of the service contract (thesis 3.2.2.1): discovery, functionality discovery
+ * and, by its {@link ConfigurationResponder}, configuration. Runs on the service's thread; the stop
+ * command is recognised here but executed by the service.
  */
 final class ContractResponder {
   /** Channels of requests to every service. */

@@ -7,12 +7,15 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Text form of an actuator's effect in configurations, in the vehicle's forward, right and down axes:
+ * Text form of an actuator's effect in configurations, in the vehicle's forward, right and down
+ * axes:
  *
  * <ul>
  *   <li>{@code thrust 40 / 30 at 0.16 -0.11 0.0 towards 1 1 0}: 40 N at +100 % and 30 N at −100 %
- *       (equal if the second number is omitted), at that position [m], in that direction of any length;
- *   <li>{@code wrench 0 0 0 900 0 40}: X, Y, Z [N] and K, M, N [N m] at +100 %; six more numbers after a / give the effect at −100 %.
+ *       (equal if the second number is omitted), at that position [m], in that direction of any
+ *       length;
+ *   <li>{@code wrench 0 0 0 900 0 40}: X, Y, Z [N] and K, M, N [N m] at +100 %; six more numbers
+ *       after a / give the effect at −100 %.
  * </ul>
  *
  * @param force at +100 % [N]

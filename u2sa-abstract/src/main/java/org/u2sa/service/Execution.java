@@ -8,22 +8,27 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Hook into everything that passes between a service's code and its environment, in order: clock readings, waits, messages in and out. Recording it allows the service to be re-executed; it then publishes the same messages if it depends on nothing else.
+ * Hook into everything that passes between a service's code and its environment, in order: clock
+ * readings, waits, messages in and out. Recording it allows the service to be re-executed; it then
+ * publishes the same messages if it depends on nothing else.
  *
- * <p>Called on the service's thread, and before its start on the thread that creates it; only {@link #clock} and {@link #publishes} may be called on other threads.
+ * <p>Called on the service's thread, and before its start on the thread that creates it; only
+ * {@link #clock} and {@link #publishes} may be called on other threads.
  */
 public interface Execution {
   /**
    * Called before a service is created and opens any resource.
    *
-   * @throws org.u2sa.interfaces.BadInputException if a service of this role must not be created here
+   * @throws org.u2sa.interfaces.BadInputException if a service of this role must not be created
+   *     here
    */
   default void requireRole(ServiceRole role) {}
 
   /** The run's clock as seen by the service. */
   Clock clock();
 
-  /** Thread that the service regards as its own.
+  /**
+   * Thread that the service regards as its own.
    *
    * @param own its actual thread
    */
@@ -45,7 +50,8 @@ public interface Execution {
   Optional<Inheritance> inheritance();
 
   /**
-   * Runs code of the service on the calling thread instead of the service's thread, which has not been started.
+   * Runs code of the service on the calling thread instead of the service's thread, which has not
+   * been started.
    */
   void onBehalf(Runnable code);
 
@@ -57,7 +63,8 @@ public interface Execution {
   void succeeds(Inheritance inheritance, String connection);
 
   /**
-   * Runs code on the service's thread that is not part of the execution: the takeover by another service.
+   * Runs code on the service's thread that is not part of the execution: the takeover by another
+   * service.
    *
    * @return the code's result
    */
@@ -85,7 +92,8 @@ public interface Execution {
    */
   boolean takesWritten(BooleanSupplier isWritten) throws InterruptedException;
 
-  /** Called to publish a message.
+  /**
+   * Called to publish a message.
    *
    * @param publish publishes it and returns whether it was accepted
    * @return whether the message counts as accepted
@@ -107,7 +115,8 @@ public interface Execution {
    *
    * @param serviceName common name of both
    * @param state state saved by the predecessor
-   * @param firstStepMicros time of the predecessor's next step [µs of the run's clock]; empty if the first step is due immediately, or there are no steps
+   * @param firstStepMicros time of the predecessor's next step [µs of the run's clock]; empty if
+   *     the first step is due immediately, or there are no steps
    */
   record Inheritance(String serviceName, HandOver state, OptionalLong firstStepMicros) {}
 

@@ -32,7 +32,8 @@ public final class HandOver {
   }
 
   /**
-   * The class of the service that hands over; class-specific values are meaningless to other classes.
+   * The class of the service that hands over; class-specific values are meaningless to other
+   * classes.
    */
   public String className() {
     return className;
@@ -74,7 +75,9 @@ public final class HandOver {
     return set(name, value);
   }
 
-  /** The flag of that name; false without one. @throws IllegalArgumentException if it is not a flag */
+  /**
+   * The flag of that name; false without one. @throws IllegalArgumentException if it is not a flag
+   */
   public boolean flag(String name) {
     return get(name, Boolean.class, "flag").orElse(false);
   }

@@ -10,7 +10,9 @@ import java.util.List;
 import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 
-/** Text file format of a {@link HandOver}: one value per line, between a header and a trailer line. */
+/**
+ * Text file format of a {@link HandOver}: one value per line, between a header and a trailer line.
+ */
 public final class HandOverText {
   private static final String FIRST_WORDS = "U2SA progress 1";
   private static final String LAST_WORDS = "end";
@@ -38,7 +40,8 @@ public final class HandOverText {
   /**
    * Parses a file.
    *
-   * @throws IOException if it is unreadable, incomplete, or belongs to another system; names the position
+   * @throws IOException if it is unreadable, incomplete, or belongs to another system; names the
+   *     position
    */
   public static HandOver read(Path file, String systemId, MessageCodec codec) throws IOException {
     List<String> lines = Files.readAllLines(file, UTF_8);

@@ -8,7 +8,8 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Reports a service's health (thesis 3.5.3): its own periodic reports, and substitute reports for others to publish when it is silent.
+ * Reports a service's health (thesis 3.5.3): its own periodic reports, and substitute reports for
+ * others to publish when it is silent.
  */
 final class HealthReporter {
   /** Number of missed intervals after which a service counts as silent. */
@@ -56,7 +57,8 @@ final class HealthReporter {
   }
 
   /**
-   * Substitute report if the service's own is overdue; empty if it reports itself, has not been started, or has sent its last report.
+   * Substitute report if the service's own is overdue; empty if it reports itself, has not been
+   * started, or has sent its last report.
    */
   Optional<HealthReport> onBehalf(long nowMicros) {
     Thread handling = service.loop == null ? service : service.loop.messages();

@@ -3,7 +3,8 @@ package org.u2sa.service;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Age of a received message, counted from its timestamp, or from its arrival if that is earlier: a source whose clock is ahead must not appear fresh after it has fallen silent.
+ * Age of a received message, counted from its timestamp, or from its arrival if that is earlier: a
+ * source whose clock is ahead must not appear fresh after it has fallen silent.
  */
 public final class MessageAge {
   private MessageAge() {}

@@ -7,7 +7,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Message loop of a service: delivers messages one by one, answers those of the service contract, reports health meanwhile, and survives exceptions of the author's code. Confined to the service's thread except {@link #inbox} and {@link #contract}.
+ * Message loop of a service: delivers messages one by one, answers those of the service contract,
+ * reports health meanwhile, and survives exceptions of the author's code. Confined to the service's
+ * thread except {@link #inbox} and {@link #contract}.
  */
 final class MessageHandling {
   private final U2SAService service;
@@ -174,7 +176,8 @@ final class MessageHandling {
   }
 
   /**
-   * Runs the author's code; exceptions are logged, counted and survived, up to a limit of consecutive ones.
+   * Runs the author's code; exceptions are logged, counted and survived, up to a limit of
+   * consecutive ones.
    */
   void guarded(ServiceHealth.CallbackCode code) throws InterruptedException {
     guarded(code, maxErrorsInARow);

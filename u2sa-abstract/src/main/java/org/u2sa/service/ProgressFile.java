@@ -11,9 +11,12 @@ import java.util.Optional;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * Saved state of a service for its restart: a text file beside its log, replaced atomically, so that a process killed while writing leaves the previous file. Valid for one run: a service that starts for the first time deletes the file of an earlier run.
+ * Saved state of a service for its restart: a text file beside its log, replaced atomically, so
+ * that a process killed while writing leaves the previous file. Valid for one run: a service that
+ * starts for the first time deletes the file of an earlier run.
  *
- * <p>Not synced to disk: it is for restarts of a service while the machine keeps running; a power cut ends the run.
+ * <p>Not synced to disk: it is for restarts of a service while the machine keeps running; a power
+ * cut ends the run.
  */
 final class ProgressFile {
   private final Path file;

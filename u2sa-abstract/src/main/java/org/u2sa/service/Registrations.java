@@ -10,7 +10,10 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
-/** The channels that a service registered to publish on or subscribe to, independent of the connection. */
+/**
+ * The channels that a service registered to publish on or subscribe to, independent of the
+ * connection.
+ */
 final class Registrations {
   private final CopyOnWriteArrayList<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final CopyOnWriteArrayList<Channel<?>> subscribed = new CopyOnWriteArrayList<>();

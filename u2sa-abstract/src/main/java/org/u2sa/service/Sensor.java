@@ -3,7 +3,8 @@ package org.u2sa.service;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * Base class of services that read a sensor at a fixed rate and publish the measurements (thesis 3.2.2.2).
+ * Base class of services that read a sensor at a fixed rate and publish the measurements (thesis
+ * 3.2.2.2).
  */
 public abstract class Sensor extends PeriodicService {
   private record Names(

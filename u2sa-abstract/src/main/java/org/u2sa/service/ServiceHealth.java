@@ -12,7 +12,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 
 /**
- * A service's own health data (thesis 3.5.3). Written by the service's thread, readable from any thread.
+ * A service's own health data (thesis 3.5.3). Written by the service's thread, readable from any
+ * thread.
  */
 final class ServiceHealth {
   private static final long IDLE = Long.MAX_VALUE;
@@ -44,7 +45,8 @@ final class ServiceHealth {
   }
 
   /**
-   * Runs and measures the author's code, catching all exceptions. Returns whether it ended without one.
+   * Runs and measures the author's code, catching all exceptions. Returns whether it ended without
+   * one.
    */
   boolean run(CallbackCode code) throws InterruptedException {
     long began = stopwatch.begin();

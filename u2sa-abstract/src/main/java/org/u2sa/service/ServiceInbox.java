@@ -14,11 +14,15 @@ import org.u2sa.messages.schema.U2SAData;
 /**
  * A service's bounded message queue. Any thread may put; the service's thread takes.
  *
- * <p>On latest-value channels, a message replaces the queued one of the same source in its position, so a slow service sees fresh data and a flood costs no memory. A full queue rejects the newest. Both are counted separately, because only the latter is a loss. Urgent messages (emergency stops) have a separate queue with priority. Arming and failsafes
- * wait among the others, but the others cannot take their room. Questions that anybody may ask,
- * which the service contract answers, fill a quarter of the rest at most.
+ * <p>On latest-value channels, a message replaces the queued one of the same source in its
+ * position, so a slow service sees fresh data and a flood costs no memory. A full queue rejects the
+ * newest. Both are counted separately, because only the latter is a loss. Urgent messages
+ * (emergency stops) have a separate queue with priority. Arming and failsafes wait among the
+ * others, but the others cannot take their room. Questions that anybody may ask, which the service
+ * contract answers, fill a quarter of the rest at most.
  *
- * <p>Services keep state per source of a channel, so the inbox limits the number of sources, lest invented names exhaust memory.
+ * <p>Services keep state per source of a channel, so the inbox limits the number of sources, lest
+ * invented names exhaust memory.
  */
 final class ServiceInbox {
   /** A message and its channel. */
@@ -174,9 +178,11 @@ final class ServiceInbox {
   }
 
   /**
-   * Moves all waiting messages, and forwards all later ones, to a successor's inbox, ahead of those already waiting there: nothing is lost, even beyond its capacity, and nothing is duplicated.
+   * Moves all waiting messages, and forwards all later ones, to a successor's inbox, ahead of those
+   * already waiting there: nothing is lost, even beyond its capacity, and nothing is duplicated.
    *
-   * @param handled already handled messages that the successor must see, unless a newer one is waiting
+   * @param handled already handled messages that the successor must see, unless a newer one is
+   *     waiting
    */
   synchronized void moveTo(ServiceInbox next, Iterable<Delivery> handled) {
     synchronized (next) {

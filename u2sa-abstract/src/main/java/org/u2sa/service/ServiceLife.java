@@ -9,7 +9,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Life cycle of a service: starts, waits on the run's clock, and ends exactly once, whatever the cause.
+ * Life cycle of a service: starts, waits on the run's clock, and ends exactly once, whatever the
+ * cause.
  */
 final class ServiceLife {
   private static final long ENDS_BY_ITSELF_WITHIN_MS = 200;
@@ -47,7 +48,10 @@ final class ServiceLife {
     }
   }
 
-  /** Mutually exclusive with {@link #stopWaiting}: a kill either precedes the start or finds the waiter. */
+  /**
+   * Mutually exclusive with {@link #stopWaiting}: a kill either precedes the start or finds the
+   * waiter.
+   */
   private synchronized boolean startUnlessAskedToStop() {
     if (service.getState() != Thread.State.NEW || ended.get()) {
       throw new IllegalThreadStateException(
@@ -83,16 +87,12 @@ final class ServiceLife {
     return helper;
   }
 
-  /**
-   * Waits for this thread's first turn, so that services run in start order.
-   */
+  /** Waits for this thread's first turn, so that services run in start order. */
   void awaitTurn() throws InterruptedException {
     waiter.await(clock.micros());
   }
 
-  /**
-   * Takes all turns on the calling service thread, waiting on the run's clock in between.
-   */
+  /** Takes all turns on the calling service thread, waiting on the run's clock in between. */
   void takeAll(Clock.Turns turns) throws InterruptedException {
     for (long next = turns.take(); next != Clock.Turns.OVER; next = turns.take()) {
       waiter.await(next);
@@ -105,7 +105,8 @@ final class ServiceLife {
   }
 
   /**
-   * Waits for the condition, the deadline or the end of the service; called by the author's code on the service's thread. The condition is re-evaluated at each {@link #wake}.
+   * Waits for the condition, the deadline or the end of the service; called by the author's code on
+   * the service's thread. The condition is re-evaluated at each {@link #wake}.
    */
   void awaitUntil(BooleanSupplier condition, long deadlineMicros) throws InterruptedException {
     while (service.running && !condition.getAsBoolean() && clock.micros() < deadlineMicros) {

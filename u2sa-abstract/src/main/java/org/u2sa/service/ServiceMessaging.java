@@ -10,7 +10,8 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Registration, publishing and subscribing of a service (thesis 3.2.1.2–3.2.1.4); failures are logged and return false.
+ * Registration, publishing and subscribing of a service (thesis 3.2.1.2–3.2.1.4); failures are
+ * logged and return false.
  */
 final class ServiceMessaging {
   private final U2SAService service;
@@ -70,8 +71,7 @@ final class ServiceMessaging {
       if (wiring.publish(channel, data, nowMicros)) {
         return true;
       }
-      if (Long.bitCount(refused.incrementAndGet())
-          == 1) { // 1, 2, 4, 8…: limits the log
+      if (Long.bitCount(refused.incrementAndGet()) == 1) { // 1, 2, 4, 8…: limits the log
         refuse("publishing on " + channel + " was refused: " + data);
       }
       return false;
@@ -80,12 +80,18 @@ final class ServiceMessaging {
     }
   }
 
-  /** The role's standard channel for publishing messages of the class; logs an error if there is none. */
+  /**
+   * The role's standard channel for publishing messages of the class; logs an error if there is
+   * none.
+   */
   Optional<Channel<?>> toPublish(Class<? extends U2SAData> dataType) {
     return orRefuse(service.role().channelToPublish(dataType), "publishes", dataType);
   }
 
-  /** The role's standard channel for receiving messages of the class; logs an error if there is none. */
+  /**
+   * The role's standard channel for receiving messages of the class; logs an error if there is
+   * none.
+   */
   Optional<Channel<?>> toSubscribe(Class<? extends U2SAData> dataType) {
     return orRefuse(service.role().channelToSubscribe(dataType), "receives", dataType);
   }

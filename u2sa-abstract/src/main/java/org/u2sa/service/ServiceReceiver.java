@@ -8,14 +8,19 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Dispatches messages from the transport: stop orders are obeyed immediately, other messages for the service are queued in its inbox. Called on the transport's or another service's thread, so it never blocks.
+ * Dispatches messages from the transport: stop orders are obeyed immediately, other messages for
+ * the service are queued in its inbox. Called on the transport's or another service's thread, so it
+ * never blocks.
  *
- * <p>Belongs to the connection rather than to the service: in a swap, messages go to the successor from one message to the next.
+ * <p>Belongs to the connection rather than to the service: in a swap, messages go to the successor
+ * from one message to the next.
  */
 final class ServiceReceiver implements Receiver {
-  /** The services served.
+  /**
+   * The services served.
    *
-   * @param next prospective successor, which gets the messages that the present service has not subscribed to; null if none
+   * @param next prospective successor, which gets the messages that the present service has not
+   *     subscribed to; null if none
    */
   private record Served(U2SAService present, U2SAService next) {}
 

@@ -36,7 +36,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Role of a service (thesis figure 3). Determines the standard channel when a service registers by class only (thesis 3.2.1.3), and is the service type in discovery.
+ * Role of a service (thesis figure 3). Determines the standard channel when a service registers by
+ * class only (thesis 3.2.1.3), and is the service type in discovery.
  */
 public enum ServiceRole {
   /** Measures the vehicle itself (3.2.2.4). */

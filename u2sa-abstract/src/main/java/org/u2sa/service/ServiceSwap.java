@@ -8,7 +8,8 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Replaces a running service by another one (thesis 5.1, user story 8) without losing a message or handling one twice.
+ * Replaces a running service by another one (thesis 5.1, user story 8) without losing a message or
+ * handling one twice.
  *
  * <pre>
  *   caller's thread          new service made, not connected ── subscriptions that only it has
@@ -18,7 +19,8 @@ import org.u2sa.interfaces.time.Clock;
  *
  * <p>The new service is created with a context {@link ServiceContext.Builder#inPlaceOf in place of}
  * the old one. It gets the old one's name, log, connection and waiting messages, and the last
- * message of each retained channel. Any failure before {@link U2SAService#takeOver} has returned leaves the old one running unaffected.
+ * message of each retained channel. Any failure before {@link U2SAService#takeOver} has returned
+ * leaves the old one running unaffected.
  */
 public final class ServiceSwap {
   private enum Stage {
@@ -36,8 +38,7 @@ public final class ServiceSwap {
   private volatile Stage stage = Stage.PREPARING; // writes guarded by this
   private volatile String refusal = "";
   private boolean prepared; // accessed by the ordering thread, later by one that refuses
-  private volatile U2SAService
-      waiting; // service whose thread awaits the outcome; null if none
+  private volatile U2SAService waiting; // service whose thread awaits the outcome; null if none
 
   /**
    * @param successor created with a context in place of the old service, and not started
@@ -51,7 +52,8 @@ public final class ServiceSwap {
   }
 
   /**
-   * Requests the swap, which happens after the old service has handled its current message. Returns immediately.
+   * Requests the swap, which happens after the old service has handled its current message. Returns
+   * immediately.
    *
    * @return this
    */
@@ -104,7 +106,8 @@ public final class ServiceSwap {
    * Waits until the swap is done or refused. On a service's own thread that is a wait on the run's
    * clock, so that a simulation continues meanwhile.
    *
-   * @param withinS timeout after which the request is withdrawn [s], because the old service may hang
+   * @param withinS timeout after which the request is withdrawn [s], because the old service may
+   *     hang
    * @return empty if the successor runs; otherwise the reason, and the old one is unaffected
    * @throws InterruptedException if the calling thread was interrupted; the order stands
    */
@@ -173,7 +176,8 @@ public final class ServiceSwap {
   }
 
   /**
-   * Executes the swap on the old service's thread between two messages. Returns whether the successor has taken over.
+   * Executes the swap on the old service's thread between two messages. Returns whether the
+   * successor has taken over.
    */
   boolean carryOut() {
     if (old.handling.contract().configurationWriter().isBusy()) {

@@ -176,7 +176,9 @@ final class ServiceWiring {
   }
 
   /**
-   * Subscribes on the predecessor's connection to channels that only this service uses; their messages wait in this service's inbox. Done in advance, because a remote Communication Manager may answer slowly.
+   * Subscribes on the predecessor's connection to channels that only this service uses; their
+   * messages wait in this service's inbox. Done in advance, because a remote Communication Manager
+   * may answer slowly.
    */
   void prepare(ServiceWiring old, U2SAService service) {
     old.receiver().prepare(service);

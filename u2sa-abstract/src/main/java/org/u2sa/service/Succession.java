@@ -12,7 +12,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.u2sa.interfaces.log.LogLevelEnum;
 
 /**
- * Succession of services: takeover by another class at run time (user story 8), and restarts with saved state.
+ * Succession of services: takeover by another class at run time (user story 8), and restarts with
+ * saved state.
  */
 final class Succession {
   private static final int KEPT_OF_EVERY = 64;
@@ -116,7 +117,10 @@ final class Succession {
   }
 
   /**
-   * Records a handled message. A successor gets the last messages of retained channels again, as if it had newly subscribed, without involving the Communication Manager. On channels that must not lose messages several are kept, because the last one may be meaningless alone, such as a clear of an older stop.
+   * Records a handled message. A successor gets the last messages of retained channels again, as if
+   * it had newly subscribed, without involving the Communication Manager. On channels that must not
+   * lose messages several are kept, because the last one may be meaningless alone, such as a clear
+   * of an older stop.
    */
   void note(ServiceInbox.Delivery delivery) {
     if (!delivery.channel().isRetained()) {
@@ -168,7 +172,10 @@ final class Succession {
     return false;
   }
 
-  /** Closes the subclass's resources but leaves actuators as they are, because the successor moves them. */
+  /**
+   * Closes the subclass's resources but leaves actuators as they are, because the successor moves
+   * them.
+   */
   void releaseAsPredecessor() {
     if (service.loop != null) {
       service.loop.close();

@@ -5,7 +5,8 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Commands an angle, for actuators that announce a fullAngle (an extension as foreseen by thesis 3.2.3.9).
+ * Commands an angle, for actuators that announce a fullAngle (an extension as foreseen by thesis
+ * 3.2.3.9).
  */
 public class AngleCommand extends ActuatorCommand {
   private static final Schema<AngleCommand> SCHEMA =

@@ -19,7 +19,8 @@ final class AxisExchange {
   }
 
   /**
-   * Converts velocities, accelerations and all standard deviations between east-north-up and north-east-down, either way.
+   * Converts velocities, accelerations and all standard deviations between east-north-up and
+   * north-east-down, either way.
    */
   static void swapVectors(StateInformation from, StateInformation to) {
     swap(StateTriple.VELOCITY, from, to, -1.0);
@@ -30,7 +31,8 @@ final class AxisExchange {
   }
 
   /**
-   * Converts attitude between FRD relative to NED and FLU relative to ENU, either way: same roll, negated pitch, and a heading of π/2 - ψ. Derivatives follow; standard deviations are unchanged.
+   * Converts attitude between FRD relative to NED and FLU relative to ENU, either way: same roll,
+   * negated pitch, and a heading of π/2 - ψ. Derivatives follow; standard deviations are unchanged.
    */
   static void swapAttitude(StateInformation from, StateInformation to) {
     from.theta().ifPresent(theta -> to.theta(-theta));
@@ -46,7 +48,9 @@ final class AxisExchange {
     triple.put(to, from, Point.of(v.y(), v.x(), zSign * v.z()));
   }
 
-  /** Converts between two BODY frames: negates y or z or both, and the senses of rotation with them. */
+  /**
+   * Converts between two BODY frames: negates y or z or both, and the senses of rotation with them.
+   */
   static void flipBody(StateInformation from, StateInformation to) {
     BodyAxes source = BodyAxes.of(from.referenceFrame());
     BodyAxes target = BodyAxes.of(to.referenceFrame());

@@ -3,8 +3,9 @@ package org.u2sa.messages;
 import java.util.OptionalDouble;
 
 /**
- * Motion relative to the fluid (air or water) along the vehicle's own axes (figure 6, right column):
- * those of BODY (x forward, y left, z down) unless the message itself is in BODY_FRD or BODY_FLU.
+ * Motion relative to the fluid (air or water) along the vehicle's own axes (figure 6, right
+ * column): those of BODY (x forward, y left, z down) unless the message itself is in BODY_FRD or
+ * BODY_FLU.
  */
 abstract class FluidState extends RotationState {
   /**
@@ -21,8 +22,8 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Velocity of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s]; empty if
-   * absent.
+   * Velocity of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s]; empty
+   * if absent.
    */
   public OptionalDouble fluidyDot() {
     return number(StateField.FLUID_Y_DOT);
@@ -34,8 +35,8 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Velocity of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s]; empty if
-   * absent.
+   * Velocity of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s]; empty
+   * if absent.
    */
   public OptionalDouble fluidzDot() {
     return number(StateField.FLUID_Z_DOT);
@@ -47,8 +48,8 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Acceleration of the vehicle relative to the fluid along its own x (forward) axis [m/s²]; empty if
-   * absent.
+   * Acceleration of the vehicle relative to the fluid along its own x (forward) axis [m/s²]; empty
+   * if absent.
    */
   public OptionalDouble fluidxDoubleDot() {
     return number(StateField.FLUID_X_DOUBLE_DOT);
@@ -60,8 +61,8 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Acceleration of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s²]; empty
-   * if absent.
+   * Acceleration of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s²];
+   * empty if absent.
    */
   public OptionalDouble fluidyDoubleDot() {
     return number(StateField.FLUID_Y_DOUBLE_DOT);
@@ -73,8 +74,8 @@ abstract class FluidState extends RotationState {
   }
 
   /**
-   * Acceleration of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s²]; empty
-   * if absent.
+   * Acceleration of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s²];
+   * empty if absent.
    */
   public OptionalDouble fluidzDoubleDot() {
     return number(StateField.FLUID_Z_DOUBLE_DOT);

@@ -11,7 +11,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A goal of the mission (thesis 3.2.3.3, figure 7); subclasses define what is to be reached and when it counts as reached.
+ * A goal of the mission (thesis 3.2.3.3, figure 7); subclasses define what is to be reached and
+ * when it counts as reached.
  */
 public abstract class GoalInformation extends U2SAData {
   private static final Schema<GoalInformation> SCHEMA =
@@ -33,13 +34,15 @@ public abstract class GoalInformation extends U2SAData {
       SCHEMA.optionalCount("choose", "");
 
   /**
-   * UIDs of the goals that follow if it was completed, instead of next; an empty list ends the mission.
+   * UIDs of the goals that follow if it was completed, instead of next; an empty list ends the
+   * mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_DONE =
       SCHEMA.optionalIds("nextIfDone");
 
   /**
-   * UIDs of the goals that follow if it was abandoned, instead of next; an empty list ends the mission.
+   * UIDs of the goals that follow if it was abandoned, instead of next; an empty list ends the
+   * mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_FAILED =
       SCHEMA.optionalIds("nextIfFailed");
@@ -102,9 +105,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(DESCRIPTION, text);
   }
 
-  /**
-   * True once the Path Planner has abandoned the goal, uncompleted, after its attempts.
-   */
+  /** True once the Path Planner has abandoned the goal, uncompleted, after its attempts. */
   public boolean abandoned() {
     return get(ABANDONED);
   }
@@ -155,7 +156,8 @@ public abstract class GoalInformation extends U2SAData {
   }
 
   /**
-   * How many of several next goals must be completed, no matter which; empty: as configured in the Mission Manager.
+   * How many of several next goals must be completed, no matter which; empty: as configured in the
+   * Mission Manager.
    */
   public OptionalLong choose() {
     return optionalCount(CHOOSE);
@@ -166,7 +168,10 @@ public abstract class GoalInformation extends U2SAData {
     return put(CHOOSE, goals);
   }
 
-  /** UIDs of the goals that follow only this result, instead of {@link #next()}; empty: no special case. */
+  /**
+   * UIDs of the goals that follow only this result, instead of {@link #next()}; empty: no special
+   * case.
+   */
   public Optional<List<String>> nextIf(GoalResult result) {
     return Optional.ofNullable(nextField(result)).map(this::get);
   }
@@ -200,7 +205,8 @@ public abstract class GoalInformation extends U2SAData {
   }
 
   /**
-   * UID of the goal to which the mission jumps back {@link #repeatTimes()} times after this one before it continues with {@link #next()}; empty: no repetition.
+   * UID of the goal to which the mission jumps back {@link #repeatTimes()} times after this one
+   * before it continues with {@link #next()}; empty: no repetition.
    */
   public Optional<String> repeatFrom() {
     return Optional.ofNullable(get(REPEAT_FROM));

@@ -10,7 +10,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * The current goals of the mission, from which the Path Planner chooses (thesis 3.2.3.2). An empty list means that the mission is over.
+ * The current goals of the mission, from which the Path Planner chooses (thesis 3.2.3.2). An empty
+ * list means that the mission is over.
  */
 public final class GoalList extends U2SAData {
   private static final Schema<GoalList> SCHEMA =
@@ -45,7 +46,9 @@ public final class GoalList extends U2SAData {
   }
 
   /**
-   * The goals that become current when one of {@link #goals()} is completed, so that a planner can look ahead; empty at the end of the mission. If several goals are current, each of these only follows the one whose {@link GoalInformation#next()} names it.
+   * The goals that become current when one of {@link #goals()} is completed, so that a planner can
+   * look ahead; empty at the end of the mission. If several goals are current, each of these only
+   * follows the one whose {@link GoalInformation#next()} names it.
    */
   public List<GoalInformation> upcoming() {
     return require(UPCOMING);
@@ -57,7 +60,8 @@ public final class GoalList extends U2SAData {
   }
 
   /**
-   * Number of goals in the mission loaded for the failsafe LAND; 0: no such mission. Empty from senders that predate the field.
+   * Number of goals in the mission loaded for the failsafe LAND; 0: no such mission. Empty from
+   * senders that predate the field.
    */
   public OptionalLong landGoals() {
     return optionalCount(LAND_GOALS);
@@ -80,7 +84,8 @@ public final class GoalList extends U2SAData {
   }
 
   /**
-   * Whether the mission is paused: the vehicle holds its position, or circles if it cannot stop, and pursues none of {@link #goals()}. False from senders that predate the field.
+   * Whether the mission is paused: the vehicle holds its position, or circles if it cannot stop,
+   * and pursues none of {@link #goals()}. False from senders that predate the field.
    */
   public boolean paused() {
     return Boolean.TRUE.equals(get(PAUSED));

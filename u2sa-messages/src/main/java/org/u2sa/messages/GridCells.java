@@ -9,7 +9,8 @@ import java.util.zip.Deflater;
 import java.util.zip.Inflater;
 
 /**
- * Wire form of a grid's cells: zlib-compressed (RFC 1950), Base64-encoded (RFC 4648, with padding) and split into consecutive texts. Text, so that JSON readers can decode it too.
+ * Wire form of a grid's cells: zlib-compressed (RFC 1950), Base64-encoded (RFC 4648, with padding)
+ * and split into consecutive texts. Text, so that JSON readers can decode it too.
  */
 final class GridCells {
   static final int MAX_SIDE = 4_096;
@@ -55,7 +56,8 @@ final class GridCells {
   }
 
   /**
-   * Unpacks the cells of a received message; never allocates more memory than columns and rows imply.
+   * Unpacks the cells of a received message; never allocates more memory than columns and rows
+   * imply.
    *
    * @throws IllegalStateException naming what is wrong
    */

@@ -7,7 +7,11 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Raw measurements of gyroscopes and accelerometers: angular rates about and specific force along the vehicle's axes, in BODY_FRD unless {@link #referenceFrame} is BODY or BODY_FLU. These are not the Euler angle rates and ground accelerations of {@link StateInformation}; other outputs of an inertial sensor (attitude, for example) go into those fields of a separate message. A reader that does not know this class receives a StateInformation.
+ * Raw measurements of gyroscopes and accelerometers: angular rates about and specific force along
+ * the vehicle's axes, in BODY_FRD unless {@link #referenceFrame} is BODY or BODY_FLU. These are not
+ * the Euler angle rates and ground accelerations of {@link StateInformation}; other outputs of an
+ * inertial sensor (attitude, for example) go into those fields of a separate message. A reader that
+ * does not know this class receives a StateInformation.
  */
 public class InertialMeasurement extends StateInformation {
   private static final Schema<InertialMeasurement> SCHEMA =
@@ -94,7 +98,8 @@ public class InertialMeasurement extends StateInformation {
   }
 
   /**
-   * Specific force along x [m/s²]: acceleration minus gravity, as an accelerometer reads; positive when accelerating forward.
+   * Specific force along x [m/s²]: acceleration minus gravity, as an accelerometer reads; positive
+   * when accelerating forward.
    */
   public OptionalDouble specificForceX() {
     return get(SPECIFIC_FORCE_X);

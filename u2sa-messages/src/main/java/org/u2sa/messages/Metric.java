@@ -5,7 +5,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Metric coordinates around a centre given in any frame: east, north, up in GLOBAL; the frame's own axes otherwise.
+ * Metric coordinates around a centre given in any frame: east, north, up in GLOBAL; the frame's own
+ * axes otherwise.
  */
 public interface Metric {
   /** Converts a point of the frame to metres from the centre. */

@@ -10,7 +10,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Target of a vehicle or a subsystem for the next time step: the error vector of the control system (thesis 3.2.3.8, figure 12).
+ * Target of a vehicle or a subsystem for the next time step: the error vector of the control system
+ * (thesis 3.2.3.8, figure 12).
  */
 public class NavigationPoint extends U2SAData {
   private static final Schema<NavigationPoint> SCHEMA =
@@ -92,7 +93,9 @@ public class NavigationPoint extends U2SAData {
   /**
    * Copy in another frame.
    *
-   * @param vehicle the vehicle's pose, in GLOBAL or UTM to convert between BODY and those frames, in LOCAL_ENU or LOCAL_NED to convert between BODY and local frames; absent roll, pitch and altitude count as 0
+   * @param vehicle the vehicle's pose, in GLOBAL or UTM to convert between BODY and those frames,
+   *     in LOCAL_ENU or LOCAL_NED to convert between BODY and local frames; absent roll, pitch and
+   *     altitude count as 0
    * @throws IllegalArgumentException naming both frames, if no conversion exists
    */
   public NavigationPoint in(ReferenceFrame frame, StateInformation vehicle) {

@@ -16,7 +16,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * An object in the environment (thesis 3.2.3.5, figure 9). This class itself describes a single point, as detected by an ultrasonic or infrared range finder.
+ * An object in the environment (thesis 3.2.3.5, figure 9). This class itself describes a single
+ * point, as detected by an ultrasonic or infrared range finder.
  */
 public class ObjectDescription extends U2SAData {
   private static final double MICROS_PER_SECOND = 1e6;
@@ -102,7 +103,8 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * Centre along z [m]; altitude in GLOBAL. Defaults to 0: a flat world, as in the thesis's circle (3.2.3.3).
+   * Centre along z [m]; altitude in GLOBAL. Defaults to 0: a flat world, as in the thesis's circle
+   * (3.2.3.3).
    */
   public double z() {
     return require(Z);
@@ -160,13 +162,16 @@ public class ObjectDescription extends U2SAData {
    * Distance from a point to the closest point of the object [m]; 0 inside. Every shape implements
    * its own.
    *
-   * @param from point in the object's own frame; in GLOBAL longitude, latitude [deg] and altitude [m]
+   * @param from point in the object's own frame; in GLOBAL longitude, latitude [deg] and altitude
+   *     [m]
    */
   public double distanceTo(Point from) {
     return metres(from).distance();
   }
 
-  /** Converts a point of the object's frame to metres from the centre; east, north and up in GLOBAL. */
+  /**
+   * Converts a point of the object's frame to metres from the centre; east, north and up in GLOBAL.
+   */
   protected final Point metres(Point point) {
     return metric().metres(point);
   }
@@ -177,9 +182,12 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * Copy in another frame. Velocity and standard deviations are rotated; conversions from or to BODY add the vehicle's standard deviations. Absent fields stay absent.
+   * Copy in another frame. Velocity and standard deviations are rotated; conversions from or to
+   * BODY add the vehicle's standard deviations. Absent fields stay absent.
    *
-   * @param vehicle the vehicle's pose, in GLOBAL or UTM to convert between BODY and those frames, in LOCAL_ENU or LOCAL_NED to convert between BODY and local frames; absent roll, pitch and altitude count as 0
+   * @param vehicle the vehicle's pose, in GLOBAL or UTM to convert between BODY and those frames,
+   *     in LOCAL_ENU or LOCAL_NED to convert between BODY and local frames; absent roll, pitch and
+   *     altitude count as 0
    * @throws IllegalArgumentException naming both frames, if no conversion exists
    */
   public ObjectDescription in(ReferenceFrame frame, StateInformation vehicle) {
@@ -189,7 +197,8 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * Copy predicted at constant velocity; unmoved if the velocity is unknown. Standard deviations grow with the velocity's.
+   * Copy predicted at constant velocity; unmoved if the velocity is unknown. Standard deviations
+   * grow with the velocity's.
    *
    * @param seconds since the message's timestamp; negative for the past
    */
@@ -225,9 +234,7 @@ public class ObjectDescription extends U2SAData {
     return Point.of(factor * v.x(), factor * v.y(), factor * v.z());
   }
 
-  /**
-   * Maps the centre and all lists of points; called before the frame is changed.
-   */
+  /** Maps the centre and all lists of points; called before the frame is changed. */
   protected void move(PointConversion conversion) {
     eachPoint(conversion::convert);
     Point center = conversion.convert(center());

@@ -8,7 +8,8 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Goal to approach an object of a given type wherever the World Modeler detects one; needs no State Estimator (thesis 4.3.2).
+ * Goal to approach an object of a given type wherever the World Modeler detects one; needs no State
+ * Estimator (thesis 4.3.2).
  */
 public class ObjectGoal extends GoalInformation {
   private static final Schema<ObjectGoal> SCHEMA =

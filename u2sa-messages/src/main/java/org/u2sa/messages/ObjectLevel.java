@@ -1,6 +1,8 @@
 package org.u2sa.messages;
 
-/** How strictly to avoid an object (thesis 3.2.3.5). Names are part of the wire format; append only. */
+/**
+ * How strictly to avoid an object (thesis 3.2.3.5). Names are part of the wire format; append only.
+ */
 public enum ObjectLevel {
   /** At all costs. */
   AVOID_ALWAYS,

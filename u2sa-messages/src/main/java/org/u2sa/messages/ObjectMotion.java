@@ -6,9 +6,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
-/**
- * Motion of an object and its uncertainty: a view that reads and sets the object's own fields.
- */
+/** Motion of an object and its uncertainty: a view that reads and sets the object's own fields. */
 public final class ObjectMotion {
   /** The fields, in wire order. */
   record Fields(
@@ -55,7 +53,8 @@ public final class ObjectMotion {
   }
 
   /**
-   * Standard deviations of the position along the axes of the object's frame [m]; in GLOBAL east, north, up. Empty if unknown.
+   * Standard deviations of the position along the axes of the object's frame [m]; in GLOBAL east,
+   * north, up. Empty if unknown.
    */
   public Optional<Point> sigma() {
     return triple(fields.xSigma(), fields.ySigma(), fields.zSigma());

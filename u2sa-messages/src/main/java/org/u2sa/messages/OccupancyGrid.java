@@ -11,13 +11,15 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Occupancy grid: which cells around the vehicle are occupied, free or unobserved (Moravec and Elfes, "High resolution maps from wide angle sonar", ICRA 1985).
+ * Occupancy grid: which cells around the vehicle are occupied, free or unobserved (Moravec and
+ * Elfes, "High resolution maps from wide angle sonar", ICRA 1985).
  *
  * <p>Cells lie along the x axis (columns) and the y axis (rows) of the frame, in GLOBAL along east
  * and north of the anchor. Cell (0, 0) has its corner {@link #left()} and {@link #bottom()} metres
  * from the anchor; a grid that rolls with the vehicle keeps the anchor and moves by whole cells.
  *
- * <p>A cell is a byte: {@link #UNKNOWN}, or the natural log odds of occupancy in steps of {@link #LOG_ODDS_STEP}; positive means more likely occupied than free.
+ * <p>A cell is a byte: {@link #UNKNOWN}, or the natural log odds of occupancy in steps of {@link
+ * #LOG_ODDS_STEP}; positive means more likely occupied than free.
  */
 public final class OccupancyGrid extends U2SAData {
   /** Value of an unobserved cell. */
@@ -106,7 +108,8 @@ public final class OccupancyGrid extends U2SAData {
   }
 
   /**
-   * All cells in row-major order from the bottom: cell (column, row) is at {@code row * columns + column}.
+   * All cells in row-major order from the bottom: cell (column, row) is at {@code row * columns +
+   * column}.
    */
   public byte[] cells() {
     return unpacked().clone();

@@ -5,7 +5,8 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Commands an actuator in percent of its range (thesis 3.2.3.9); whether that is a position or a speed depends on the actuator.
+ * Commands an actuator in percent of its range (thesis 3.2.3.9); whether that is a position or a
+ * speed depends on the actuator.
  */
 public class PercentageCommand extends ActuatorCommand {
   private static final Schema<PercentageCommand> SCHEMA =

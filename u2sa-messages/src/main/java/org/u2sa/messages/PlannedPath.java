@@ -106,7 +106,8 @@ public final class PlannedPath extends U2SAData {
   }
 
   /**
-   * Path cost: its length with each metre weighted by the local cost [m]; empty if there is no path.
+   * Path cost: its length with each metre weighted by the local cost [m]; empty if there is no
+   * path.
    */
   public OptionalDouble cost() {
     return get(COST);

@@ -8,7 +8,8 @@ import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * Converts points between frames, given the vehicle's pose. Every point passes through the frame of the vehicle's state, GLOBAL or LOCAL_NED, or through BODY_FRD if no position is needed.
+ * Converts points between frames, given the vehicle's pose. Every point passes through the frame of
+ * the vehicle's state, GLOBAL or LOCAL_NED, or through BODY_FRD if no position is needed.
  */
 public final class PointConversion {
   private final ReferenceFrame source;
@@ -91,7 +92,8 @@ public final class PointConversion {
   }
 
   /**
-   * Rotates a vector, such as a velocity, into the axes of the target frame; in GLOBAL east, north, up.
+   * Rotates a vector, such as a velocity, into the axes of the target frame; in GLOBAL east, north,
+   * up.
    *
    * @param at where it is, in the source frame
    */
@@ -104,7 +106,9 @@ public final class PointConversion {
   }
 
   /**
-   * Standard deviations [m] of a position along the axes of the target frame: the source's, plus the contribution of the vehicle's position and attitude when converting from or to BODY. Correlations are dropped.
+   * Standard deviations [m] of a position along the axes of the target frame: the source's, plus
+   * the contribution of the vehicle's position and attitude when converting from or to BODY.
+   * Correlations are dropped.
    *
    * @param at where it is, in the source frame
    */

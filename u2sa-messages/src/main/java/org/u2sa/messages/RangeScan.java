@@ -13,7 +13,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * One revolution or sweep of a scanning range finder, beam by beam, including beams without an echo: these are the evidence for free space.
+ * One revolution or sweep of a scanning range finder, beam by beam, including beams without an
+ * echo: these are the evidence for free space.
  *
  * <p>The timestamp is that of the first beam. Beams lie in the plane of the sensor's x (ahead) and
  * y (left) axes.
@@ -179,7 +180,9 @@ public final class RangeScan extends U2SAData {
     return get(ANGLE_INCREMENT).orElseThrow();
   }
 
-  /** Direction of each beam [rad] if unevenly spaced; startAngle and angleIncrement are then unused. */
+  /**
+   * Direction of each beam [rad] if unevenly spaced; startAngle and angleIncrement are then unused.
+   */
   public List<Double> angles() {
     return get(ANGLES);
   }

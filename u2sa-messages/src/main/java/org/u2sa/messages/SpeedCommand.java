@@ -5,7 +5,8 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Commands a rotational speed, for actuators that announce a fullSpeed (an extension as foreseen by thesis 3.2.3.9).
+ * Commands a rotational speed, for actuators that announce a fullSpeed (an extension as foreseen by
+ * thesis 3.2.3.9).
  */
 public class SpeedCommand extends ActuatorCommand {
   private static final Schema<SpeedCommand> SCHEMA =

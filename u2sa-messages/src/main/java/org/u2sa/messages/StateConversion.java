@@ -8,12 +8,16 @@ import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.frame.UtmGrid;
 
 /**
- * Finds a chain of conversions between two frames for {@link StateInformation}, or throws if there is none.
+ * Finds a chain of conversions between two frames for {@link StateInformation}, or throws if there
+ * is none.
  */
 final class StateConversion {
   private static final double FULL_TURN = 2.0 * Math.PI;
 
-  /** One step of the chain: overwrites the fields that differ in the target, a copy of the source labelled with the new frame. */
+  /**
+   * One step of the chain: overwrites the fields that differ in the target, a copy of the source
+   * labelled with the new frame.
+   */
   private interface Step {
     void convert(StateInformation from, StateInformation to);
   }
@@ -114,7 +118,8 @@ final class StateConversion {
   }
 
   /**
-   * GLOBAL combines east-north-up vectors with NED attitude, so rotation and axis exchange are separate steps.
+   * GLOBAL combines east-north-up vectors with NED attitude, so rotation and axis exchange are
+   * separate steps.
    */
   private static void globalToNed(StateInformation from, StateInformation to, Geodetic origin) {
     Geodetic place = origin;
@@ -152,7 +157,9 @@ final class StateConversion {
   }
 
   /**
-   * Conversions that rotate east and north at the vehicle into those of a grid or a local origin. The transport rate, the rotation of the axes as the vehicle moves over the earth (v/R, 40 µrad/s at 250 m/s), is neglected.
+   * Conversions that rotate east and north at the vehicle into those of a grid or a local origin.
+   * The transport rate, the rotation of the axes as the vehicle moves over the earth (v/R, 40
+   * µrad/s at 250 m/s), is neglected.
    */
   private static final class EarthRotation {
     private static final StateTriple[] VECTORS = {StateTriple.VELOCITY, StateTriple.ACCELERATION};
@@ -163,7 +170,8 @@ final class StateConversion {
     private EarthRotation() {}
 
     /**
-     * Converts all but the position from GLOBAL to UTM: rotates by the convergence and scales by the grid's scale factor.
+     * Converts all but the position from GLOBAL to UTM: rotates by the convergence and scales by
+     * the grid's scale factor.
      */
     static void toGrid(StateInformation from, StateInformation to, UtmGrid grid, Geodetic place) {
       turnToGrid(from, to, grid.convergenceRad(place), grid.scale(place));
@@ -183,7 +191,8 @@ final class StateConversion {
     }
 
     /**
-     * Converts all but the position between east-north-up at the vehicle and east-north-up at an origin, including attitude relative to north.
+     * Converts all but the position between east-north-up at the vehicle and east-north-up at an
+     * origin, including attitude relative to north.
      */
     static void turn(StateInformation from, StateInformation to, Rotation enu) {
       turnVectors(from, to, enu, Point.of(1.0, 1.0, 1.0));

@@ -85,9 +85,13 @@ public enum StateField {
   FLUID_Z_DOT("fluidzDot", "m/s"),
   /** Acceleration of the vehicle relative to the fluid along its own x (forward) axis [m/s²]. */
   FLUID_X_DOUBLE_DOT("fluidxDoubleDot", "m/s2"),
-  /** Acceleration of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s²]. */
+  /**
+   * Acceleration of the vehicle relative to the fluid along its own y (left in BODY) axis [m/s²].
+   */
   FLUID_Y_DOUBLE_DOT("fluidyDoubleDot", "m/s2"),
-  /** Acceleration of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s²]. */
+  /**
+   * Acceleration of the vehicle relative to the fluid along its own z (down in BODY) axis [m/s²].
+   */
   FLUID_Z_DOUBLE_DOT("fluidzDoubleDot", "m/s2"),
   /** Standard deviation of {@link StateInformation#fluidxDot()} [m/s]. */
   FLUID_X_DOT_SIGMA("fluidxDotSigma", "m/s"),

@@ -15,7 +15,10 @@ import org.u2sa.messages.schema.ValueField;
  * The full or partial state of a vehicle, from a sensor or the State Estimator (thesis 3.2.3.2,
  * figure 6).
  *
- * <p>48 optional numbers: see {@link StateField}. All have a getter and a setter except the standard deviations of accelerations, which are read by {@link #number(StateField)}. Axes and signs of rotation are those of {@link #referenceFrame()}; velocities, accelerations and standard deviations are metric in every frame.
+ * <p>48 optional numbers: see {@link StateField}. All have a getter and a setter except the
+ * standard deviations of accelerations, which are read by {@link #number(StateField)}. Axes and
+ * signs of rotation are those of {@link #referenceFrame()}; velocities, accelerations and standard
+ * deviations are metric in every frame.
  */
 public class StateInformation extends FluidState {
   private static final Schema<StateInformation> SCHEMA =
@@ -62,7 +65,8 @@ public class StateInformation extends FluidState {
   }
 
   /**
-   * Sets {@link #referenceFrame()} without converting any number; to convert see {@link #in(ReferenceFrame)}.
+   * Sets {@link #referenceFrame()} without converting any number; to convert see {@link
+   * #in(ReferenceFrame)}.
    */
   public StateInformation referenceFrame(ReferenceFrame frame) {
     return put(REFERENCE_FRAME, frame);
@@ -85,7 +89,10 @@ public class StateInformation extends FluidState {
   }
 
   /**
-   * Copy in another frame: among GLOBAL and UTM, between LOCAL_ENU and LOCAL_NED, or among the BODY frames. Positions, velocities, accelerations and standard deviations are rotated (correlations are unknown and dropped), attitude follows the frame's sign conventions, and motion relative to the fluid stays along the vehicle's own axes.
+   * Copy in another frame: among GLOBAL and UTM, between LOCAL_ENU and LOCAL_NED, or among the BODY
+   * frames. Positions, velocities, accelerations and standard deviations are rotated (correlations
+   * are unknown and dropped), attitude follows the frame's sign conventions, and motion relative to
+   * the fluid stays along the vehicle's own axes.
    *
    * @throws IllegalArgumentException naming both frames, if the conversion needs more information
    */
@@ -94,7 +101,9 @@ public class StateInformation extends FluidState {
   }
 
   /**
-   * Like {@link #in(ReferenceFrame)}, and also between the geographic and the local frames. An absent position counts as the origin, an absent altitude as the origin's; absent angles count as 0 when rotating the others.
+   * Like {@link #in(ReferenceFrame)}, and also between the geographic and the local frames. An
+   * absent position counts as the origin, an absent altitude as the origin's; absent angles count
+   * as 0 when rotating the others.
    *
    * @param origin origin of the local frame, where its axes are level
    * @throws IllegalArgumentException naming both frames, if no conversion exists

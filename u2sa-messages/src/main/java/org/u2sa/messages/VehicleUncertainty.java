@@ -5,7 +5,9 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * Propagates the vehicle's pose uncertainty to a position measured relative to the vehicle: the vehicle's position error plus the attitude error times the lever arm. Absent standard deviations count as 0.
+ * Propagates the vehicle's pose uncertainty to a position measured relative to the vehicle: the
+ * vehicle's position error plus the attitude error times the lever arm. Absent standard deviations
+ * count as 0.
  *
  * @param place position standard deviations along north, east and down [m]
  * @param yaw about down [rad]

@@ -9,7 +9,8 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A position to reach (thesis 3.2.3.4, figure 8): any of x, y, z, and optionally attitude, time and speed on arrival.
+ * A position to reach (thesis 3.2.3.4, figure 8): any of x, y, z, and optionally attitude, time and
+ * speed on arrival.
  */
 public class Waypoint extends GoalInformation {
   private static final Schema<Waypoint> SCHEMA =

@@ -1,4 +1,5 @@
 /**
- * The messages of the data model (thesis 3.2.3, figures 5–13). Schema and codec are in {@code schema}, shapes in {@code shape}; services, channels and transports are elsewhere.
+ * The messages of the data model (thesis 3.2.3, figures 5–13). Schema and codec are in {@code
+ * schema}, shapes in {@code shape}; services, channels and transports are elsewhere.
  */
 package org.u2sa.messages;

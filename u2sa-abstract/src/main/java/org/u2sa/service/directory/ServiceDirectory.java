@@ -21,7 +21,9 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Directory of the services present and the data they offer: finds services by what they publish, not by name (thesis 3.2.2.1, user story 7). A service or tool passes received messages to it and can query it at any time; it sends requests to services by itself and never blocks.
+ * Directory of the services present and the data they offer: finds services by what they publish,
+ * not by name (thesis 3.2.2.1, user story 7). A service or tool passes received messages to it and
+ * can query it at any time; it sends requests to services by itself and never blocks.
  *
  * <pre>{@code
  * private final ServiceDirectory directory = new ServiceDirectory(clock(), this::publish);
@@ -39,7 +41,8 @@ import org.u2sa.messages.schema.U2SAData;
  * }
  * }</pre>
  *
- * A service is known from its first message on, and forgotten when it ends, when its connection breaks, or when it has been silent for {@link #LOST_AFTER_S}. Thread-safe.
+ * A service is known from its first message on, and forgotten when it ends, when its connection
+ * breaks, or when it has been silent for {@link #LOST_AFTER_S}. Thread-safe.
  */
 public final class ServiceDirectory {
   /** Channels to subscribe to, whose messages go to {@link #take}. */
@@ -155,7 +158,8 @@ public final class ServiceDirectory {
   }
 
   /**
-   * Drops services that have been silent for too long, and repeats requests that are still unanswered. Call it about once a second.
+   * Drops services that have been silent for too long, and repeats requests that are still
+   * unanswered. Call it about once a second.
    */
   public void refresh() {
     boolean missing = false;
@@ -231,7 +235,8 @@ public final class ServiceDirectory {
    *
    * @param service the service
    * @param offer its channel and type
-   * @param certain whether all messages of the channel are of the requested type; otherwise the type is a subclass of the channel's, so that only some may be
+   * @param certain whether all messages of the channel are of the requested type; otherwise the
+   *     type is a subclass of the channel's, so that only some may be
    */
   public record Found(KnownService service, DataOffer offer, boolean certain) {}
 }

@@ -7,7 +7,8 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 
 /**
  * The offset of this process's clock from that of the services already running, from one request
- * and the timestamps of its answers (as in NTP, RFC 5905, section 8): an answer was stamped between the request and its arrival. The fastest answer counts. Thread-safe.
+ * and the timestamps of its answers (as in NTP, RFC 5905, section 8): an answer was stamped between
+ * the request and its arrival. The fastest answer counts. Thread-safe.
  */
 final class ClockAgreement {
   /** Smaller offsets are not corrected [µs]. */

@@ -7,7 +7,10 @@ import org.u2sa.interfaces.xml.XmlElement;
 
 /** How messages travel between the services of one process. */
 public enum Delivery {
-  /** The publisher puts them into the subscribers' inboxes; the broker gets copies for other processes. */
+  /**
+   * The publisher puts them into the subscribers' inboxes; the broker gets copies for other
+   * processes.
+   */
   DIRECT,
   /** Every message goes to the MQTT broker and back (thesis 3.2.1). */
   BROKER;

@@ -62,7 +62,10 @@ final class HealthWatch implements AutoCloseable {
     }
   }
 
-  /** Checks all services in each turn except the first, which only synchronises with the other threads. */
+  /**
+   * Checks all services in each turn except the first, which only synchronises with the other
+   * threads.
+   */
   private final class Looks implements Clock.Turns {
     private boolean hasJoined;
 

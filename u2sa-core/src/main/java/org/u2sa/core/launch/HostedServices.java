@@ -21,8 +21,8 @@ import org.u2sa.service.U2SAService;
  * be ended in Java: it is disconnected and abandoned.
  *
  * <p>A swap replaces a running service by another class ({@link ServiceSwap}) with the same
- * configuration. A restart after it starts the class that ran last; the next run of the system
- * uses the system file again.
+ * configuration. A restart after it starts the class that ran last; the next run of the system uses
+ * the system file again.
  */
 final class HostedServices implements ServiceHost {
   /** Longest wait for a service's thread to end. */

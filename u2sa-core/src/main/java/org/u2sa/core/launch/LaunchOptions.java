@@ -52,7 +52,8 @@ public final class LaunchOptions {
   }
 
   /**
-   * Leaves configuration files untouched: run-time changes go to copies in this folder, which is created at the first change.
+   * Leaves configuration files untouched: run-time changes go to copies in this folder, which is
+   * created at the first change.
    */
   public LaunchOptions changesTo(Path folder) {
     changes = Optional.of(folder);
@@ -81,7 +82,8 @@ public final class LaunchOptions {
   /**
    * Declares that this process runs one service of a system whose others run elsewhere.
    *
-   * @param bySupervisor whether a supervising process restarts this one if necessary, and therefore handles orders to start and restart
+   * @param bySupervisor whether a supervising process restarts this one if necessary, and therefore
+   *     handles orders to start and restart
    */
   public LaunchOptions oneOfSeveral(boolean bySupervisor) {
     oneOfSeveral = true;
@@ -100,7 +102,9 @@ public final class LaunchOptions {
   }
 
   /**
-   * Sets a factory for services of a class whose constructor {@code (ServiceContext)} is not sufficient: for example a board simulated by a program, or a connection that only an Android application can open. Restarts and swaps to that class use it too.
+   * Sets a factory for services of a class whose constructor {@code (ServiceContext)} is not
+   * sufficient: for example a board simulated by a program, or a connection that only an Android
+   * application can open. Restarts and swaps to that class use it too.
    *
    * @param serviceClass class as in the system file
    */
@@ -111,7 +115,8 @@ public final class LaunchOptions {
   }
 
   /**
-   * Adds a service to those of the system file, such as a recorder: created and started before them, so that it misses nothing, and ended after them.
+   * Adds a service to those of the system file, such as a recorder: created and started before
+   * them, so that it misses nothing, and ended after them.
    *
    * @param configuration its variables
    */
@@ -170,7 +175,10 @@ public final class LaunchOptions {
     return restart;
   }
 
-  /** Makes the services of this process communicate through its broker, whatever the system file says. */
+  /**
+   * Makes the services of this process communicate through its broker, whatever the system file
+   * says.
+   */
   public LaunchOptions throughBroker() {
     throughBroker = true;
     return this;

@@ -14,10 +14,13 @@ import org.u2sa.service.ServiceRole;
  * Starts, restarts and swaps the services of its process on order (thesis 3.5.3, user story 8). In:
  * service-orders. Out: service-orders, the results; health, on behalf of services that are silent.
  *
- * <p>It is not listed in the system file: {@link RunningSystem} creates one for each process that hosts services, named {@code Launcher}, or {@code Launcher-<service>} in a process with one
- * service of several. Orders are carried out by its {@link ServiceHost}; for services of the same process that is {@link HostedServices}.
+ * <p>It is not listed in the system file: {@link RunningSystem} creates one for each process that
+ * hosts services, named {@code Launcher}, or {@code Launcher-<service>} in a process with one
+ * service of several. Orders are carried out by its {@link ServiceHost}; for services of the same
+ * process that is {@link HostedServices}.
  *
- * <p>A result is published when the order has been carried out. Orders for services of other hosts are left to their launchers.
+ * <p>A result is published when the order has been carried out. Orders for services of other hosts
+ * are left to their launchers.
  */
 public final class Launcher extends EventDrivenService {
   /** Name of a system's only launcher, and prefix of the names of several. */

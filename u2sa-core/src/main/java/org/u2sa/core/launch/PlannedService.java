@@ -20,7 +20,8 @@ import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.U2SAService;
 
 /**
- * Description of a service of a system file as it would run: created with its configuration, inspected, and never started.
+ * Description of a service of a system file as it would run: created with its configuration,
+ * inspected, and never started.
  *
  * @param entry entry in the system file
  * @param name service name, or class name if it could not be created

@@ -15,7 +15,11 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Prevents a process from running a service that already runs in another process of the same system: asks all services for their names before the first one is created here, and refuses to connect a service whose name is in use. The answers' timestamps reveal clock offsets. Services that hang, or are being started elsewhere at the same moment, do not answer; observers distinguish duplicates by instance.
+ * Prevents a process from running a service that already runs in another process of the same
+ * system: asks all services for their names before the first one is created here, and refuses to
+ * connect a service whose name is in use. The answers' timestamps reveal clock offsets. Services
+ * that hang, or are being started elsewhere at the same moment, do not answer; observers
+ * distinguish duplicates by instance.
  */
 final class RollCall implements Transport, Receiver {
   /** Time to wait for answers. */
@@ -50,7 +54,8 @@ final class RollCall implements Transport, Receiver {
   }
 
   /**
-   * Only asks for the time, for restarted services whose names may still be registered; the first answer suffices.
+   * Only asks for the time, for restarted services whose names may still be registered; the first
+   * answer suffices.
    */
   static RollCall forTime(Transport transport, Clock clock, Consumer<String> log) {
     RollCall call = new RollCall(transport, clock, log);
@@ -80,7 +85,8 @@ final class RollCall implements Transport, Receiver {
   }
 
   /**
-   * Lead of the system's time over the clock, from the answers [µs]; 0 if they agree or none arrived. Logs any other offset.
+   * Lead of the system's time over the clock, from the answers [µs]; 0 if they agree or none
+   * arrived. Logs any other offset.
    */
   long systemAheadMicros() {
     return agreement.aheadMicros(log);

@@ -41,7 +41,8 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Starts the Communication Manager, creates all services, performs all checks, and only then starts the first thread. A failed start leaves nothing behind.
+   * Starts the Communication Manager, creates all services, performs all checks, and only then
+   * starts the first thread. A failed start leaves nothing behind.
    *
    * @throws org.u2sa.interfaces.BadInputException if a file is wrong
    * @throws org.u2sa.interfaces.communication.CommunicationException if the Communication Manager
@@ -82,16 +83,17 @@ public final class RunningSystem implements AutoCloseable {
     }
   }
 
-  /** Checks that the path is not a file: an unwritable folder may become writable later, but a file never becomes a folder. */
+  /**
+   * Checks that the path is not a file: an unwritable folder may become writable later, but a file
+   * never becomes a folder.
+   */
   private static void requireFolder(Path logs) {
     if (Files.exists(logs) && !Files.isDirectory(logs)) {
       throw new BadInputException(logs + ": is no folder, expected one for log files");
     }
   }
 
-  /**
-   * Transport to the Communication Manager; checks names first if another process runs it.
-   */
+  /** Transport to the Communication Manager; checks names first if another process runs it. */
   private Transport transport() {
     Transport transport = throughBroker() ? brokerTransport() : manager.transport();
     if (!manager.isExternal() || file.services().isEmpty()) {
@@ -163,7 +165,8 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Snapshot of the services of the system file, in file order, including restarted and swapped ones.
+   * Snapshot of the services of the system file, in file order, including restarted and swapped
+   * ones.
    */
   public List<U2SAService> services() {
     return hosted == null ? List.of() : hosted.services();
@@ -180,7 +183,8 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Waits until all services have ended, for example after a stop command, including those restarted meanwhile.
+   * Waits until all services have ended, for example after a stop command, including those
+   * restarted meanwhile.
    */
   public void awaitEnd() throws InterruptedException {
     List<U2SAService> awaited;
@@ -200,7 +204,8 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Ends all services, last started first, and then the Communication Manager. Idempotent and thread-safe: each call returns when everything has ended.
+   * Ends all services, last started first, and then the Communication Manager. Idempotent and
+   * thread-safe: each call returns when everything has ended.
    */
   @Override
   public synchronized void close() {

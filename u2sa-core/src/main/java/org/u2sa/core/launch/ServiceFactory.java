@@ -83,7 +83,8 @@ public final class ServiceFactory {
     }
   }
 
-  /** Creates a service.
+  /**
+   * Creates a service.
    *
    * @throws BadInputException if there is no such class or it is no service; names the class
    * @throws RuntimeException what its constructor threw

@@ -4,11 +4,13 @@ import java.util.Optional;
 import org.u2sa.messages.contract.ServiceOrder;
 
 /**
- * Starts services for a {@link Launcher}, as threads of its process or as processes. Called on the launcher's thread, one order at a time; each call returns when the order has been carried out.
+ * Starts services for a {@link Launcher}, as threads of its process or as processes. Called on the
+ * launcher's thread, one order at a time; each call returns when the order has been carried out.
  */
 public interface ServiceHost {
   /**
-   * Whether this host must carry the order out. Every launcher of the system receives every order; exactly one obeys.
+   * Whether this host must carry the order out. Every launcher of the system receives every order;
+   * exactly one obeys.
    */
   boolean isFor(ServiceOrder order);
 

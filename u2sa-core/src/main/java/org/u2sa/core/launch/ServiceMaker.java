@@ -26,7 +26,9 @@ final class ServiceMaker {
     this.transport = transport;
   }
 
-  /** Reads a configuration file, or uses the variables' defaults, and applies the run's overrides. */
+  /**
+   * Reads a configuration file, or uses the variables' defaults, and applies the run's overrides.
+   */
   static XmlConfiguration configuration(
       LaunchOptions options, String service, Optional<Path> path) {
     XmlConfiguration configuration =
@@ -73,7 +75,8 @@ final class ServiceMaker {
   }
 
   /**
-   * Recreates a service that already ran in this run, of a class that need not be in the system file.
+   * Recreates a service that already ran in this run, of a class that need not be in the system
+   * file.
    *
    * @throws RuntimeException if the class is not a service or its constructor throws
    */
@@ -103,7 +106,8 @@ final class ServiceMaker {
   }
 
   /**
-   * Context of a service, recording its execution if executions are recorded. Services with their own devices are excluded, because they cannot be replayed.
+   * Context of a service, recording its execution if executions are recorded. Services with their
+   * own devices are excluded, because they cannot be replayed.
    */
   private ServiceContext kept(String className, ServiceContext context) {
     Execution.Keeper present = keeper;

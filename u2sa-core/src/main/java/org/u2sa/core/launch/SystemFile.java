@@ -167,7 +167,8 @@ public record SystemFile(
   }
 
   /**
-   * Copy with the services of one host only; possibly none, on a host that only runs the Communication Manager.
+   * Copy with the services of one host only; possibly none, on a host that only runs the
+   * Communication Manager.
    *
    * @throws BadInputException if the file does not mention the host, or a service has no host
    */

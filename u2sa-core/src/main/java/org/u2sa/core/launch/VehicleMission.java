@@ -8,7 +8,8 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * Loads a mission as the vehicle's Mission Manager does, for scoring and display: values omitted in the file come from the vehicle's configuration.
+ * Loads a mission as the vehicle's Mission Manager does, for scoring and display: values omitted in
+ * the file come from the vehicle's configuration.
  */
 public final class VehicleMission {
   private VehicleMission() {}
@@ -17,8 +18,8 @@ public final class VehicleMission {
    * Reads a mission.
    *
    * @param options options of the run, whose overrides apply as for the Mission Manager
-   * @throws BadInputException if the mission or the configuration is invalid, or the system lists no
-   *     {@link MissionManager}
+   * @throws BadInputException if the mission or the configuration is invalid, or the system lists
+   *     no {@link MissionManager}
    */
   public static Mission load(SystemFile system, LaunchOptions options, Path file) {
     SystemFile.Entry manager =

@@ -13,7 +13,10 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalResult;
 
 /**
- * Determines the goals that follow a goal, by its result: those it names for this result, else its repetition, else its {@code next}. If no goal of the mission has a {@code next}, goals follow in file order. A timed-out goal without its own followers counts as failed; a skipped goal counts as done.
+ * Determines the goals that follow a goal, by its result: those it names for this result, else its
+ * repetition, else its {@code next}. If no goal of the mission has a {@code next}, goals follow in
+ * file order. A timed-out goal without its own followers counts as failed; a skipped goal counts as
+ * done.
  */
 final class Followers {
   private final GoalBook book;

@@ -14,7 +14,9 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.service.HandOver;
 
 /**
- * The goals of a mission by name: each as defined, and in its current state with the Path Planner's changes (thesis 4.2.1.3: shots fired, time of arrival). A goal pursued again is reset to its definition. Not thread-safe.
+ * The goals of a mission by name: each as defined, and in its current state with the Path Planner's
+ * changes (thesis 4.2.1.3: shots fired, time of arrival). A goal pursued again is reset to its
+ * definition. Not thread-safe.
  */
 final class GoalBook {
   private static final List<String> KEPT =

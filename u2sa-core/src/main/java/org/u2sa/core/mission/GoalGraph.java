@@ -41,7 +41,8 @@ final class GoalGraph {
   }
 
   /**
-   * Warnings for goals that are unreachable from the first one, and for goals from which no end is reachable.
+   * Warnings for goals that are unreachable from the first one, and for goals from which no end is
+   * reachable.
    *
    * @param also goals that follow when the mission's time limit expires
    * @param ends whether the time limit ends the mission anyway

@@ -8,9 +8,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.schema.MessageType;
 
-/**
- * Inserts goals into a mission between a goal and its followers.
- */
+/** Inserts goals into a mission between a goal and its followers. */
 final class GoalInsertion {
   private final GoalSequence mission;
   private final List<GoalInformation> goals;

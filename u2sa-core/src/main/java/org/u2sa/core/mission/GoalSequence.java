@@ -15,9 +15,11 @@ import org.u2sa.messages.GoalResult;
 import org.u2sa.service.HandOver;
 
 /**
- * The order in which the goals of a mission become current (thesis 3.2.3.2, 3.2.3.3): {@link Followers} determines the followers of a goal, this class the effect on other current goals.
+ * The order in which the goals of a mission become current (thesis 3.2.3.2, 3.2.3.3): {@link
+ * Followers} determines the followers of a goal, this class the effect on other current goals.
  *
- * <p>A finished goal does not become current again unless all possible followers are finished: then a new lap starts. Not thread-safe.
+ * <p>A finished goal does not become current again unless all possible followers are finished: then
+ * a new lap starts. Not thread-safe.
  */
 final class GoalSequence {
   /** How to treat several current goals. */
@@ -113,7 +115,8 @@ final class GoalSequence {
   }
 
   /**
-   * Goals that become current after one of the current goals, for {@link org.u2sa.messages.GoalList#upcoming}.
+   * Goals that become current after one of the current goals, for {@link
+   * org.u2sa.messages.GoalList#upcoming}.
    */
   List<GoalInformation> upcoming() {
     if (at.current.size() == 1) {
@@ -212,7 +215,8 @@ final class GoalSequence {
   }
 
   /**
-   * Makes a known goal the only current one; the mission continues from there, and finished goals are reopened.
+   * Makes a known goal the only current one; the mission continues from there, and finished goals
+   * are reopened.
    */
   void changeTo(String uid) {
     changeTo(List.of(uid));
@@ -273,7 +277,8 @@ final class GoalSequence {
   }
 
   /**
-   * A current goal whose time limit has expired. This always takes some time, however short the limit, because a loop of goals that expire at once would not terminate.
+   * A current goal whose time limit has expired. This always takes some time, however short the
+   * limit, because a loop of goals that expire at once would not terminate.
    */
   Optional<GoalInformation> timedOut() {
     return current().stream()

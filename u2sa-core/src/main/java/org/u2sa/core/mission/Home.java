@@ -21,9 +21,7 @@ public record Home(
     double y,
     OptionalDouble z,
     OptionalDouble headingRad) {
-  /**
-   * Geographic position, at altitude 0 if none is given; empty in a local frame.
-   */
+  /** Geographic position, at altitude 0 if none is given; empty in a local frame. */
   public Optional<Geodetic> geodetic() {
     return referenceFrame.equals(ReferenceFrame.GLOBAL)
         ? Optional.of(new Geodetic(x, y, z.orElse(0.0)))
@@ -31,7 +29,8 @@ public record Home(
   }
 
   /**
-   * Waypoint above this position at the vehicle's current altitude: an aircraft must not descend to its runway.
+   * Waypoint above this position at the vehicle's current altitude: an aircraft must not descend to
+   * its runway.
    */
   Waypoint waypoint(String name, double thresholdM) {
     return new Waypoint()

@@ -10,7 +10,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Detects changes of a file since it was loaded. The loaded content stays in force, but a restart of the service would load different content or fail. Not thread-safe.
+ * Detects changes of a file since it was loaded. The loaded content stays in force, but a restart
+ * of the service would load different content or fail. Not thread-safe.
  */
 public final class LoadedFile {
   private record Stamp(FileTime modified, long bytes, Object key) {}

@@ -13,7 +13,9 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * A mission as read from its file (docs/missions.md): the goals in file order, and the home. Its goals have unique names and are frozen, except waypoints without a threshold (see {@link #load(Path)}), which cannot be published.
+ * A mission as read from its file (docs/missions.md): the goals in file order, and the home. Its
+ * goals have unique names and are frozen, except waypoints without a threshold (see {@link
+ * #load(Path)}), which cannot be published.
  */
 public final class Mission {
   private final String origin;
@@ -38,7 +40,9 @@ public final class Mission {
   }
 
   /**
-   * Reads a mission with all goal classes on the class path, without defaults: a waypoint whose horizontal threshold is omitted has none, and its getter throws. The default depends on the vehicle (variable DEFAULT THRESHOLD of its Mission Manager).
+   * Reads a mission with all goal classes on the class path, without defaults: a waypoint whose
+   * horizontal threshold is omitted has none, and its getter throws. The default depends on the
+   * vehicle (variable DEFAULT THRESHOLD of its Mission Manager).
    *
    * @throws BadInputException naming file, line, element, value and what was expected
    */

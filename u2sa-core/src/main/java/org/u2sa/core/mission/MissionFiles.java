@@ -11,7 +11,8 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Reads the mission files named by variables of the {@link MissionManager}, and detects when one has changed since loading.
+ * Reads the mission files named by variables of the {@link MissionManager}, and detects when one
+ * has changed since loading.
  */
 final class MissionFiles {
   private static final List<String> VARIABLES =

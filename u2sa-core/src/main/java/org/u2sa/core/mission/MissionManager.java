@@ -28,13 +28,19 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports, goal-updates, goal-commands, mission, failsafe, arming-state. Out: goals, at the start, on every change, and in answer to a report on a goal that is not current; mission, in answer to requests and orders.
+ * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
+ * goal-updates, goal-commands, mission, failsafe, arming-state. Out: goals, at the start, on every
+ * change, and in answer to a report on a goal that is not current; mission, in answer to requests
+ * and orders.
  *
- * <p>A mission's home is a goal too, named "home". An empty list means that the mission is over. The failsafes RETURN and LAND have their own goals; afterwards the mission resumes where it was left. After a restart in the same run it resumes too, unless the mission file has changed.
+ * <p>A mission's home is a goal too, named "home". An empty list means that the mission is over.
+ * The failsafes RETURN and LAND have their own goals; afterwards the mission resumes where it was
+ * left. After a restart in the same run it resumes too, unless the mission file has changed.
  */
 public final class MissionManager extends PeriodicService {
   /**
-   * Defaults for values omitted in a mission. Required, because an aircraft's tolerance differs from a rover's.
+   * Defaults for values omitted in a mission. Required, because an aircraft's tolerance differs
+   * from a rover's.
    *
    * @param defaultThreshold default horizontal threshold of waypoints [m]
    */
@@ -366,7 +372,9 @@ public final class MissionManager extends PeriodicService {
   }
 
   /**
-   * Repeats the current goals to a planner that pursues another goal and may have missed them. Rate-limited, so that a permanent disagreement does not cause a flood; planners repeat their reports.
+   * Repeats the current goals to a planner that pursues another goal and may have missed them.
+   * Rate-limited, so that a permanent disagreement does not cause a flood; planners repeat their
+   * reports.
    */
   private void repeatGoals() {
     long now = micros();

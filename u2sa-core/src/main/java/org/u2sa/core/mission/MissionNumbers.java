@@ -16,7 +16,8 @@ public final class MissionNumbers {
    *
    * @param ifUnset unit without the attribute
    * @param to unit of the result
-   * @throws org.u2sa.interfaces.BadInputException if it is not a number, or its unit is of another dimension
+   * @throws org.u2sa.interfaces.BadInputException if it is not a number, or its unit is of another
+   *     dimension
    */
   public static double converted(XmlElement element, String ifUnset, String to) {
     String unit = element.optionalAttribute("unit").orElse(ifUnset);

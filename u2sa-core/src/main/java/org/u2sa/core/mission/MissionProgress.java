@@ -181,7 +181,8 @@ final class MissionProgress {
   }
 
   /**
-   * Pursues another goal of the mission or failsafe, even if the mission is paused; remembers the mission's position until the mission passes that goal.
+   * Pursues another goal of the mission or failsafe, even if the mission is paused; remembers the
+   * mission's position until the mission passes that goal.
    */
   void changeTo(String uid) {
     paused = false;
@@ -193,7 +194,8 @@ final class MissionProgress {
   }
 
   /**
-   * Returns to where the mission was before {@link #changeTo}, or the first of several in a row; false if there is no such position.
+   * Returns to where the mission was before {@link #changeTo}, or the first of several in a row;
+   * false if there is no such position.
    */
   boolean goBack() {
     if (left != null || before.isEmpty()) {

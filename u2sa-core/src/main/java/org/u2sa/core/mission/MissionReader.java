@@ -49,7 +49,8 @@ final class MissionReader {
   }
 
   /**
-   * Reads goals to add to a mission: they may lead to the mission's goals, and their names must be new.
+   * Reads goals to add to a mission: they may lead to the mission's goals, and their names must be
+   * new.
    *
    * @param mission existing goals of the mission
    */

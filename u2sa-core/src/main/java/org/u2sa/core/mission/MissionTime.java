@@ -4,7 +4,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.HandOver;
 
 /**
- * The clock of time limits: runs while the vehicle is armed, or always if the arming state is unknown. Not thread-safe.
+ * The clock of time limits: runs while the vehicle is armed, or always if the arming state is
+ * unknown. Not thread-safe.
  */
 final class MissionTime {
   private static final long NEVER = -1;

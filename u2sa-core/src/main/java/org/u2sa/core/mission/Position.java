@@ -22,7 +22,9 @@ final class Position {
   /** Started repetitions, for goals in the middle of one. */
   final Map<String, Long> repeats = new LinkedHashMap<>();
 
-  /** How many of the current goals must still be completed, no matter which; 0: as the options say. */
+  /**
+   * How many of the current goals must still be completed, no matter which; 0: as the options say.
+   */
   long wanted;
 
   /** Whether a goal that was current with these has ended the mission, if nothing is pending. */

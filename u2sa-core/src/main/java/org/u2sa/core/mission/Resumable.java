@@ -9,7 +9,8 @@ import org.u2sa.core.mission.MissionSettings.Resumption;
 import org.u2sa.interfaces.log.LogLevelEnum;
 
 /**
- * Saves mission progress and restores that of an earlier process, as configured by RESUME. Not thread-safe.
+ * Saves mission progress and restores that of an earlier process, as configured by RESUME. Not
+ * thread-safe.
  */
 final class Resumable {
   private final MissionManager manager;
@@ -24,7 +25,10 @@ final class Resumable {
     this.settings = settings;
   }
 
-  /** Loads the progress of an earlier process. Returns it if it must be resumed immediately; else empty. */
+  /**
+   * Loads the progress of an earlier process. Returns it if it must be resumed immediately; else
+   * empty.
+   */
   Optional<MissionProgress> atStart() {
     Resumption rule = settings.get().resume();
     if (rule == Resumption.NEVER) {

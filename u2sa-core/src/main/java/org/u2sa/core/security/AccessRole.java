@@ -5,7 +5,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Role of a broker user. Determines what the user may publish, by {@link AccessTable}; everyone may read.
+ * Role of a broker user. Determines what the user may publish, by {@link AccessTable}; everyone may
+ * read.
  */
 public enum AccessRole {
   /** Sensors, estimators, planners: measures, estimates, plans, and answers requests. */

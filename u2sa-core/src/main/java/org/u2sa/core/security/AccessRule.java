@@ -6,7 +6,8 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * One row of {@link AccessTable}: a type on the channel that carries it. Retention, QoS and urgency are the channel's.
+ * One row of {@link AccessTable}: a type on the channel that carries it. Retention, QoS and urgency
+ * are the channel's.
  *
  * @param channel a standard channel
  * @param type message type; the rule includes its subclasses
@@ -46,7 +47,8 @@ public record AccessRule(
   }
 
   /**
-   * Maximum payload [bytes]. Every service reads all questions and configuration changes, even those for others, between states and commands, which long ones would delay.
+   * Maximum payload [bytes]. Every service reads all questions and configuration changes, even
+   * those for others, between states and commands, which long ones would delay.
    */
   public int longestPayload() {
     switch (kind) {

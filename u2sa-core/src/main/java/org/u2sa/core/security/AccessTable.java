@@ -41,8 +41,9 @@ import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * Access control list: message types by channel, and who may publish them; anything not listed is refused.
- * The embedded broker's rules, Mosquitto's and the table in docs/security.md are derived from it.
+ * Access control list: message types by channel, and who may publish them; anything not listed is
+ * refused. The embedded broker's rules, Mosquitto's and the table in docs/security.md are derived
+ * from it.
  */
 public final class AccessTable {
   private static final Set<AccessRole> SERVICES =

@@ -63,9 +63,7 @@ public final class SecretFile {
     }
   }
 
-  /**
-   * Problem with a folder's permissions; empty if only its owner may add and remove files.
-   */
+  /** Problem with a folder's permissions; empty if only its owner may add and remove files. */
   public static Optional<String> tooOpenFolder(Path folder) {
     try {
       if (!isPosix(folder)) {

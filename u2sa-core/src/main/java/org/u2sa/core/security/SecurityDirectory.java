@@ -56,7 +56,8 @@ public record SecurityDirectory(Path path) {
   }
 
   /**
-   * Checks that only the owner may read or replace keys and users, including the authority's key if present: with it, anyone could set up a broker that clients trust.
+   * Checks that only the owner may read or replace keys and users, including the authority's key if
+   * present: with it, anyone could set up a broker that clients trust.
    *
    * @throws BadInputException if one is too open; says how to close it
    */

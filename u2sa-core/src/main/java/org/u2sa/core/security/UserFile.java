@@ -14,7 +14,8 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * The users' file: one line {@code name:roles:systems:password} per user; lines that start with # are comments.
+ * The users' file: one line {@code name:roles:systems:password} per user; lines that start with #
+ * are comments.
  */
 public final class UserFile {
   private static final int LARGEST = 1 << 20;

@@ -1,4 +1,2 @@
-/**
- * Access control: users, passwords and roles, and their files. Enforcement is up to the broker.
- */
+/** Access control: users, passwords and roles, and their files. Enforcement is up to the broker. */
 package org.u2sa.core.security;

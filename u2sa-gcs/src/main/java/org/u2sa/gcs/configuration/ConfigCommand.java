@@ -21,7 +21,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa config}: prints its help; list, get, set and undo are subcommands, implemented as methods. */
+/**
+ * {@code u2sa config}: prints its help; list, get, set and undo are subcommands, implemented as
+ * methods.
+ */
 @Command(
     name = "config",
     description = {

@@ -32,7 +32,9 @@ final class RemoteConfiguration {
     this.link = link;
   }
 
-  /** Answers of all services by name: until all heard services have answered, or the link times out. */
+  /**
+   * Answers of all services by name: until all heard services have answered, or the link times out.
+   */
   List<ConfigurationResponse> all() throws InterruptedException {
     return answersOr(Set.of());
   }
@@ -67,7 +69,8 @@ final class RemoteConfiguration {
   }
 
   /**
-   * Answers of the given services if they answer; otherwise of all. All are asked even for a single one, so that a mistyped name can be reported with the existing names.
+   * Answers of the given services if they answer; otherwise of all. All are asked even for a single
+   * one, so that a mistyped name can be reported with the existing names.
    */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {
     DirectoryObservation heard = DirectoryObservation.begin(link);

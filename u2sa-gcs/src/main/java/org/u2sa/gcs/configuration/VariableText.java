@@ -24,7 +24,8 @@ record VariableText(String variable, String value) {
   }
 
   /**
-   * The value as the service expects it: a number converted to the declared unit. Other text is left for the service to validate.
+   * The value as the service expects it: a number converted to the declared unit. Other text is
+   * left for the service to validate.
    *
    * @throws BadInputException if the unit cannot be converted
    */

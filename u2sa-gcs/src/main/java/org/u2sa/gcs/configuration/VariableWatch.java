@@ -13,7 +13,8 @@ import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Watches a variable of a running service: its value, and each later change by messages. Changes that a service makes to its own file are not seen.
+ * Watches a variable of a running service: its value, and each later change by messages. Changes
+ * that a service makes to its own file are not seen.
  */
 public final class VariableWatch implements AutoCloseable {
   /**

@@ -13,7 +13,8 @@ import org.u2sa.core.launch.AutonomyLevels.Perception;
 import org.u2sa.interfaces.communication.Channels;
 
 /**
- * Derives autonomy levels (thesis 2.3) from a vehicle's services and channels. Levels without such evidence, such as classification or learning, can only be stated in the system file.
+ * Derives autonomy levels (thesis 2.3) from a vehicle's services and channels. Levels without such
+ * evidence, such as classification or learning, can only be stated in the system file.
  */
 final class AutonomyEvidence {
   private static final String SENSED_STATE = Channels.SENSED_STATE.name();

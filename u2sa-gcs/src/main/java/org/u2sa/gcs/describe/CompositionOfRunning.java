@@ -20,7 +20,9 @@ import org.u2sa.service.directory.DataOffer;
 import org.u2sa.service.directory.KnownService;
 import org.u2sa.service.directory.ServiceDirectory;
 
-/** Determines a running vehicle's composition from its services' answers and its sensors' messages. */
+/**
+ * Determines a running vehicle's composition from its services' answers and its sensors' messages.
+ */
 final class CompositionOfRunning {
   /** Listening time, sufficient for sources faster than 1 Hz [s]. */
   private static final double LISTEN_S = 2.0;
@@ -38,7 +40,8 @@ final class CompositionOfRunning {
     directory = new ServiceDirectory(link.clock(), link::publish);
   }
 
-  /** Listens for a fixed time.
+  /**
+   * Listens for a fixed time.
    *
    * @param stated autonomy stated in the vehicle's file
    */

@@ -8,7 +8,10 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
-/** Properties of a sensor's data from its configuration: device, standard deviations, rate, mounting. */
+/**
+ * Properties of a sensor's data from its configuration: device, standard deviations, rate,
+ * mounting.
+ */
 final class StatedSensor {
   private static final List<Channel<?>> MEASURED =
       List.of(Channels.SENSED_STATE, Channels.SENSED_OBJECTS, Channels.SCANS);

@@ -37,7 +37,8 @@ final class Programs {
   }
 
   /**
-   * First line of a program's output, on stdout or stderr; empty if there is none within five seconds or it cannot be started.
+   * First line of a program's output, on stdout or stderr; empty if there is none within five
+   * seconds or it cannot be started.
    */
   Optional<String> firstLine(Path program, String... arguments) throws InterruptedException {
     List<String> command =

@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Checks for programs that some uses need: Mosquitto, FlightGear, a virtual screen, Android's tools. */
+/**
+ * Checks for programs that some uses need: Mosquitto, FlightGear, a virtual screen, Android's
+ * tools.
+ */
 final class ToolChecks {
   private final Programs programs;
   private final Map<String, String> environment;

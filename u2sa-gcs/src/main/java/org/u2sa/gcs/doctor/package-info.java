@@ -1,4 +1,5 @@
 /**
- * Checks this machine's prerequisites for running vehicles, and suggests remedies. Changes nothing; running systems are inspected elsewhere.
+ * Checks this machine's prerequisites for running vehicles, and suggests remedies. Changes nothing;
+ * running systems are inspected elsewhere.
  */
 package org.u2sa.gcs.doctor;

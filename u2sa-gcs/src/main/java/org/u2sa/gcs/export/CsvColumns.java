@@ -14,7 +14,8 @@ import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Columns of one table: the union of its messages' fields. A field has one column per unit, because coordinates have different units in different frames; a point has one per axis.
+ * Columns of one table: the union of its messages' fields. A field has one column per unit, because
+ * coordinates have different units in different frames; a point has one per axis.
  */
 final class CsvColumns {
   private static final String TIME = "time [s]";

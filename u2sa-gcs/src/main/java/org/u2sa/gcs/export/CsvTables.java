@@ -17,7 +17,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapChannel;
 
 /**
- * Exports one table per topic of a recording (RFC 4180, UTF-8). Reads the recording twice: first to determine the columns.
+ * Exports one table per topic of a recording (RFC 4180, UTF-8). Reads the recording twice: first to
+ * determine the columns.
  */
 final class CsvTables {
   private static final String SUFFIX = ".csv";

@@ -9,7 +9,8 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * Formats GeoJSON (RFC 7946): one line per track, with the times of its positions in {@code coordTimes}; several lines if the track crosses the antimeridian; one point per goal.
+ * Formats GeoJSON (RFC 7946): one line per track, with the times of its positions in {@code
+ * coordTimes}; several lines if the track crosses the antimeridian; one point per goal.
  */
 final class GeoJsonText {
   private static final double DEGREE_STEPS = 1e9;

@@ -9,7 +9,8 @@ import java.util.OptionalDouble;
 import org.u2sa.gcs.command.EscapedXml;
 
 /**
- * Formats GPX 1.1 (topografix.com/GPX/1/1): tracks with times, goals as waypoints. Longitudes are in -180 (inclusive) to 180 (exclusive) degrees.
+ * Formats GPX 1.1 (topografix.com/GPX/1/1): tracks with times, goals as waypoints. Longitudes are
+ * in -180 (inclusive) to 180 (exclusive) degrees.
  */
 final class GpxText {
   private static final double HALF_TURN_DEG = 180.0;

@@ -7,9 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.u2sa.gcs.command.EscapedXml;
 
-/**
- * Formats KML 2.2 with Google's timestamped tracks, cut at the antimeridian; goals as points.
- */
+/** Formats KML 2.2 with Google's timestamped tracks, cut at the antimeridian; goals as points. */
 final class KmlText {
   private static final String ON_THE_GROUND = "clampToGround";
   private static final String AT_ALTITUDE = "absolute";

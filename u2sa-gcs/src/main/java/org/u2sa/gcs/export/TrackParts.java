@@ -5,7 +5,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * Cuts tracks at the antimeridian, as RFC 7946 (3.1.9) requires for lines, which would otherwise be drawn around the world.
+ * Cuts tracks at the antimeridian, as RFC 7946 (3.1.9) requires for lines, which would otherwise be
+ * drawn around the world.
  */
 final class TrackParts {
   private static final double HALF_TURN_DEG = 180.0;
@@ -14,7 +15,8 @@ final class TrackParts {
   private TrackParts() {}
 
   /**
-   * Parts of a track; only one if it does not cross. Each part except the last ends on the antimeridian, where the next one starts with the opposite sign.
+   * Parts of a track; only one if it does not cross. Each part except the last ends on the
+   * antimeridian, where the next one starts with the opposite sign.
    */
   static List<List<GeoRun.Fix>> of(List<GeoRun.Fix> track) {
     List<List<GeoRun.Fix>> parts = new ArrayList<>();

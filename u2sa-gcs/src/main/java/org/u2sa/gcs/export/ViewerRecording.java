@@ -26,7 +26,9 @@ import org.u2sa.recorder.mcap.McapSchema;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /**
- * Converts a recording for viewers without CBOR support, such as Foxglove and Lichtblick: same topics and times, messages as JSON, views unchanged. Executions, attachments and metadata are omitted.
+ * Converts a recording for viewers without CBOR support, such as Foxglove and Lichtblick: same
+ * topics and times, messages as JSON, views unchanged. Executions, attachments and metadata are
+ * omitted.
  */
 final class ViewerRecording {
   private static final String VIEW = "protobuf";
@@ -60,7 +62,8 @@ final class ViewerRecording {
   }
 
   /**
-   * Writes the file; an existing one is replaced only when complete. Returns the number of messages.
+   * Writes the file; an existing one is replaced only when complete. Returns the number of
+   * messages.
    */
   long write(Path file, String library) throws IOException {
     Path part = file.resolveSibling("." + file.getFileName() + ".part");

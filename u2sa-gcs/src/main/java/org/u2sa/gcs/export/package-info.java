@@ -1,4 +1,5 @@
 /**
- * Export of recordings to other formats: tables, map tracks, viewers. Reading recordings is in {@code org.u2sa.gcs.record}.
+ * Export of recordings to other formats: tables, map tracks, viewers. Reading recordings is in
+ * {@code org.u2sa.gcs.record}.
  */
 package org.u2sa.gcs.export;

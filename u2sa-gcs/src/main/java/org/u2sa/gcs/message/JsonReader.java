@@ -15,7 +15,8 @@ import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Parses JSON into maps, lists, texts, Long, Double and Boolean; null becomes an empty Optional. The text cannot instantiate other classes.
+ * Parses JSON into maps, lists, texts, Long, Double and Boolean; null becomes an empty Optional.
+ * The text cannot instantiate other classes.
  */
 public final class JsonReader {
   private static final int DEEPEST = 32;
@@ -24,10 +25,12 @@ public final class JsonReader {
 
   private JsonReader() {}
 
-  /** Parses one object.
+  /**
+   * Parses one object.
    *
    * @param origin description of the text, for errors
-   * @throws BadInputException if it is not JSON, not an object, contains duplicate keys or is nested too deeply
+   * @throws BadInputException if it is not JSON, not an object, contains duplicate keys or is
+   *     nested too deeply
    */
   public static Map<String, Object> object(String origin, String text) {
     try (JsonParser parser = FACTORY.createParser(text)) {

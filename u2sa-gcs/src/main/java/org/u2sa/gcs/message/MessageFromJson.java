@@ -17,7 +17,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Creates messages from JSON objects, validated by their type's schema. A number may be a text with a unit, {@code "90 deg"}, which is converted to the field's unit.
+ * Creates messages from JSON objects, validated by their type's schema. A number may be a text with
+ * a unit, {@code "90 deg"}, which is converted to the field's unit.
  */
 public final class MessageFromJson {
   private static final String TYPE = "type";

@@ -10,7 +10,9 @@ import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Formats a message's fields as JSON, structured like its CBOR map: numbers in the field's unit, enums by name, points as arrays, bytes in base64, nested messages with their {@code type}. Absent fields are omitted.
+ * Formats a message's fields as JSON, structured like its CBOR map: numbers in the field's unit,
+ * enums by name, points as arrays, bytes in base64, nested messages with their {@code type}. Absent
+ * fields are omitted.
  */
 public final class MessageJson {
   private MessageJson() {}

@@ -9,7 +9,8 @@ import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Formats messages and schemas for Foxglove and Lichtblick. Their JSON Schema parser rejects lists of lists, so points in lists are objects with x, y and z; all else is as in {@link MessageJson}.
+ * Formats messages and schemas for Foxglove and Lichtblick. Their JSON Schema parser rejects lists
+ * of lists, so points in lists are objects with x, y and z; all else is as in {@link MessageJson}.
  */
 public final class ViewerJson {
   private static final List<String> POINT = List.of("x", "y", "z");
@@ -66,8 +67,7 @@ public final class ViewerJson {
     }
     Map<String, Object> coordinates = new LinkedHashMap<>();
     POINT.forEach(name -> coordinates.put(name, Map.of("type", "number")));
-    Map<String, Object> point =
-        new LinkedHashMap<>(); // ordered: schema text is reproducible
+    Map<String, Object> point = new LinkedHashMap<>(); // ordered: schema text is reproducible
     point.put("type", "object");
     point.put("properties", coordinates);
     Map<Object, Object> changed = new LinkedHashMap<>(map);

@@ -24,7 +24,8 @@ final class OrderToMissionManager {
   /**
    * Creates an order with goals.
    *
-   * @param file a mission file with goals only; parsed by the Mission Manager, which knows the goal classes
+   * @param file a mission file with goals only; parsed by the Mission Manager, which knows the goal
+   *     classes
    * @throws BadInputException if it is not a mission file
    */
   static MissionOrder withGoals(MissionAction action, Path file) {

@@ -18,7 +18,8 @@ public final class RunPage {
   /**
    * Writes the page atomically.
    *
-   * @param runs name, durationS, figures, charts, timeline and facts of each; map and latency are optional
+   * @param runs name, durationS, figures, charts, timeline and facts of each; map and latency are
+   *     optional
    * @throws org.u2sa.gcs.command.RunFailedException if it cannot be written
    */
   public static void write(Path file, String title, List<JsonText> runs) {

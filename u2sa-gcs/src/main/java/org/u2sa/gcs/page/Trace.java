@@ -121,7 +121,8 @@ public final class Trace {
   }
 
   /**
-   * Five decimals are finer than visible and keep the file small. Very small numbers keep six significant digits instead.
+   * Five decimals are finer than visible and keep the file small. Very small numbers keep six
+   * significant digits instead.
    */
   public static double rounded(double value) {
     return Math.abs(value) < SMALL

@@ -9,7 +9,8 @@ import org.u2sa.gcs.page.Trace;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * Age of messages at the recorder, by channel, counted from the time of measurement. In simulated time, which stops while services work, it consists of the steps in between.
+ * Age of messages at the recorder, by channel, counted from the time of measurement. In simulated
+ * time, which stops while services work, it consists of the steps in between.
  */
 final class HopLatency {
   private static final double MILLIS = 1e3;

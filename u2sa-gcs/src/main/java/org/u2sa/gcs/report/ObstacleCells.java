@@ -11,7 +11,8 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Obstacles from the occupancy grids of a run: squares of the map that were observed occupied and not free later.
+ * Obstacles from the occupancy grids of a run: squares of the map that were observed occupied and
+ * not free later.
  */
 final class ObstacleCells {
   private static final double SQUARE_M = 0.2;
@@ -39,7 +40,8 @@ final class ObstacleCells {
   }
 
   /**
-   * Adds a grid. Only its corners are converted to the map, and cells are interpolated: within a grid, the earth is flat to a fraction of a millimetre.
+   * Adds a grid. Only its corners are converted to the map, and cells are interpolated: within a
+   * grid, the earth is flat to a fraction of a millimetre.
    *
    * @param onMap converts a point of the grid's frame to the map; empty if unknown
    */

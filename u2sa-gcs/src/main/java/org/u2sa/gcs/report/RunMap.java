@@ -21,7 +21,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Content of the map, in metres east and north of the first state: estimated and true track, goals, obstacles.
+ * Content of the map, in metres east and north of the first state: estimated and true track, goals,
+ * obstacles.
  */
 final class RunMap {
   private static final int SIDES = 4;
@@ -126,7 +127,10 @@ final class RunMap {
     cells.take(grid, point -> place(grid.referenceFrame(), point.x(), point.y()));
   }
 
-  /** Updates objects with their latest observation; objects in the vehicle's own frame are not drawn. */
+  /**
+   * Updates objects with their latest observation; objects in the vehicle's own frame are not
+   * drawn.
+   */
   void take(ObjectList list) {
     for (ObjectDescription object : list.objects()) {
       place(object.referenceFrame(), object.x(), object.y())
@@ -189,7 +193,8 @@ final class RunMap {
     outline.add(Trace.rounded(point.y()));
   }
 
-  /** The complete map.
+  /**
+   * The complete map.
    *
    * @param truth ground-truth track; null if unknown
    */

@@ -45,7 +45,8 @@ final class StateCharts {
     this.truthFromS = truthFromS;
   }
 
-  /** Adds an estimate.
+  /**
+   * Adds an estimate.
    *
    * @param timeS time of measurement [s of the recording]
    */
@@ -99,7 +100,10 @@ final class StateCharts {
     target = "";
   }
 
-  /** Cross-track error: distance to the line from the previous to the current goal [m], positive to the right. */
+  /**
+   * Cross-track error: distance to the line from the previous to the current goal [m], positive to
+   * the right.
+   */
   private Optional<Double> offTrack(Point at) {
     Optional<Point> to = map.goal(target);
     if (legFrom == null || to.isEmpty()) {

@@ -30,7 +30,10 @@ import picocli.CommandLine.Spec;
           + "that nothing stops it). Exit code 1: somebody has not, and the answer says who."
     })
 public final class EmergencyStopCommand implements Callable<Integer> {
-  /** Covers the Safety Manager's repetition of stops, once a second; without one the broker retains the stop. */
+  /**
+   * Covers the Safety Manager's repetition of stops, once a second; without one the broker retains
+   * the stop.
+   */
   private static final double LISTEN_S = 1.2;
 
   @Spec private CommandSpec command;

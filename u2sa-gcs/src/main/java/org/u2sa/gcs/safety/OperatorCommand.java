@@ -107,7 +107,8 @@ public final class OperatorCommand implements Callable<Integer> {
   }
 
   /**
-   * Shows a line unless it only differs in numbers from the last one shown. Called on the transport's thread.
+   * Shows a line unless it only differs in numbers from the last one shown. Called on the
+   * transport's thread.
    */
   private void show(String subject, String line, String gist) {
     synchronized (shown) {

@@ -16,7 +16,8 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Tracks which services confirm an emergency stop. A stop is confirmed once every service that obeys stops reports it as active.
+ * Tracks which services confirm an emergency stop. A stop is confirmed once every service that
+ * obeys stops reports it as active.
  */
 final class StopConfirmation {
   /** Time in which a service with the default report period reports twice. */
@@ -105,7 +106,10 @@ final class StopConfirmation {
     return by;
   }
 
-  /** Reasons why the vehicle as a whole does not satisfy the condition, one text each; empty if it does. */
+  /**
+   * Reasons why the vehicle as a whole does not satisfy the condition, one text each; empty if it
+   * does.
+   */
   synchronized List<String> missing(Outcome wanted) {
     List<String> missing = new ArrayList<>();
     if (heard.isEmpty()) {

@@ -20,7 +20,8 @@ import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A certificate authority for the hosts of one team: its certificate is trusted by clients, and its key certifies brokers. Uses the JDK's keytool, because Java has no API for creating certificates.
+ * A certificate authority for the hosts of one team: its certificate is trusted by clients, and its
+ * key certifies brokers. Uses the JDK's keytool, because Java has no API for creating certificates.
  */
 final class LocalAuthority {
   private static final String AUTHORITY_DAYS = "3650";
@@ -53,7 +54,8 @@ final class LocalAuthority {
     return new LocalAuthority(directory);
   }
 
-  /** Loads the authority of the folder.
+  /**
+   * Loads the authority of the folder.
    *
    * @throws BadInputException if its key is missing
    */
@@ -116,7 +118,8 @@ final class LocalAuthority {
   /** Runs the JDK's keytool as a process. */
   static final class Keytool {
     /**
-     * Password of all key stores. It need not be secret, because the files are private to their owner; keytool requires one.
+     * Password of all key stores. It need not be secret, because the files are private to their
+     * owner; keytool requires one.
      */
     static final String PASSWORD = "u2sa-local";
 

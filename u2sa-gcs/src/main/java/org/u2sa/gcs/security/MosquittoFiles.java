@@ -70,7 +70,8 @@ final class MosquittoFiles {
   }
 
   /**
-   * Permissions by topic: exactly each type's own chain on each channel. A filter that included unknown subclasses would also match known types below them.
+   * Permissions by topic: exactly each type's own chain on each channel. A filter that included
+   * unknown subclasses would also match known types below them.
    */
   static String rights(Collection<User> users, MessageTypes types) {
     StringBuilder text = new StringBuilder("# Written by ./u2sa security mosquitto.\n");

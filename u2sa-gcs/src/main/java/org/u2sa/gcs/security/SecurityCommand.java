@@ -18,7 +18,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa security}: prints its help; init, certificate and mosquitto are subcommands, implemented as methods. */
+/**
+ * {@code u2sa security}: prints its help; init, certificate and mosquitto are subcommands,
+ * implemented as methods.
+ */
 @Command(
     name = "security",
     description = {

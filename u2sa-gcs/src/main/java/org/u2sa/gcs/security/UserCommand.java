@@ -146,9 +146,7 @@ final class UserCommand implements Runnable {
     return command.commandLine().getOut();
   }
 
-  /**
-   * Sources of a user's password: never the command line, which is visible to every process.
-   */
+  /** Sources of a user's password: never the command line, which is visible to every process. */
   private static final class Passwords {
     private static final int SHORTEST = 10;
     private static final int RANDOM_BYTES = 24;

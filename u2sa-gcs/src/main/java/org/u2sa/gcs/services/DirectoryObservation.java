@@ -42,7 +42,9 @@ public final class DirectoryObservation {
     return observation;
   }
 
-  /** {@link #begin}, then waits until all heard services have answered, or for the link's timeout. */
+  /**
+   * {@link #begin}, then waits until all heard services have answered, or for the link's timeout.
+   */
   static DirectoryObservation made(RemoteLink link) throws InterruptedException {
     DirectoryObservation observation = begin(link);
     link.await(observation::isComplete, link.timeoutS());
@@ -58,7 +60,8 @@ public final class DirectoryObservation {
   }
 
   /**
-   * Whether each heard service is among these, and there was time to hear all. A service counts from its first answer or health report. False while none was heard.
+   * Whether each heard service is among these, and there was time to hear all. A service counts
+   * from its first answer or health report. False while none was heard.
    */
   public boolean areAmong(Set<String> names) {
     directory.refresh();

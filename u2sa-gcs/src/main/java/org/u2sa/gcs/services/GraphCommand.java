@@ -109,7 +109,10 @@ public final class GraphCommand implements Callable<Integer> {
   }
 
   /**
-   * A {@link DirectoryObservation} of a settled system: all heard services have answered twice with the same result, and none was created just now. A starting system answers service by service, and a single answer could show a channel without subscribers whose subscriber is about to appear.
+   * A {@link DirectoryObservation} of a settled system: all heard services have answered twice with
+   * the same result, and none was created just now. A starting system answers service by service,
+   * and a single answer could show a channel without subscribers whose subscriber is about to
+   * appear.
    */
   static final class SettledObservation {
     /** Maximum time between the creation of two services of a starting system [s]. */

@@ -8,7 +8,9 @@ import org.u2sa.gcs.services.ServiceGraph.Feed;
 import org.u2sa.gcs.terminal.TextTable;
 import org.u2sa.interfaces.JsonText;
 
-/** Formats a {@link ServiceGraph} as text, for drawing programs (Mermaid, Graphviz), and as JSON. */
+/**
+ * Formats a {@link ServiceGraph} as text, for drawing programs (Mermaid, Graphviz), and as JSON.
+ */
 final class GraphText {
   private GraphText() {}
 

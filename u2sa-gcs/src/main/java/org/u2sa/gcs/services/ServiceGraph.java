@@ -15,14 +15,16 @@ import org.u2sa.service.directory.DataOffer;
 import org.u2sa.service.directory.KnownService;
 
 /**
- * Data flow graph of services. Channels of the service contract, which connect every service with every other, are omitted.
+ * Data flow graph of services. Channels of the service contract, which connect every service with
+ * every other, are omitted.
  *
  * @param services names, in layers from sensors to actuators
  * @param roles role of each, in words; empty if unknown
  * @param feeds all pairs of publisher and subscriber, in the order of the services
  * @param unheard publications without subscribers
  * @param unfed subscriptions without publishers
- * @param unanswered services whose publications and subscriptions are unknown; they may explain loose ends
+ * @param unanswered services whose publications and subscriptions are unknown; they may explain
+ *     loose ends
  */
 record ServiceGraph(
     List<String> services,

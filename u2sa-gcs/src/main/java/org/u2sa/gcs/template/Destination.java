@@ -20,7 +20,9 @@ import java.util.stream.Stream;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Adds files to a project, all or none: they are written to a temporary folder next to their destination and then moved. Existing files are not overwritten; only lists in {@code META-INF/services} are extended.
+ * Adds files to a project, all or none: they are written to a temporary folder next to their
+ * destination and then moved. Existing files are not overwritten; only lists in {@code
+ * META-INF/services} are extended.
  */
 final class Destination {
   private static final String LISTS = "META-INF/services/";

@@ -186,8 +186,7 @@ public final class NewCommand implements Callable<Integer> {
     values.put("build", build.build);
     values.put("install", build.install);
     values.put("jars", build.jars);
-    values.put(
-        "dot", "."); // build tools exclude files like .gitignore from resources
+    values.put("dot", "."); // build tools exclude files like .gitignore from resources
     return new Rendering.Placeholders(values);
   }
 

@@ -25,7 +25,9 @@ import org.u2sa.interfaces.xml.NearestNames;
 /**
  * The available templates: an organisation's, and U2SA's own, which the former override by name.
  *
- * <p>Each is a folder whose files are rendered into a project. A template with an {@code about.txt} is a selectable kind; {@code project}, {@code maven} and {@code gradle} are shared by all new projects.
+ * <p>Each is a folder whose files are rendered into a project. A template with an {@code about.txt}
+ * is a selectable kind; {@code project}, {@code maven} and {@code gradle} are shared by all new
+ * projects.
  */
 final class Templates implements AutoCloseable {
   static final String ABOUT = "about.txt";
@@ -187,7 +189,9 @@ final class Templates implements AutoCloseable {
   }
 
   /**
-   * A selectable kind, as described by its {@code about.txt}: a line of description, an optional line {@code with: …} that names templates whose files it also needs, and text to print at the end.
+   * A selectable kind, as described by its {@code about.txt}: a line of description, an optional
+   * line {@code with: …} that names templates whose files it also needs, and text to print at the
+   * end.
    *
    * @param name name of its folder
    * @param origin location of the folder

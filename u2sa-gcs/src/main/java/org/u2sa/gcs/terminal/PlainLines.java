@@ -7,7 +7,9 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.OneLine;
 
 /**
- * Prints lines that may contain untrusted text: texts from a vehicle's services cannot start new lines or control the terminal, except for colours. {@code print} is for intentional cursor control.
+ * Prints lines that may contain untrusted text: texts from a vehicle's services cannot start new
+ * lines or control the terminal, except for colours. {@code print} is for intentional cursor
+ * control.
  */
 public final class PlainLines extends PrintWriter {
   private static final Pattern COLOUR = Pattern.compile("\u001b\\[[0-9;]*m");

@@ -8,7 +8,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * This process's terminal in raw mode: keys are delivered as pressed, without echo; Ctrl-C still interrupts. {@link #close} and the end of the program, whatever its cause, restore it.
+ * This process's terminal in raw mode: keys are delivered as pressed, without echo; Ctrl-C still
+ * interrupts. {@link #close} and the end of the program, whatever its cause, restore it.
  */
 public final class RawTerminal implements AutoCloseable {
   private final String before;
@@ -20,7 +21,8 @@ public final class RawTerminal implements AutoCloseable {
     Runtime.getRuntime().addShutdownHook(atExit);
   }
 
-  /** Switches the terminal to raw mode.
+  /**
+   * Switches the terminal to raw mode.
    *
    * @throws IOException if standard input is not a terminal, or there is no {@code stty}
    */

@@ -8,7 +8,8 @@ import org.u2sa.interfaces.OneLine;
  * Capabilities of the output terminal.
  *
  * @param out output stream, flushed after each line
- * @param redraws whether the cursor can move back, so that a live status can be redrawn in place; false for pipes, files and dumb terminals
+ * @param redraws whether the cursor can move back, so that a live status can be redrawn in place;
+ *     false for pipes, files and dumb terminals
  * @param colours whether colours and bold may be used
  * @param columns width in characters, at least 20
  */
@@ -30,7 +31,9 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
   /**
    * Detects the terminal of this process.
    *
-   * @param out output stream @param environment environment variables: {@code NO_COLOR} (any value, no-color.org) disables colours, {@code TERM=dumb} also redrawing, {@code COLUMNS} is the width (80 if unset or not a number)
+   * @param out output stream @param environment environment variables: {@code NO_COLOR} (any value,
+   *     no-color.org) disables colours, {@code TERM=dumb} also redrawing, {@code COLUMNS} is the
+   *     width (80 if unset or not a number)
    */
   public static Terminal detect(PrintWriter out, Map<String, String> environment) {
     return of(out, System.console() != null, environment);
@@ -70,7 +73,8 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
   }
 
   /**
-   * {@code text} on one line, without colours or other control sequences, truncated to the width minus one column so that it never wraps.
+   * {@code text} on one line, without colours or other control sequences, truncated to the width
+   * minus one column so that it never wraps.
    */
   public String fitted(String text) {
     int most = columns - 1;

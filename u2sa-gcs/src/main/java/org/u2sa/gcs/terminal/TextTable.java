@@ -3,9 +3,7 @@ package org.u2sa.gcs.terminal;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Text table whose columns are as wide as their widest cells; empty columns are omitted.
- */
+/** Text table whose columns are as wide as their widest cells; empty columns are omitted. */
 public final class TextTable {
   private static final String GAP = "  ";
 

@@ -1,4 +1,5 @@
 /**
- * Terminal output: live status, tables. Machine-readable output (JSON, CSV) and pictures are elsewhere.
+ * Terminal output: live status, tables. Machine-readable output (JSON, CSV) and pictures are
+ * elsewhere.
  */
 package org.u2sa.gcs.terminal;

@@ -11,7 +11,8 @@ import org.u2sa.interfaces.JsonText;
  * @param topic topic name
  * @param encoding encoding of the messages: json or protobuf
  * @param schemaName name of the message type
- * @param schema schema of the type: JSON Schema or a FileDescriptorSet; not copied, must not be modified
+ * @param schema schema of the type: JSON Schema or a FileDescriptorSet; not copied, must not be
+ *     modified
  * @param latched whether late viewers are sent the last message
  */
 record ViewChannel(

@@ -13,7 +13,8 @@ import org.u2sa.recorder.SchemaText;
 import org.u2sa.recorder.foxglove.FoxgloveMessages;
 
 /**
- * Converts messages for viewers: each message as JSON on its topic, and its views in protobuf, with the same topics and schemas as a recording. Not thread-safe.
+ * Converts messages for viewers: each message as JSON on its topic, and its views in protobuf, with
+ * the same topics and schemas as a recording. Not thread-safe.
  */
 final class ViewFeed {
   private static final Set<String> LATCHED_VIEWS = Set.of("grid", "objects", "plan");
@@ -33,7 +34,8 @@ final class ViewFeed {
     views = new FoxgloveMessages(systemId);
   }
 
-  /** Processes a message.
+  /**
+   * Processes a message.
    *
    * @param nanos time of receipt [ns]
    */

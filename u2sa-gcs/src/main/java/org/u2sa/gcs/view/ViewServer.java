@@ -115,7 +115,8 @@ final class ViewServer implements AutoCloseable {
   }
 
   /**
-   * Whether the topic has a channel or may get one. Limited, because a running system may produce endless source names.
+   * Whether the topic has a channel or may get one. Limited, because a running system may produce
+   * endless source names.
    */
   boolean hasRoomFor(String topic) {
     if (channels.of(topic).isPresent() || channels.size() < MAX_CHANNELS) {
@@ -215,7 +216,10 @@ final class ViewServer implements AutoCloseable {
     }
   }
 
-  /** Netty's own handler keeps reading after each ping and pong, regardless of the channel's auto-read. */
+  /**
+   * Netty's own handler keeps reading after each ping and pong, regardless of the channel's
+   * auto-read.
+   */
   private static final class ReadsWhileWritable extends ChannelOutboundHandlerAdapter {
     @Override
     public void read(ChannelHandlerContext context) {

@@ -12,7 +12,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * One viewer's session. If it reads too slowly and its buffer is full, messages are dropped and counted, so that it does not delay others. Thread-safe.
+ * One viewer's session. If it reads too slowly and its buffer is full, messages are dropped and
+ * counted, so that it does not delay others. Thread-safe.
  */
 final class ViewerSession {
   /** Severity of a status, numbered as in the protocol. */
@@ -73,7 +74,8 @@ final class ViewerSession {
   }
 
   /**
-   * Sends a message that must not be dropped, such as a new channel. A viewer so slow that even these accumulate is disconnected.
+   * Sends a message that must not be dropped, such as a new channel. A viewer so slow that even
+   * these accumulate is disconnected.
    */
   void send(JsonText message) {
     if (socket.bytesBeforeWritable() > MAX_UNREAD_BYTES) {

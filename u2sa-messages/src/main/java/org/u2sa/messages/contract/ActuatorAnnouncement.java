@@ -11,10 +11,13 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * An actuator's capabilities (thesis 3.2.3.5, 5.1): limits, dynamics, and its effect on the vehicle's six degrees of freedom, so that control can allocate to actuators it does not know in advance.
+ * An actuator's capabilities (thesis 3.2.3.5, 5.1): limits, dynamics, and its effect on the
+ * vehicle's six degrees of freedom, so that control can allocate to actuators it does not know in
+ * advance.
  *
  * <p>Forces and moments are along and about forward, right and down axes (BODY_FRD) through the
- * vehicle's reference point. At u percent the effect is force · (|u|/100)^{@link #exponent}; below 0 the same with {@link #reverseForce} and {@link #reverseMoment}.
+ * vehicle's reference point. At u percent the effect is force · (|u|/100)^{@link #exponent}; below
+ * 0 the same with {@link #reverseForce} and {@link #reverseMoment}.
  */
 public final class ActuatorAnnouncement extends U2SAData {
   private static final Schema<ActuatorAnnouncement> SCHEMA =
@@ -127,7 +130,10 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(RATE_LIMIT, value);
   }
 
-  /** Dead band: percentage below which nothing moves [%, 0…99]; the effect grows from there; empty: 0. */
+  /**
+   * Dead band: percentage below which nothing moves [%, 0…99]; the effect grows from there; empty:
+   * 0.
+   */
   public OptionalDouble deadband() {
     return get(DEADBAND);
   }
@@ -148,7 +154,8 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Force on the vehicle at +100 %: forward, right, down [N]; empty: unknown, or zero if a moment is given.
+   * Force on the vehicle at +100 %: forward, right, down [N]; empty: unknown, or zero if a moment
+   * is given.
    */
   public Optional<Point> force() {
     return Optional.ofNullable(get(FORCE));
@@ -160,7 +167,8 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Moment on the vehicle at +100 %: rolling right, pitching up, yawing right [N m]; empty: unknown, or zero if a force is given.
+   * Moment on the vehicle at +100 %: rolling right, pitching up, yawing right [N m]; empty:
+   * unknown, or zero if a force is given.
    */
   public Optional<Point> moment() {
     return Optional.ofNullable(get(MOMENT));
@@ -192,7 +200,8 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Exponent of the effect over the command's fraction of 100 % [0.1…10]; empty: 1. About 2 for propellers.
+   * Exponent of the effect over the command's fraction of 100 % [0.1…10]; empty: 1. About 2 for
+   * propellers.
    */
   public OptionalDouble exponent() {
     return get(EXPONENT);
@@ -204,7 +213,8 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Speed through air or water at which the effect was determined [m/s], for control surfaces, whose effect grows with the speed squared; empty: independent of speed.
+   * Speed through air or water at which the effect was determined [m/s], for control surfaces,
+   * whose effect grows with the speed squared; empty: independent of speed.
    */
   public OptionalDouble referenceSpeed() {
     return get(REFERENCE_SPEED);
@@ -225,9 +235,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(FULL_ANGLE, value);
   }
 
-  /**
-   * Rotational speed at +100 % [rad/s], the scale of SpeedCommand; empty: not applicable.
-   */
+  /** Rotational speed at +100 % [rad/s], the scale of SpeedCommand; empty: not applicable. */
   public OptionalDouble fullSpeed() {
     return get(FULL_SPEED);
   }
@@ -261,9 +269,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(RENEWAL, value);
   }
 
-  /**
-   * Simple names of the command classes it accepts besides PercentageCommand; empty if none.
-   */
+  /** Simple names of the command classes it accepts besides PercentageCommand; empty if none. */
   public List<String> commandTypes() {
     List<String> types = get(COMMAND_TYPES);
     return types == null ? List.of() : types;
@@ -275,7 +281,8 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Service that drives it; the service's health reports and loss of connection apply to the actuator too. Empty if unknown.
+   * Service that drives it; the service's health reports and loss of connection apply to the
+   * actuator too. Empty if unknown.
    */
   public Optional<String> serviceName() {
     return Optional.ofNullable(get(SERVICE_NAME));

@@ -36,7 +36,8 @@ public final class ConfigurationResponse extends ServiceMessage<ConfigurationRes
   }
 
   /**
-   * Change counter of this configuration; given in a {@link ConfigurationTransaction}, it prevents two writers from overwriting each other's changes.
+   * Change counter of this configuration; given in a {@link ConfigurationTransaction}, it prevents
+   * two writers from overwriting each other's changes.
    */
   public OptionalLong revision() {
     return optionalCount(REVISION);

@@ -56,9 +56,7 @@ public final class ConfigurationTransactionResult
     return put(REASON, value);
   }
 
-  /**
-   * The variables with their new and previous values; the requested ones if rejected.
-   */
+  /** The variables with their new and previous values; the requested ones if rejected. */
   public List<ConfigurationAssignment> assignments() {
     return require(ASSIGNMENTS);
   }

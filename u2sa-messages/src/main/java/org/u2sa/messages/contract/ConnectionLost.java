@@ -4,7 +4,8 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Published by the broker for a service whose connection broke (MQTT will message). The status is FAILED; readers that do not know this class read it as a health report with that status.
+ * Published by the broker for a service whose connection broke (MQTT will message). The status is
+ * FAILED; readers that do not know this class read it as a health report with that status.
  */
 public final class ConnectionLost extends HealthReport {
   private static final Schema<ConnectionLost> SCHEMA =

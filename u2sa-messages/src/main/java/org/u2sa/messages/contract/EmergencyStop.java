@@ -9,7 +9,10 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Stops everything that moves immediately, and keeps it stopped until an operator clears it. Retained, so that actuators that connect later obey too. A message with {@code active} latches; one without clears the stops listed in {@code lifts}, or if none are listed, all up to {@code clears}.
+ * Stops everything that moves immediately, and keeps it stopped until an operator clears it.
+ * Retained, so that actuators that connect later obey too. A message with {@code active} latches;
+ * one without clears the stops listed in {@code lifts}, or if none are listed, all up to {@code
+ * clears}.
  */
 public final class EmergencyStop extends U2SAData {
   private static final Schema<EmergencyStop> SCHEMA =
@@ -33,7 +36,8 @@ public final class EmergencyStop extends U2SAData {
   }
 
   /**
-   * True: everything that moves goes neutral and stays so. False: clears the stops listed in {@link #lifts()}, or if none are listed, all up to {@link #clears()}.
+   * True: everything that moves goes neutral and stays so. False: clears the stops listed in {@link
+   * #lifts()}, or if none are listed, all up to {@link #clears()}.
    */
   public boolean active() {
     return require(ACTIVE);
@@ -75,7 +79,8 @@ public final class EmergencyStop extends U2SAData {
   }
 
   /**
-   * ID of this stop, unique in the system; repetitions keep it. Empty in a clear, and from senders that predate the field.
+   * ID of this stop, unique in the system; repetitions keep it. Empty in a clear, and from senders
+   * that predate the field.
    */
   public Optional<String> stopId() {
     return Optional.ofNullable(get(STOP_ID));
@@ -86,9 +91,7 @@ public final class EmergencyStop extends U2SAData {
     return put(STOP_ID, value);
   }
 
-  /**
-   * Stops that this message clears, by {@link #identity()}; empty: all up to {@link #clears()}.
-   */
+  /** Stops that this message clears, by {@link #identity()}; empty: all up to {@link #clears()}. */
   public List<String> lifts() {
     List<String> value = get(LIFTS);
     return value == null ? List.of() : value;
@@ -100,7 +103,8 @@ public final class EmergencyStop extends U2SAData {
   }
 
   /**
-   * Identifies this stop: its {@link #stopId()}, or if the sender gave none, its operator, time and reason.
+   * Identifies this stop: its {@link #stopId()}, or if the sender gave none, its operator, time and
+   * reason.
    */
   public String identity() {
     return stopId()

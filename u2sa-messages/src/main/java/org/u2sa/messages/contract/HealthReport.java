@@ -93,7 +93,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Messages lost because the inbox was full. Services whose reports lack {@link #replaced()} count replaced messages here too.
+   * Messages lost because the inbox was full. Services whose reports lack {@link #replaced()} count
+   * replaced messages here too.
    */
   public long dropped() {
     return require(DROPPED);
@@ -155,7 +156,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * ID of this start of the service, unique in the system; the same in its discovery response and its {@link ConnectionLost} will message.
+   * ID of this start of the service, unique in the system; the same in its discovery response and
+   * its {@link ConnectionLost} will message.
    */
   public Optional<String> instance() {
     return Optional.ofNullable(get(INSTANCE));
@@ -166,9 +168,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return put(INSTANCE, value);
   }
 
-  /**
-   * Report period [s]; a service without a report for much longer counts as silent.
-   */
+  /** Report period [s]; a service without a report for much longer counts as silent. */
   public OptionalDouble interval() {
     return get(INTERVAL);
   }
@@ -179,7 +179,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Whether the service's thread is alive; reported by the launcher if the service itself is silent, empty in the service's own reports.
+   * Whether the service's thread is alive; reported by the launcher if the service itself is
+   * silent, empty in the service's own reports.
    */
   public Optional<Boolean> threadAlive() {
     return Optional.ofNullable(get(THREAD_ALIVE));
@@ -191,7 +192,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Running time of the current callback or step [s]; reported by the launcher if the service itself is silent.
+   * Running time of the current callback or step [s]; reported by the launcher if the service
+   * itself is silent.
    */
   public OptionalDouble callbackRunning() {
     return get(CALLBACK_RUNNING);
@@ -203,7 +205,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Time since the service last published data, not counting contract messages [s]; empty before the first.
+   * Time since the service last published data, not counting contract messages [s]; empty before
+   * the first.
    */
   public OptionalDouble dataAge() {
     return get(DATA_AGE);
@@ -245,7 +248,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Emergency stops in force at this service, by {@link EmergencyStop#identity()}; absent if it does not obey emergency stops, an empty list if none is in force.
+   * Emergency stops in force at this service, by {@link EmergencyStop#identity()}; absent if it
+   * does not obey emergency stops, an empty list if none is in force.
    */
   public Optional<List<String>> emergencyStops() {
     return Optional.ofNullable(get(EMERGENCY_STOPS));
@@ -257,7 +261,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Waiting messages replaced by newer ones of the same source on latest-value channels; not a loss. Empty if the service does not count them.
+   * Waiting messages replaced by newer ones of the same source on latest-value channels; not a
+   * loss. Empty if the service does not count them.
    */
   public OptionalLong replaced() {
     return optionalCount(REPLACED);
@@ -279,7 +284,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Commands addressed to its actuators but not executed, for any reason; empty if it has no actuators.
+   * Commands addressed to its actuators but not executed, for any reason; empty if it has no
+   * actuators.
    */
   public OptionalLong commandsRefused() {
     return optionalCount(COMMANDS_REFUSED);

@@ -7,7 +7,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Order to the Mission Manager to change the mission or its progress (thesis 3.2.3.2); it is answered.
+ * Order to the Mission Manager to change the mission or its progress (thesis 3.2.3.2); it is
+ * answered.
  */
 public final class MissionOrder extends U2SAData {
   private static final Schema<MissionOrder> SCHEMA =

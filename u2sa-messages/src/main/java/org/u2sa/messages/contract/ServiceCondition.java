@@ -8,7 +8,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Condition of a service as seen by the health monitor (thesis 3.5.3), and the countermeasure in progress.
+ * Condition of a service as seen by the health monitor (thesis 3.5.3), and the countermeasure in
+ * progress.
  */
 public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
   private static final Schema<ServiceCondition> SCHEMA =

@@ -4,7 +4,8 @@ import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A message to, from or about one service. Subclass schemas declare the name by {@link org.u2sa.messages.schema.Schema#requiring}.
+ * A message to, from or about one service. Subclass schemas declare the name by {@link
+ * org.u2sa.messages.schema.Schema#requiring}.
  *
  * @param <S> the subclass, returned by setters
  */

@@ -22,7 +22,8 @@ public record Attitude(double phi, double theta, double psi) {
   }
 
   /**
-   * Converts a north, east, down vector to the thesis's BODY axes (forward, left, down), as navigation points need.
+   * Converts a north, east, down vector to the thesis's BODY axes (forward, left, down), as
+   * navigation points need.
    */
   public Point bodyOf(Point ned) {
     Point frd = nedFromFrd().transposed().times(ned);
@@ -42,8 +43,8 @@ public record Attitude(double phi, double theta, double psi) {
   }
 
   /**
-   * Converts Euler rates to rates p, q, r about the FRD axes [rad/s] (Stevens and Lewis, 2nd ed., section
-   * 1.3).
+   * Converts Euler rates to rates p, q, r about the FRD axes [rad/s] (Stevens and Lewis, 2nd ed.,
+   * section 1.3).
    */
   public Point bodyRates(Point euler) {
     double sinPhi = StrictMath.sin(phi); // strict: control laws are reproducible on every machine
@@ -56,8 +57,8 @@ public record Attitude(double phi, double theta, double psi) {
   }
 
   /**
-   * Converts rates p, q, r about the FRD axes to Euler rates [rad/s] (Stevens and Lewis, 2nd ed., section
-   * 1.3).
+   * Converts rates p, q, r about the FRD axes to Euler rates [rad/s] (Stevens and Lewis, 2nd ed.,
+   * section 1.3).
    *
    * @throws IllegalArgumentException if the nose points straight up or down
    */
@@ -75,7 +76,8 @@ public record Attitude(double phi, double theta, double psi) {
   }
 
   /**
-   * Part of the derivative of {@link #bodyRates} due to the changing angles, at the given Euler rates [rad/s²].
+   * Part of the derivative of {@link #bodyRates} due to the changing angles, at the given Euler
+   * rates [rad/s²].
    */
   public Point bodyRatesDrift(Point euler) {
     double sinPhi = Math.sin(phi);

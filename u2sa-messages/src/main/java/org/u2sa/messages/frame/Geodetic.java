@@ -5,7 +5,8 @@ import net.sf.geographiclib.GeodesicData;
 import net.sf.geographiclib.GeodesicMask;
 
 /**
- * A position on WGS-84. Altitude is taken as height above the ellipsoid: geoid undulation is neglected, which shifts a local frame up or down but does not affect differences within it.
+ * A position on WGS-84. Altitude is taken as height above the ellipsoid: geoid undulation is
+ * neglected, which shifts a local frame up or down but does not affect differences within it.
  *
  * @param longitudeDeg east positive [deg, -180…180]
  * @param latitudeDeg north positive [deg, -90…90]
@@ -42,7 +43,8 @@ public record Geodetic(double longitudeDeg, double latitudeDeg, double altitudeM
   }
 
   /**
-   * Position of {@code other} relative to this one: east, north, up [m] in the plane tangent to the ellipsoid here.
+   * Position of {@code other} relative to this one: east, north, up [m] in the plane tangent to the
+   * ellipsoid here.
    */
   public Point enuOf(Geodetic other) {
     Point delta = Ecef.of(other).minus(Ecef.of(this));
@@ -75,10 +77,7 @@ public record Geodetic(double longitudeDeg, double latitudeDeg, double altitudeM
     return inverse(other, GeodesicMask.DISTANCE).s12;
   }
 
-  /**
-   * Initial azimuth of the geodesic to {@code other} [rad, clockwise from true
-   * north, 0…2π).
-   */
+  /** Initial azimuth of the geodesic to {@code other} [rad, clockwise from true north, 0…2π). */
   public double bearingRad(Geodetic other) {
     double degrees = inverse(other, GeodesicMask.AZIMUTH).azi1;
     return Math.toRadians(degrees < 0.0 ? degrees + FULL_TURN_DEG : degrees);

@@ -3,9 +3,9 @@ package org.u2sa.messages.frame;
 /**
  * A point in space, in axes given by the context (thesis 3.2.3.6, figure 10).
  *
- * <p>Stored as Cartesian coordinates; {@link #azimuth()}, {@link #elevation()} and {@link #distance()} are the
- * thesis's polar view of the same point. In {@link ReferenceFrame#GLOBAL} x is longitude [deg], y
- * is latitude [deg] and z altitude [m]; polar values have no meaning there.
+ * <p>Stored as Cartesian coordinates; {@link #azimuth()}, {@link #elevation()} and {@link
+ * #distance()} are the thesis's polar view of the same point. In {@link ReferenceFrame#GLOBAL} x is
+ * longitude [deg], y is latitude [deg] and z altitude [m]; polar values have no meaning there.
  *
  * @param x along the x axis [m]; longitude [deg] in GLOBAL
  * @param y along the y axis [m]; latitude [deg] in GLOBAL

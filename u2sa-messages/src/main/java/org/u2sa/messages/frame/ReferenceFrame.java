@@ -7,7 +7,8 @@ import java.util.regex.Pattern;
 /**
  * The axes of a spatial message (thesis 3.2.3.2). Immutable; encoded as its {@link #name()}.
  *
- * <p>Positive rotations, in all frames except LOCAL_ENU and the BODY frames: phi right wing down, theta nose up, psi clockwise from north.
+ * <p>Positive rotations, in all frames except LOCAL_ENU and the BODY frames: phi right wing down,
+ * theta nose up, psi clockwise from north.
  */
 public final class ReferenceFrame {
   /**
@@ -80,8 +81,8 @@ public final class ReferenceFrame {
   }
 
   /**
-   * Parses a frame's name; case-insensitive, and blanks, hyphens and underscores are equivalent: "Global", "local
-   * ned", "UTM 4N".
+   * Parses a frame's name; case-insensitive, and blanks, hyphens and underscores are equivalent:
+   * "Global", "local ned", "UTM 4N".
    *
    * @throws IllegalArgumentException naming the value and what was expected
    */

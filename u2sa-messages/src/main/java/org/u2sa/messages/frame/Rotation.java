@@ -1,7 +1,8 @@
 package org.u2sa.messages.frame;
 
 /**
- * A proper rotation or axis exchange, as a 3 × 3 matrix that transforms vectors from one set of axes to another. Immutable.
+ * A proper rotation or axis exchange, as a 3 × 3 matrix that transforms vectors from one set of
+ * axes to another. Immutable.
  */
 public final class Rotation {
   /** Exchanges east-north-up and north-east-down; its own inverse. */
@@ -18,8 +19,7 @@ public final class Rotation {
   }
 
   /**
-   * Rotation from FRD to NED: yaw, then pitch, then roll (Stevens and Lewis, 2nd ed.,
-   * section 1.3).
+   * Rotation from FRD to NED: yaw, then pitch, then roll (Stevens and Lewis, 2nd ed., section 1.3).
    *
    * @param phi right wing down [rad]
    * @param theta nose up [rad]
@@ -45,7 +45,8 @@ public final class Rotation {
   }
 
   /**
-   * Rotation from east-north-up to axes whose y axis points {@code angle} clockwise from north [rad].
+   * Rotation from east-north-up to axes whose y axis points {@code angle} clockwise from north
+   * [rad].
    */
   public static Rotation aboutUp(double angle) {
     double sin = Math.sin(angle);
@@ -80,7 +81,8 @@ public final class Rotation {
   }
 
   /**
-   * Transforms standard deviations of errors that are independent along the source axes; correlations are dropped.
+   * Transforms standard deviations of errors that are independent along the source axes;
+   * correlations are dropped.
    */
   public Point timesSigma(Point sigma) {
     double[] squared = new double[9];

@@ -5,7 +5,8 @@ import org.locationtech.proj4j.datum.Ellipsoid;
 import org.locationtech.proj4j.proj.ExtendedTransverseMercatorProjection;
 
 /**
- * Projection of one UTM zone on WGS-84, by proj4j's extended transverse Mercator: accurate to micrometres far beyond the zone's edges. Not thread-safe; cheap to create per thread.
+ * Projection of one UTM zone on WGS-84, by proj4j's extended transverse Mercator: accurate to
+ * micrometres far beyond the zone's edges. Not thread-safe; cheap to create per thread.
  */
 public final class UtmGrid {
   private static final double STEP_DEG = 1e-4; // for derivatives: 11 m of meridian
@@ -59,14 +60,18 @@ public final class UtmGrid {
   }
 
   /**
-   * Meridian convergence at a position: direction of grid north [rad, clockwise from true north], positive east of the central meridian in the northern hemisphere.
+   * Meridian convergence at a position: direction of grid north [rad, clockwise from true north],
+   * positive east of the central meridian in the northern hemisphere.
    */
   public double convergenceRad(Geodetic place) {
     ProjCoordinate north = northward(place);
     return -Math.atan2(north.x, north.y);
   }
 
-  /** Scale factor at a position: grid metres per metre on the ellipsoid, 0.9996 on the central meridian. */
+  /**
+   * Scale factor at a position: grid metres per metre on the ellipsoid, 0.9996 on the central
+   * meridian.
+   */
   public double scale(Geodetic place) {
     ProjCoordinate north = northward(place);
     Geodetic below = new Geodetic(place.longitudeDeg(), place.latitudeDeg() - STEP_DEG, 0.0);

@@ -133,9 +133,7 @@ public final class StandardTypes implements MessageTypeProvider {
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}
 
-  /**
-   * Only these types; {@link MessageTypes#discovered()} includes those of other modules.
-   */
+  /** Only these types; {@link MessageTypes#discovered()} includes those of other modules. */
   public static MessageTypes registry() {
     return MessageTypes.of(ALL);
   }

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Values of fields unknown to the reader's classes: Double, Long, Boolean, String,
- * ByteString, lists and maps of these.
+ * Values of fields unknown to the reader's classes: Double, Long, Boolean, String, ByteString,
+ * lists and maps of these.
  */
 final class AnyValue {
   private AnyValue() {}

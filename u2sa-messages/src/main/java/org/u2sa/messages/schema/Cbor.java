@@ -1,7 +1,8 @@
 package org.u2sa.messages.schema;
 
 /**
- * The first byte of a CBOR data item (RFC 8949, 3): three bits for the major type, five for the length or value.
+ * The first byte of a CBOR data item (RFC 8949, 3): three bits for the major type, five for the
+ * length or value.
  */
 final class Cbor {
   static final int UNSIGNED = 0x00;

@@ -3,7 +3,9 @@ package org.u2sa.messages.schema;
 import java.nio.ByteBuffer;
 
 /**
- * Reads consecutive CBOR data items (RFC 8949) from untrusted bytes. Tags are skipped. Allocates no more memory than there are bytes; malformed input causes an {@link IllegalArgumentException} naming what was expected.
+ * Reads consecutive CBOR data items (RFC 8949) from untrusted bytes. Tags are skipped. Allocates no
+ * more memory than there are bytes; malformed input causes an {@link IllegalArgumentException}
+ * naming what was expected.
  */
 final class CborInput {
   /** Returned by {@link #array} and {@link #map} for indefinite lengths. */
@@ -39,7 +41,10 @@ final class CborInput {
     return bytes.length - at;
   }
 
-  /** All bytes, for callers that read several items at once and then call {@link #passTo}; not to be modified. */
+  /**
+   * All bytes, for callers that read several items at once and then call {@link #passTo}; not to be
+   * modified.
+   */
   byte[] bytes() {
     return bytes;
   }
@@ -214,7 +219,10 @@ final class CborInput {
     return text == null ? CborStrings.text(this) : text;
   }
 
-  /** Fast path for short ASCII text with its length in the first byte; null, consuming nothing, for any other. */
+  /**
+   * Fast path for short ASCII text with its length in the first byte; null, consuming nothing, for
+   * any other.
+   */
   private String shortText() {
     int length = at < bytes.length ? (bytes[at] & 0xFF) - Cbor.TEXT : -1;
     if (length < 0 || length > RecentTexts.LONGEST || length >= bytes.length - at) {
@@ -256,9 +264,7 @@ final class CborInput {
     return length;
   }
 
-  /**
-   * Consumes the first byte of an indefinite-length item if one is next.
-   */
+  /** Consumes the first byte of an indefinite-length item if one is next. */
   boolean takeIndefinite() {
     boolean isIndefinite = (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE;
     if (isIndefinite) {

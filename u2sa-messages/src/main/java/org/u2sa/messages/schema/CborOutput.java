@@ -5,9 +5,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/**
- * Writes consecutive CBOR data items (RFC 8949): definite lengths, shortest integers, float64.
- */
+/** Writes consecutive CBOR data items (RFC 8949): definite lengths, shortest integers, float64. */
 final class CborOutput {
   private static final int TYPICAL_BYTES = 512;
   private static final int LONGEST_HEAD = 9;

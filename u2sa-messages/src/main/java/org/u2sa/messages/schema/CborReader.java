@@ -9,7 +9,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Reads one message from untrusted bytes: all lengths are bounded, and all errors are {@link MalformedMessageException}s.
+ * Reads one message from untrusted bytes: all lengths are bounded, and all errors are {@link
+ * MalformedMessageException}s.
  */
 final class CborReader {
   private static final FieldKey TYPE_NAME = WireForm.READABLE.key(Schema.TYPE_KEY);
@@ -304,7 +305,8 @@ final class CborReader {
   }
 
   /**
-   * Reads a one- or two-dimensional array of floats as a list, for messages of unknown classes; null if the next item is something else.
+   * Reads a one- or two-dimensional array of floats as a list, for messages of unknown classes;
+   * null if the next item is something else.
    */
   List<?> typedArray() throws MalformedMessageException {
     for (long tag = in.tag(); tag >= 0; tag = in.tag()) {

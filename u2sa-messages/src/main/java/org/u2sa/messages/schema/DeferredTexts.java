@@ -6,7 +6,8 @@ import java.util.RandomAccess;
 import java.util.function.Supplier;
 
 /**
- * An immutable list of texts, created lazily on first access: messages between services of one process are not encoded, so it is never created there. Thread-safe.
+ * An immutable list of texts, created lazily on first access: messages between services of one
+ * process are not encoded, so it is never created there. Thread-safe.
  */
 public final class DeferredTexts extends AbstractList<String> implements RandomAccess {
   private final Supplier<List<String>> maker;
@@ -15,7 +16,8 @@ public final class DeferredTexts extends AbstractList<String> implements RandomA
   /**
    * Creates a list whose texts are made on first access.
    *
-   * @param maker returns the same texts on every call and thread, within the bounds of a message's texts
+   * @param maker returns the same texts on every call and thread, within the bounds of a message's
+   *     texts
    */
   public DeferredTexts(Supplier<List<String>> maker) {
     this.maker = maker;

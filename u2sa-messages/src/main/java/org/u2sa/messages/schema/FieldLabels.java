@@ -4,16 +4,20 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Field labels: integers that replace field names on the wire, as in SenML (RFC 8428, 6) and COSE (RFC 9052, 1.5). One list for all classes; names not in it, such as those of your own classes, are written as text even in the labelled form.
+ * Field labels: integers that replace field names on the wire, as in SenML (RFC 8428, 6) and COSE
+ * (RFC 9052, 1.5). One list for all classes; names not in it, such as those of your own classes,
+ * are written as text even in the labelled form.
  */
 final class FieldLabels {
   /**
-   * Prefix of the field name made from an unknown label. A later reader that knows the label resolves it to the name.
+   * Prefix of the field name made from an unknown label. A later reader that knows the label
+   * resolves it to the name.
    */
   static final String UNKNOWN = "#";
 
   /**
-   * A name's label is its index, from 0. Append only, so that old recordings stay readable. The first 24 take one byte.
+   * A name's label is its index, from 0. Append only, so that old recordings stay readable. The
+   * first 24 take one byte.
    */
   private static final String ALL =
       """

@@ -8,7 +8,9 @@ import org.u2sa.messages.frame.Point;
 /**
  * The values of one message.
  *
- * <p>Most messages set few of their type's numbers, so the set numbers are stored without gaps in slot order, with a mask of the used slots. All other values are immutable objects by slot, except the timestamp, which nearly every message has and which is kept unboxed.
+ * <p>Most messages set few of their type's numbers, so the set numbers are stored without gaps in
+ * slot order, with a mask of the used slots. All other values are immutable objects by slot, except
+ * the timestamp, which nearly every message has and which is kept unboxed.
  */
 final class FieldStorage {
   private static final double[] NO_NUMBERS = {};
@@ -64,8 +66,7 @@ final class FieldStorage {
   }
 
   /** The value, or the default, or null. */
-  @SuppressWarnings(
-      "unchecked") // only put fills the slot, with the class of the same field
+  @SuppressWarnings("unchecked") // only put fills the slot, with the class of the same field
   <V> V get(ValueField<?, V> field) {
     Object value = values[field.slot];
     return value == null ? field.ifUnset : (V) value;

@@ -4,7 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The fields of a type in wire order with their keys of one form, as parallel arrays so that writers and readers need not query each field for constant properties. Thread-safe.
+ * The fields of a type in wire order with their keys of one form, as parallel arrays so that
+ * writers and readers need not query each field for constant properties. Thread-safe.
  *
  * @param <T> the message class
  */
@@ -143,9 +144,11 @@ final class FieldTable<T extends U2SAData> {
   }
 
   /**
-   * Fast path: reads pairs of a map as long as they are in our writers' form: shortest keys in field order, numbers as {@link NumberRun} expects them.
+   * Fast path: reads pairs of a map as long as they are in our writers' form: shortest keys in
+   * field order, numbers as {@link NumberRun} expects them.
    *
-   * @param pairs number of pairs in the map @param read number of pairs already read @return number of pairs read in total
+   * @param pairs number of pairs in the map @param read number of pairs already read @return number
+   *     of pairs read in total
    */
   long readInOrder(CborReader reader, CborInput in, T message, long pairs, long read)
       throws MalformedMessageException {
@@ -178,7 +181,8 @@ final class FieldTable<T extends U2SAData> {
   /**
    * Peeks which field's key comes next, in its shortest form.
    *
-   * @param from index of the first candidate: the field after the previous one, as writers keep the order
+   * @param from index of the first candidate: the field after the previous one, as writers keep the
+   *     order
    * @return the field's index; {@link #size()} if none matches or the field is before {@code from}
    */
   int find(CborInput in, int from) {

@@ -5,7 +5,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Reads the pairs of one map into a message in any order and form that CBOR allows; pairs in our writers' form have already been read by {@link FieldTable#readInOrder}.
+ * Reads the pairs of one map into a message in any order and form that CBOR allows; pairs in our
+ * writers' form have already been read by {@link FieldTable#readInOrder}.
  *
  * @param <T> the message's class
  */

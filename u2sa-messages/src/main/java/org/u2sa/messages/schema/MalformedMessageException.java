@@ -1,6 +1,9 @@
 package org.u2sa.messages.schema;
 
-/** Thrown for bytes that are not a valid message; names the position, the field and what was expected. */
+/**
+ * Thrown for bytes that are not a valid message; names the position, the field and what was
+ * expected.
+ */
 public final class MalformedMessageException extends Exception {
   private static final long serialVersionUID = 1L;
 

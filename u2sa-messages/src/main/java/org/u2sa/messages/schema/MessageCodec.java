@@ -2,9 +2,7 @@ package org.u2sa.messages.schema;
 
 import java.util.List;
 
-/**
- * Encodes messages and decodes messages of the registered types. Immutable and thread-safe.
- */
+/** Encodes messages and decodes messages of the registered types. Immutable and thread-safe. */
 public final class MessageCodec {
   private final MessageTypes types;
   private final WireForm keys;
@@ -48,10 +46,13 @@ public final class MessageCodec {
   }
 
   /**
-   * Decodes a message. Unknown keys are skipped; an unregistered type is decoded as its nearest registered ancestor, or as an {@link OpaqueMessage}, and keeps its additional fields for {@link U2SAData#enumerateFields()}.
+   * Decodes a message. Unknown keys are skipped; an unregistered type is decoded as its nearest
+   * registered ancestor, or as an {@link OpaqueMessage}, and keeps its additional fields for {@link
+   * U2SAData#enumerateFields()}.
    *
    * @param typeChain from the topic, see {@link MessageType#chain()}
-   * @throws MalformedMessageException for any malformed chain or bytes; no other exception is thrown
+   * @throws MalformedMessageException for any malformed chain or bytes; no other exception is
+   *     thrown
    */
   public U2SAData decode(List<String> typeChain, byte[] bytes) throws MalformedMessageException {
     if (bytes.length > Limits.PAYLOAD_BYTES) {

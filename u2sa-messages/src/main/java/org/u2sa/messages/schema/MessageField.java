@@ -44,9 +44,7 @@ public abstract class MessageField<T extends U2SAData> {
     return kind;
   }
 
-  /**
-   * Unit: "m", "rad", "m/s", …; empty if none. For the coordinates x and y see {@link #unitIn}.
-   */
+  /** Unit: "m", "rad", "m/s", …; empty if none. For the coordinates x and y see {@link #unitIn}. */
   public final String unit() {
     return unit;
   }
@@ -74,7 +72,8 @@ public abstract class MessageField<T extends U2SAData> {
   }
 
   /**
-   * Its bit in {@link U2SAData#presenceVector()}; empty for fields without one (texts, lists, and all that are not optional).
+   * Its bit in {@link U2SAData#presenceVector()}; empty for fields without one (texts, lists, and
+   * all that are not optional).
    */
   public final OptionalInt bit() {
     return bit == NO_BIT ? OptionalInt.empty() : OptionalInt.of(bit);
@@ -100,7 +99,9 @@ public abstract class MessageField<T extends U2SAData> {
   public abstract void set(T message, Object value);
 
   /**
-   * Parses the value from an XML element or operator input. Lists of texts are comma-separated; bytes are base64; points are two or three numbers separated by blanks or commas, and lists of points are separated by semicolons.
+   * Parses the value from an XML element or operator input. Lists of texts are comma-separated;
+   * bytes are base64; points are two or three numbers separated by blanks or commas, and lists of
+   * points are separated by semicolons.
    *
    * @throws IllegalArgumentException naming field, text and what was expected
    * @throws IllegalStateException if the message is frozen
@@ -108,7 +109,8 @@ public abstract class MessageField<T extends U2SAData> {
   public abstract void setText(T message, String text);
 
   /**
-   * Like {@link #setText} for repeatable elements such as {@code <next>}: a list of texts takes all.
+   * Like {@link #setText} for repeatable elements such as {@code <next>}: a list of texts takes
+   * all.
    */
   public abstract void setTexts(T message, List<String> texts);
 

@@ -10,7 +10,8 @@ import java.util.function.Supplier;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * A message class's schema: its name, ancestry and fields. Immutable; one instance per class, {@code public static final TYPE}, built by {@link Schema}.
+ * A message class's schema: its name, ancestry and fields. Immutable; one instance per class,
+ * {@code public static final TYPE}, built by {@link Schema}.
  *
  * @param <T> the message class
  */
@@ -120,9 +121,7 @@ public final class MessageType<T extends U2SAData> {
     return Optional.ofNullable(byName.get(name));
   }
 
-  /**
-   * A field by its XML name: its own name, with the first letter in either case, or an alias.
-   */
+  /** A field by its XML name: its own name, with the first letter in either case, or an alias. */
   public Optional<MessageField<T>> fieldByElementName(String element) {
     String name =
         element.isEmpty()

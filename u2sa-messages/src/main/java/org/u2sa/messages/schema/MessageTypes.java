@@ -17,7 +17,8 @@ public final class MessageTypes {
     this.byName = byName;
   }
 
-  /** Creates a set of the given types.
+  /**
+   * Creates a set of the given types.
    *
    * @throws IllegalArgumentException if two types have the same name
    */
@@ -75,11 +76,15 @@ public final class MessageTypes {
   }
 
   /**
-   * The nearest known type in the chain, including the type itself (8.2.5). It may be abstract: the codec then creates a placeholder for the unknown subclass. {@link OpaqueMessage#TYPE} if none is known.
+   * The nearest known type in the chain, including the type itself (8.2.5). It may be abstract: the
+   * codec then creates a placeholder for the unknown subclass. {@link OpaqueMessage#TYPE} if none
+   * is known.
    *
-   * <p>The chain up to the known type must equal that type's own chain, so that filters on the first names and the decoder, which uses the last, agree on the type.
+   * <p>The chain up to the known type must equal that type's own chain, so that filters on the
+   * first names and the decoder, which uses the last, agree on the type.
    *
-   * @throws MalformedMessageException if the chain is empty or too long, or contradicts the ancestry of a known type
+   * @throws MalformedMessageException if the chain is empty or too long, or contradicts the
+   *     ancestry of a known type
    */
   public MessageType<?> nearest(List<String> chain) throws MalformedMessageException {
     return nearest(chain, 0L);

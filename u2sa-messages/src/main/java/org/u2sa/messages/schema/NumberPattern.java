@@ -4,7 +4,8 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /**
- * A combination of present numbers of a {@link NumberRun}: their encoded bytes without the values, and the values' offsets. Immutable.
+ * A combination of present numbers of a {@link NumberRun}: their encoded bytes without the values,
+ * and the values' offsets. Immutable.
  *
  * <p>The loops wrap the array in a local {@link ByteBuffer}, which escape analysis removes.
  */
@@ -94,7 +95,8 @@ final class NumberPattern {
   }
 
   /**
-   * The values, if the bytes are these keys, each followed by a float64 within its field's bounds; else null.
+   * The values, if the bytes are these keys, each followed by a float64 within its field's bounds;
+   * else null.
    */
   double[] read(byte[] from, int at) {
     if (!isWhole || from.length - at < bytes.length || !hasKeysAt(from, at)) {

@@ -5,7 +5,9 @@ import java.util.List;
 /**
  * Consecutive number fields of a type on the wire.
  *
- * <p>Publishers set the same numbers in every message, so the run caches the patterns it has met: a known pattern is written by copying its bytes and filling in the values, and read by comparing them. Thread-safe: a pattern not yet visible to another thread is merely created twice.
+ * <p>Publishers set the same numbers in every message, so the run caches the patterns it has met: a
+ * known pattern is written by copying its bytes and filling in the values, and read by comparing
+ * them. Thread-safe: a pattern not yet visible to another thread is merely created twice.
  */
 final class NumberRun {
   private static final int REMEMBERED_BITS = 4;
@@ -65,7 +67,8 @@ final class NumberRun {
   }
 
   /**
-   * Fast path: reads the same numbers as the last map with this fingerprint, if present. Otherwise reads nothing; a caller that then reads them one by one calls {@link #expect}.
+   * Fast path: reads the same numbers as the last map with this fingerprint, if present. Otherwise
+   * reads nothing; a caller that then reads them one by one calls {@link #expect}.
    *
    * @param storage storage of a message without these and any later numbers
    * @param pairs number of pairs in the map
@@ -87,7 +90,8 @@ final class NumberRun {
   }
 
   /**
-   * Fingerprint that distinguishes maps with different numbers as far as possible; taken before the first number is read.
+   * Fingerprint that distinguishes maps with different numbers as far as possible; taken before the
+   * first number is read.
    */
   static long opening(CborInput in, long pairs) {
     return pairs << Short.SIZE | in.word() >>> Long.SIZE - Short.SIZE;

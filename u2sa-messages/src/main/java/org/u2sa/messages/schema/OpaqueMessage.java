@@ -3,7 +3,8 @@ package org.u2sa.messages.schema;
 import java.util.List;
 
 /**
- * A message of an unknown type without a known ancestor. All its fields appear in {@link #enumerateFields()}, and it is re-encoded unchanged.
+ * A message of an unknown type without a known ancestor. All its fields appear in {@link
+ * #enumerateFields()}, and it is re-encoded unchanged.
  */
 public final class OpaqueMessage extends U2SAData {
   /** Opaque messages share this schema; their own type's names are in {@link #typeChain()}. */

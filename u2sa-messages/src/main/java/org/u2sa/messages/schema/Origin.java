@@ -1,10 +1,12 @@
 package org.u2sa.messages.schema;
 
 /**
- * Sender of an MQTT message and its sequence number on that topic: the key {@code origin} of the payload. Not part of the message; receivers use it to count losses.
+ * Sender of an MQTT message and its sequence number on that topic: the key {@code origin} of the
+ * payload. Not part of the message; receivers use it to count losses.
  *
  * @param sender globally unique ID of the sending connection, 1…64 characters
- * @param sequence 1 for the sender's first message on the topic, incremented for each further one, whether sent or not
+ * @param sequence 1 for the sender's first message on the topic, incremented for each further one,
+ *     whether sent or not
  */
 public record Origin(String sender, long sequence) {
   static final String KEY = "origin";

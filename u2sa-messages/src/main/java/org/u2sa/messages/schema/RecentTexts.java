@@ -4,9 +4,11 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Cache of recently read short texts. Messages repeat the names of systems, services and frames, and a cache hit is faster than creating a string and leaves no garbage.
+ * Cache of recently read short texts. Messages repeat the names of systems, services and frames,
+ * and a cache hit is faster than creating a string and leaves no garbage.
  *
- * <p>Thread-safe: entries are immutable, and one not yet visible to another thread is merely created twice.
+ * <p>Thread-safe: entries are immutable, and one not yet visible to another thread is merely
+ * created twice.
  */
 final class RecentTexts {
   /** Maximum length of a cached text. */
@@ -21,9 +23,7 @@ final class RecentTexts {
   /** A text and its bytes as zero-padded big-endian words. */
   private record Entry(long first, long second, long third, int length, String text) {}
 
-  /**
-   * Text of at most {@link #LONGEST} bytes; null if not ASCII.
-   */
+  /** Text of at most {@link #LONGEST} bytes; null if not ASCII. */
   String text(byte[] bytes, int start, int length) {
     long first = word(bytes, start, length);
     long second = length > Long.BYTES ? word(bytes, start + Long.BYTES, length - Long.BYTES) : 0L;

@@ -106,9 +106,7 @@ final class ScalarKinds {
     return point;
   }
 
-  /**
-   * Checks that a coordinate's square is finite, so that calculations with it stay finite.
-   */
+  /** Checks that a coordinate's square is finite, so that calculations with it stay finite. */
   static void requireNear(double coordinate) {
     if (Math.abs(coordinate) > Limits.COORDINATE) {
       throw expected("coordinates of at most " + Limits.COORDINATE + ", not " + coordinate);

@@ -9,7 +9,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Declares the fields of one message class, one per line, in wire order; only used in the class's static initialiser. Append new fields at the end, after a call of {@link #since}.
+ * Declares the fields of one message class, one per line, in wire order; only used in the class's
+ * static initialiser. Append new fields at the end, after a call of {@link #since}.
  *
  * <pre>{@code
  * private static final Schema<Beacon> SCHEMA = Schema.of(Beacon.class, Beacon::new, ObjectDescription.TYPE);
@@ -17,7 +18,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * public static final MessageType<Beacon> TYPE = SCHEMA.build();
  * }</pre>
  *
- * <p>An optional number, flag or enum gets the next bit of the presence vector. Optional texts have no bit.
+ * <p>An optional number, flag or enum gets the next bit of the presence vector. Optional texts have
+ * no bit.
  *
  * @param <T> the message class
  */
@@ -67,7 +69,8 @@ public final class Schema<T extends U2SAData> {
   /**
    * Creates the schema of an abstract class.
    *
-   * @param carrier creates a placeholder of the class's own type for subclasses unknown to the reader
+   * @param carrier creates a placeholder of the class's own type for subclasses unknown to the
+   *     reader
    */
   public static <T extends U2SAData> Schema<T> ofAbstract(
       Class<T> messageClass, Supplier<? extends T> carrier, MessageType<? super T> parent) {
@@ -189,9 +192,7 @@ public final class Schema<T extends U2SAData> {
     return value(field, "", TextKinds.NAME, FieldPresence.DEFAULTED, ifUnset, false);
   }
 
-  /**
-   * Required identifier of at most 1,000 characters, because it may contain a name.
-   */
+  /** Required identifier of at most 1,000 characters, because it may contain a name. */
   public ValueField<T, String> requiredId(String field) {
     return value(field, "", TextKinds.ID, FieldPresence.REQUIRED, null, false);
   }
@@ -207,7 +208,8 @@ public final class Schema<T extends U2SAData> {
   }
 
   /**
-   * Optional text for people, truncated to 1,000 characters because it may quote other messages; without a presence bit.
+   * Optional text for people, truncated to 1,000 characters because it may quote other messages;
+   * without a presence bit.
    */
   public ValueField<T, String> optionalNote(String field) {
     return value(field, "", TextKinds.NOTE, FieldPresence.OPTIONAL, null, false);
@@ -269,7 +271,8 @@ public final class Schema<T extends U2SAData> {
   }
 
   /**
-   * Optional number without a presence bit: for a class with subclasses, whose bits a new one would shift.
+   * Optional number without a presence bit: for a class with subclasses, whose bits a new one would
+   * shift.
    */
   public NumberField<T> optionalNumberWithoutBit(String field, String unit, double min) {
     FieldOutline outline = outline(field, unit, FieldPresence.OPTIONAL).at(slots.number());

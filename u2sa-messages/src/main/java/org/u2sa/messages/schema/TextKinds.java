@@ -5,7 +5,9 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * Kinds of texts with their own bounds. Overlong names and identifiers are rejected, because truncated ones could be ambiguous. Notes are texts for people that often quote other messages: they are truncated instead, so that setting one never fails because of its content.
+ * Kinds of texts with their own bounds. Overlong names and identifiers are rejected, because
+ * truncated ones could be ambiguous. Notes are texts for people that often quote other messages:
+ * they are truncated instead, so that setting one never fails because of its content.
  */
 final class TextKinds {
   static final ValueKind<String> NAME = new Bounded(Limits.NAME_CHARS);

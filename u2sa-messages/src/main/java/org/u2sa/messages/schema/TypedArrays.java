@@ -6,7 +6,8 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Lists of numbers and points as typed arrays (RFC 8746): a tag gives the number format of a packed byte string. Points are the rows of a two-dimensional array.
+ * Lists of numbers and points as typed arrays (RFC 8746): a tag gives the number format of a packed
+ * byte string. Points are the rows of a two-dimensional array.
  */
 final class TypedArrays {
   /** Tag of a multi-dimensional array, row-major (3.1.1): [dimensions, elements]. */

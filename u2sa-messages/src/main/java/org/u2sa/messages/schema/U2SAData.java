@@ -10,10 +10,12 @@ import java.util.OptionalLong;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Base class of all messages (thesis 3.2.3.1, figure 5), with system, timestamp, field access and serialisation.
+ * Base class of all messages (thesis 3.2.3.1, figure 5), with system, timestamp, field access and
+ * serialisation.
  *
- * <p>Filled by setters, then frozen by the publisher, and thread-safe from then on. A subclass declares its fields in a {@link Schema} and writes getters and setters over
- * {@link #get}, {@link #require} and {@link #put}.
+ * <p>Filled by setters, then frozen by the publisher, and thread-safe from then on. A subclass
+ * declares its fields in a {@link Schema} and writes getters and setters over {@link #get}, {@link
+ * #require} and {@link #put}.
  */
 public abstract class U2SAData {
   private static final Schema<U2SAData> SCHEMA = Schema.root();
@@ -26,8 +28,7 @@ public abstract class U2SAData {
   private static final int SHOWN_CHARS = 1_000; // of a value in toString
 
   private final FieldStorage storage;
-  private UnknownPart
-      unknown; // fields of the unknown subclass in placeholders; else null
+  private UnknownPart unknown; // fields of the unknown subclass in placeholders; else null
   private Origin origin; // of messages received over MQTT; else null
 
   /** Creates an empty message of the type {@link #type()}. */
@@ -38,9 +39,7 @@ public abstract class U2SAData {
   /** The class's schema: its constant TYPE. Called while the message is constructed. */
   public abstract MessageType<?> type();
 
-  /**
-   * Names from the topmost ancestor to the message's own type, even if unknown to this reader.
-   */
+  /** Names from the topmost ancestor to the message's own type, even if unknown to this reader. */
   public final List<String> typeChain() {
     return unknown == null ? type().chain() : unknown.chain();
   }
@@ -71,8 +70,7 @@ public abstract class U2SAData {
   }
 
   /**
-   * Presence bits of the optional numbers, points and enums, in schema order from bit 0
-   * (8.2.3.2).
+   * Presence bits of the optional numbers, points and enums, in schema order from bit 0 (8.2.3.2).
    */
   public long presenceVector() {
     long vector = 0L;
@@ -134,7 +132,9 @@ public abstract class U2SAData {
   }
 
   /**
-   * Checks consistency beyond single fields' bounds: whether fields agree, whether packed content can be unpacked. Called before a message is frozen, encoded or delivered, so that receivers never see an inconsistent one.
+   * Checks consistency beyond single fields' bounds: whether fields agree, whether packed content
+   * can be unpacked. Called before a message is frozen, encoded or delivered, so that receivers
+   * never see an inconsistent one.
    *
    * @throws IllegalStateException naming the field, and what is wrong
    */
@@ -232,9 +232,7 @@ public abstract class U2SAData {
     return storage;
   }
 
-  /**
-   * Frame of the message's coordinates, from its frame field; BODY for messages without one.
-   */
+  /** Frame of the message's coordinates, from its frame field; BODY for messages without one. */
   final ReferenceFrame frame() {
     ValueField<?, ReferenceFrame> field = type().frameField();
     return field == null ? ReferenceFrame.BODY : storage.get(field);

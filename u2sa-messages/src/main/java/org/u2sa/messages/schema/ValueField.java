@@ -33,7 +33,10 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     return values.constants();
   }
 
-  /** Maximum length of a text, or of each in a list [characters]; empty if only its bytes are bounded. */
+  /**
+   * Maximum length of a text, or of each in a list [characters]; empty if only its bytes are
+   * bounded.
+   */
   public final OptionalInt maxLength() {
     return longest == Integer.MAX_VALUE ? OptionalInt.empty() : OptionalInt.of(longest);
   }

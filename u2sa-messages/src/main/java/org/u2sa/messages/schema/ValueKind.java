@@ -3,7 +3,8 @@ package org.u2sa.messages.schema;
 import java.util.List;
 
 /**
- * Checks, parses, writes and reads values of one {@link Kind}. Errors of check and parse name what was expected.
+ * Checks, parses, writes and reads values of one {@link Kind}. Errors of check and parse name what
+ * was expected.
  */
 interface ValueKind<V> {
   Kind kind();

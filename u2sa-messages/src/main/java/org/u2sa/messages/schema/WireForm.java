@@ -10,7 +10,8 @@ public enum WireForm {
     }
   },
   /**
-   * Labels of one to three bytes as keys, where defined, and lists of numbers and points as {@link TypedArrays}: for low-bandwidth links. Readers before format 3 reject it.
+   * Labels of one to three bytes as keys, where defined, and lists of numbers and points as {@link
+   * TypedArrays}: for low-bandwidth links. Readers before format 3 reject it.
    */
   COMPACT {
     @Override

@@ -1,4 +1,5 @@
 /**
- * Message infrastructure: types, fields, presence and CBOR form. The messages themselves are elsewhere.
+ * Message infrastructure: types, fields, presence and CBOR form. The messages themselves are
+ * elsewhere.
  */
 package org.u2sa.messages.schema;

@@ -8,7 +8,9 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A moving object, such as other traffic, at the centre of a keep-out sphere whose radius is the separation distance (thesis 4.4.1.3). Its velocity is that of {@link #motion()}; if it is known to turn, {@link #trajectory()} gives predicted positions.
+ * A moving object, such as other traffic, at the centre of a keep-out sphere whose radius is the
+ * separation distance (thesis 4.4.1.3). Its velocity is that of {@link #motion()}; if it is known
+ * to turn, {@link #trajectory()} gives predicted positions.
  */
 public class MovingSphere extends Sphere {
   private static final Schema<MovingSphere> SCHEMA =
@@ -37,7 +39,8 @@ public class MovingSphere extends Sphere {
   }
 
   /**
-   * Predicted positions of the centre after one time step, two and so on, in the message's frame; empty if only the velocity is known.
+   * Predicted positions of the centre after one time step, two and so on, in the message's frame;
+   * empty if only the velocity is known.
    */
   public List<Point> trajectory() {
     return require(TRAJECTORY);
@@ -55,7 +58,8 @@ public class MovingSphere extends Sphere {
   }
 
   /**
-   * Predicted position of the centre: along the trajectory, and at constant velocity beyond its end or without one.
+   * Predicted position of the centre: along the trajectory, and at constant velocity beyond its end
+   * or without one.
    *
    * @param seconds since the message's timestamp, not negative
    */

@@ -7,7 +7,9 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * A band of some width along a polyline in the x-y plane, such as a painted line, a road or a corridor; with a height, a wall. The points' own z is ignored; the height is centred on the object's z. Readers that do not know this class see a {@link Line}.
+ * A band of some width along a polyline in the x-y plane, such as a painted line, a road or a
+ * corridor; with a height, a wall. The points' own z is ignored; the height is centred on the
+ * object's z. Readers that do not know this class see a {@link Line}.
  */
 public class PolyLine extends Line {
   private static final Schema<PolyLine> SCHEMA =

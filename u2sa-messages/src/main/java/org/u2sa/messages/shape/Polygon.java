@@ -8,7 +8,8 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A polygon in the x-y plane, such as a building, a field or a no-fly zone; with a height, an upright prism. The corners' own z is ignored; the prism is centred on the object's z.
+ * A polygon in the x-y plane, such as a building, a field or a no-fly zone; with a height, an
+ * upright prism. The corners' own z is ignored; the prism is centred on the object's z.
  */
 public class Polygon extends ShapeSetters<Polygon> {
   private static final Schema<Polygon> SCHEMA =
@@ -25,7 +26,9 @@ public class Polygon extends ShapeSetters<Polygon> {
   }
 
   /**
-   * The corners in order, either way round, in the message's frame, not relative to the centre; the last is joined to the first. Even-odd rule for crossing edges: a point is inside if a ray from it crosses an odd number of edges.
+   * The corners in order, either way round, in the message's frame, not relative to the centre; the
+   * last is joined to the first. Even-odd rule for crossing edges: a point is inside if a ray from
+   * it crosses an odd number of edges.
    */
   public List<Point> points() {
     return require(POINTS);

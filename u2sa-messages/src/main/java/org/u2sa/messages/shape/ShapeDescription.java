@@ -5,7 +5,8 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * An object with a geometric shape (thesis 3.2.3.7, figure 11): one subclass per shape, around the centre x, y, z.
+ * An object with a geometric shape (thesis 3.2.3.7, figure 11): one subclass per shape, around the
+ * centre x, y, z.
  */
 public abstract class ShapeDescription extends ObjectDescription {
   /** The schema. */

@@ -20,8 +20,9 @@ import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.lens.LensCalibration.Spot;
 
 /**
- * Calibrates a camera from images of a chessboard at several positions and tilts (Zhang, A
- * Flexible New Technique for Camera Calibration, IEEE PAMI 22, 2000). Takes seconds: for commands, not for control loops.
+ * Calibrates a camera from images of a chessboard at several positions and tilts (Zhang, A Flexible
+ * New Technique for Camera Calibration, IEEE PAMI 22, 2000). Takes seconds: for commands, not for
+ * control loops.
  */
 public final class ChessboardCalibration {
   /** Minimum number of board images for a well-determined geometry. */
@@ -29,8 +30,7 @@ public final class ChessboardCalibration {
 
   private static final int RADIAL = 2; // k1, k2: a third is poorly determined by few images
   private static final double LARGEST_ERROR_PX = 3.0;
-  private static final double LEAST_TILT =
-      Math.toRadians(10.0); // between two images of the board
+  private static final double LEAST_TILT = Math.toRadians(10.0); // between two images of the board
   private static final double HALF = 0.5; // BoofCV's 0 is a pixel's edge, ours its centre
 
   private final Chessboard board;
@@ -103,7 +103,8 @@ public final class ChessboardCalibration {
   /**
    * Computes the calibration.
    *
-   * @throws BadInputException if too few images show the board, or they do not determine the geometry
+   * @throws BadInputException if too few images show the board, or they do not determine the
+   *     geometry
    */
   public Result calibrate() {
     if (boards() < FEWEST) {

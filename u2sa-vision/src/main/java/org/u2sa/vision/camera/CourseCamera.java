@@ -13,7 +13,11 @@ import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.AttitudeHistory;
 
 /**
- * Detects white lines, potholes, barrels, sawhorses and flags on the ground (thesis 4.1.1.1). In: state, for roll and pitch. Out: sensed-objects in BODY, with the time of the image: lines as PolyLine, potholes as Circle, the rest as Cylinder; standard deviations grow with distance. An image without detections yields one ObjectDescription of type {@link SeenMessages#NOTHING}. Out: images, the camera image itself, every IMAGE EVERY seconds if set.
+ * Detects white lines, potholes, barrels, sawhorses and flags on the ground (thesis 4.1.1.1). In:
+ * state, for roll and pitch. Out: sensed-objects in BODY, with the time of the image: lines as
+ * PolyLine, potholes as Circle, the rest as Cylinder; standard deviations grow with distance. An
+ * image without detections yields one ObjectDescription of type {@link SeenMessages#NOTHING}. Out:
+ * images, the camera image itself, every IMAGE EVERY seconds if set.
  */
 public final class CourseCamera extends CameraSensor {
   private record Showing(

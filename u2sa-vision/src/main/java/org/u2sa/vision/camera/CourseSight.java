@@ -18,7 +18,8 @@ import org.u2sa.vision.object.SeenObject;
 import org.u2sa.vision.picture.Shades;
 
 /**
- * Detects lines, discs and objects on a course, image by image. Not thread-safe; reuses its buffers, so results are valid until the next image.
+ * Detects lines, discs and objects on a course, image by image. Not thread-safe; reuses its
+ * buffers, so results are valid until the next image.
  */
 public final class CourseSight {
   private final CourseSettings settings;

@@ -19,7 +19,8 @@ import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.picture.JpegDecoder;
 
 /**
- * Processes the images of one configured camera: decodes them, applies lens and mounting, and converts detections to messages. Not thread-safe.
+ * Processes the images of one configured camera: decodes them, applies lens and mounting, and
+ * converts detections to messages. Not thread-safe.
  */
 public final class PictureReading {
   private final CourseSettings settings;
@@ -74,7 +75,8 @@ public final class PictureReading {
   }
 
   /**
-   * Converts detections to messages in BODY with the image's time [µs]. Positions are less certain on a slope.
+   * Converts detections to messages in BODY with the image's time [µs]. Positions are less certain
+   * on a slope.
    *
    * @param rollRad of the vehicle when it was taken, right side down positive
    * @param pitchRad of the vehicle, front up positive

@@ -45,7 +45,9 @@ public final class SeenMessages {
   }
 
   /**
-   * All detections, with the image's time [µs]. An image without detections yields one object of type {@link #NOTHING} that is no obstacle: it is negative evidence for maps and a sign of life for monitoring.
+   * All detections, with the image's time [µs]. An image without detections yields one object of
+   * type {@link #NOTHING} that is no obstacle: it is negative evidence for maps and a sign of life
+   * for monitoring.
    */
   public List<ObjectDescription> of(Seen seen, GroundSigma sigma, long micros) {
     List<ObjectDescription> messages = new ArrayList<>();

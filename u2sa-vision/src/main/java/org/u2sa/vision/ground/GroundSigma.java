@@ -3,9 +3,10 @@ package org.u2sa.vision.ground;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Uncertainty of a ground position seen in an image, from pixel error and camera angles; the error along the ray grows with the square of the distance, the error across it linearly. In range r
- * from a camera at height h, an angle error δ moves the position by δ (r² + h²)/h along the ray and by δ r
- * across.
+ * Uncertainty of a ground position seen in an image, from pixel error and camera angles; the error
+ * along the ray grows with the square of the distance, the error across it linearly. In range r
+ * from a camera at height h, an angle error δ moves the position by δ (r² + h²)/h along the ray and
+ * by δ r across.
  *
  * @param pixelRad angular error of a pixel [rad]
  * @param tiltRad standard deviation of the camera's pitch and roll relative to the ground [rad]
@@ -39,7 +40,9 @@ public record GroundSigma(double pixelRad, double tiltRad, double yawRad, double
     return turned(way, alongM(range, heightM), acrossM(range));
   }
 
-  /** Rotates standard deviations along and across a direction to the axes forward, right, down [m]. */
+  /**
+   * Rotates standard deviations along and across a direction to the axes forward, right, down [m].
+   */
   public Point turned(Point way, double along, double across) {
     double range = Math.max(1e-9, Math.hypot(way.x(), way.y()));
     double cos = way.x() / range;

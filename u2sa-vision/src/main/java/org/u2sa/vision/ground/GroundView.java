@@ -7,7 +7,9 @@ import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.lens.LensCalibration.Spot;
 
 /**
- * Projection between one image and the ground: a horizontal plane below the vehicle, seen by a camera of known geometry and mounting while the vehicle rolls and pitches (Hartley and Zisserman, 2nd ed., section 8.1.1: the homography of a plane, here by rays so that distortion is exact).
+ * Projection between one image and the ground: a horizontal plane below the vehicle, seen by a
+ * camera of known geometry and mounting while the vehicle rolls and pitches (Hartley and Zisserman,
+ * 2nd ed., section 8.1.1: the homography of a plane, here by rays so that distortion is exact).
  *
  * <p>Ground positions are in LEVEL axes: x forward along the heading, y right, z down, from the
  * vehicle's reference point; {@link #toBody} converts them to BODY. Immutable.
@@ -66,7 +68,10 @@ public final class GroundView {
     return atHeight(column, row, 0.0);
   }
 
-  /** Intersection of a pixel's ray with a plane at a height above the ground [m], LEVEL; empty if none. */
+  /**
+   * Intersection of a pixel's ray with a plane at a height above the ground [m], LEVEL; empty if
+   * none.
+   */
   public Optional<Point> atHeight(double column, double row, double heightM) {
     Optional<Spot> seen = lens.place(column, row);
     if (!seen.isPresent()) {

@@ -5,7 +5,8 @@ import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.picture.Shades;
 
 /**
- * Bird's-eye view of the ground ahead as a grid, in which paint has the same width at any distance. Row 0 is nearest, column 0 leftmost. Reuses its buffers.
+ * Bird's-eye view of the ground ahead as a grid, in which paint has the same width at any distance.
+ * Row 0 is nearest, column 0 leftmost. Reuses its buffers.
  */
 public final class TopView {
   /** Area of the grid, LEVEL. */
@@ -50,7 +51,8 @@ public final class TopView {
     seen = new boolean[cells];
   }
 
-  /** Fills the view from an image.
+  /**
+   * Fills the view from an image.
    *
    * @param hidden pixels that occlude the ground, row-major, at half the resolution
    */

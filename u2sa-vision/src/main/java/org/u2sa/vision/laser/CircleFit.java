@@ -5,7 +5,8 @@ import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Least-squares fit of a circle to points on its near side, by Gauss-Newton from Kåsa's algebraic fit (IEEE Trans. Instrum. Meas. 25, 1976), with the uncertainty of the centre.
+ * Least-squares fit of a circle to points on its near side, by Gauss-Newton from Kåsa's algebraic
+ * fit (IEEE Trans. Instrum. Meas. 25, 1976), with the uncertainty of the centre.
  *
  * @param x of the centre [m]
  * @param y of the centre [m]

@@ -8,7 +8,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * Clusters the echoes of a scan by distance (Rusu, Semantic 3D Object Maps, 2009, Euclidean clustering; along the beams, since a scan is ordered). Beams without an echo between two close echoes do not split a cluster.
+ * Clusters the echoes of a scan by distance (Rusu, Semantic 3D Object Maps, 2009, Euclidean
+ * clustering; along the beams, since a scan is ordered). Beams without an echo between two close
+ * echoes do not split a cluster.
  */
 final class Clusters {
   private static final int BEAMS_PAST = 2; // missing beams within a cluster
@@ -20,7 +22,8 @@ final class Clusters {
   }
 
   /**
-   * Clusters of echoes, as points in BODY in beam order; the last is joined to the first if the scan covers a full circle.
+   * Clusters of echoes, as points in BODY in beam order; the last is joined to the first if the
+   * scan covers a full circle.
    *
    * @param isGround points to ignore as ground
    */

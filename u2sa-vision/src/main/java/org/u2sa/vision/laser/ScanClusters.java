@@ -15,7 +15,10 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.vision.ground.AttitudeHistory;
 
 /**
- * Detects objects in the scans of range finders (thesis 4.1.1.1): round clusters of the right size as a fitted circle, other clusters of limited size as the circle around their echoes. In: scans; state, for roll and pitch. Out: sensed-objects in BODY, as Circle without a type, which a camera can provide. Free space is mapped from the scans themselves.
+ * Detects objects in the scans of range finders (thesis 4.1.1.1): round clusters of the right size
+ * as a fitted circle, other clusters of limited size as the circle around their echoes. In: scans;
+ * state, for roll and pitch. Out: sensed-objects in BODY, as Circle without a type, which a camera
+ * can provide. Free space is mapped from the scans themselves.
  */
 public final class ScanClusters extends EventDrivenService {
   private static final double TIGHT = 3.0; // max. fit residual, in multiples of the range noise
@@ -87,7 +90,10 @@ public final class ScanClusters extends EventDrivenService {
     return Optional.of(fit.isPresent() ? round(fit.get(), height) : around(group, extent, height));
   }
 
-  /** Whether a fit has a plausible size, a small residual, and its centre behind the echoes as seen from the vehicle. */
+  /**
+   * Whether a fit has a plausible size, a small residual, and its centre behind the echoes as seen
+   * from the vehicle.
+   */
   private boolean isRound(CircleFit circle, List<Point> group) {
     Point middle = group.get(group.size() / 2);
     return circle.radius() >= settings.smallestRadius()

@@ -4,9 +4,10 @@ import java.util.Optional;
 import org.u2sa.device.CameraFrame.Intrinsics;
 
 /**
- * A calibrated camera geometry: pinhole model with Brown's distortion (Brown 1966;
- * the coefficients and their order are those of OpenCV and BoofCV). In normalised image coordinates, x right and y down: a point (x, y) with r² = x² + y² is imaged at x (1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1
- * x y + p2 (r² + 2 x²), and likewise for y.
+ * A calibrated camera geometry: pinhole model with Brown's distortion (Brown 1966; the coefficients
+ * and their order are those of OpenCV and BoofCV). In normalised image coordinates, x right and y
+ * down: a point (x, y) with r² = x² + y² is imaged at x (1 + k1 r² + k2 r⁴ + k3 r⁶) + 2 p1 x y + p2
+ * (r² + 2 x²), and likewise for y.
  *
  * @param width image width of the calibration [px]
  * @param height image height of the calibration [px]
@@ -65,7 +66,8 @@ public record LensCalibration(
   /**
    * Copy scaled to images of another size taken with the full sensor.
    *
-   * @throws IllegalArgumentException if the aspect ratio differs, which means that the image is cropped
+   * @throws IllegalArgumentException if the aspect ratio differs, which means that the image is
+   *     cropped
    */
   public LensCalibration scaledTo(int newWidth, int newHeight) {
     if (newWidth == width && newHeight == height) {
@@ -106,7 +108,8 @@ public record LensCalibration(
   }
 
   /**
-   * Undistorted normalised coordinates of a pixel, by Newton's method; empty outside the field of view, beyond {@link #reach}.
+   * Undistorted normalised coordinates of a pixel, by Newton's method; empty outside the field of
+   * view, beyond {@link #reach}.
    */
   public Optional<Spot> place(double column, double row) {
     double wantedX = (column - pinhole.centreX()) / pinhole.focalX();
@@ -141,7 +144,8 @@ public record LensCalibration(
   }
 
   /**
-   * Radius at depth 1 up to which the distortion is monotonic: beyond it, the polynomial folds back and would image points twice.
+   * Radius at depth 1 up to which the distortion is monotonic: beyond it, the polynomial folds back
+   * and would image points twice.
    */
   public double reach() {
     double last = 0.0;

@@ -8,7 +8,8 @@ import org.u2sa.vision.ground.TopView;
 import org.u2sa.vision.picture.Shades;
 
 /**
- * Detects white discs of a known size: brighter and paler inside than on all four sides, of about the right size, and filled. Reuses its buffers.
+ * Detects white discs of a known size: brighter and paler inside than on all four sides, of about
+ * the right size, and filled. Reuses its buffers.
  */
 final class DiscFinder {
   private static final double COARSE_M = 0.08;
@@ -44,7 +45,10 @@ final class DiscFinder {
     return discs;
   }
 
-  /** Whether the centre is brighter and paler than the patches on four sides, at least two of them visible. */
+  /**
+   * Whether the centre is brighter and paler than the patches on four sides, at least two of them
+   * visible.
+   */
   private boolean looksLike(PaintMap map, int row, int column) {
     int inner = (int) Math.round(0.5 * radiusM / area.cellM());
     double middle = mean(map.sums(), row, column, inner);

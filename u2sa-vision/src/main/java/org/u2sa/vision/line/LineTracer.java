@@ -11,7 +11,8 @@ import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.ground.TopView;
 
 /**
- * Traces paint from its strongest spots, step by step in both directions and across gaps: curves of any shape become polylines along the centre of the paint. Reuses its buffers.
+ * Traces paint from its strongest spots, step by step in both directions and across gaps: curves of
+ * any shape become polylines along the centre of the paint. Reuses its buffers.
  */
 final class LineTracer {
   private static final double STEP_M = 0.12;

@@ -29,7 +29,8 @@ public final class PaintFinder {
   }
 
   /**
-   * Paint strength of each cell in the last view, 0 for none; unsigned, row-major from the nearest row. For display.
+   * Paint strength of each cell in the last view, 0 for none; unsigned, row-major from the nearest
+   * row. For display.
    */
   public byte[] strength() {
     return map.strength();

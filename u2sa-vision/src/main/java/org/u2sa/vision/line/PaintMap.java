@@ -5,8 +5,11 @@ import org.u2sa.vision.ground.TopView;
 import org.u2sa.vision.picture.Shades;
 
 /**
- * Likelihood of each ground cell to be the centre of a painted line: brighter than the ground on both sides at a line's width, along rows or along columns (symmetrical local
- * threshold: Veit et al., Evaluation of Road Marking Feature Extraction, IEEE ITSC 2008). Shadow edges are brighter on one side only, glare is too wide, and a strip as coloured as its surroundings is light rather than paint. Reuses its buffers.
+ * Likelihood of each ground cell to be the centre of a painted line: brighter than the ground on
+ * both sides at a line's width, along rows or along columns (symmetrical local threshold: Veit et
+ * al., Evaluation of Road Marking Feature Extraction, IEEE ITSC 2008). Shadow edges are brighter on
+ * one side only, glare is too wide, and a strip as coloured as its surroundings is light rather
+ * than paint. Reuses its buffers.
  */
 final class PaintMap {
   private static final double MAD_TO_SIGMA = 1.4826;

@@ -4,7 +4,8 @@ package org.u2sa.vision.line;
  * Criteria for painted lines.
  *
  * @param widthM line width [m]; 0.0762 is 3 in
- * @param contrast minimum contrast to the ground on both sides, as brightness ratio minus 1: 0.15 is 15 %
+ * @param contrast minimum contrast to the ground on both sides, as brightness ratio minus 1: 0.15
+ *     is 15 %
  * @param noiseFactor minimum contrast in multiples of the ground's roughness
  * @param shortestM minimum length of a line [m]
  * @param longestGapM longest gap of worn or missing paint to bridge [m]

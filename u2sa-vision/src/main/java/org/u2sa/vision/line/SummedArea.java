@@ -3,7 +3,9 @@ package org.u2sa.vision.line;
 import org.u2sa.vision.ground.TopView;
 
 /**
- * Sums of a view's shades over any rectangle of cells by four look-ups (Crow, Summed-area tables, SIGGRAPH 1984), without invisible cells. Sum and count share a long, with the count in the upper half, so that the same four look-ups yield both. Reuses its buffers.
+ * Sums of a view's shades over any rectangle of cells by four look-ups (Crow, Summed-area tables,
+ * SIGGRAPH 1984), without invisible cells. Sum and count share a long, with the count in the upper
+ * half, so that the same four look-ups yield both. Reuses its buffers.
  */
 final class SummedArea {
   private static final int COUNT = 32; // bits below the count
@@ -34,7 +36,8 @@ final class SummedArea {
   }
 
   /**
-   * Mean shade of the visible cells between two rows and columns, the upper ones exclusive; cells beyond the edge are ignored.
+   * Mean shade of the visible cells between two rows and columns, the upper ones exclusive; cells
+   * beyond the edge are ignored.
    *
    * @param least required number of visible cells, at least 1
    * @return −1 if fewer are visible

@@ -5,7 +5,10 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Removes the parts of a traced line that run radially away from the camera. Poles and posts look like paint in the bird's-eye view and always run radially; paint does so only if its line passes below the camera. Lines that start close ahead, where a pole would be about to be hit, are kept as paint.
+ * Removes the parts of a traced line that run radially away from the camera. Poles and posts look
+ * like paint in the bird's-eye view and always run radially; paint does so only if its line passes
+ * below the camera. Lines that start close ahead, where a pole would be about to be hit, are kept
+ * as paint.
  */
 final class UprightThings {
   private static final int REACH = 3; // points to each side for measuring the direction

@@ -7,7 +7,8 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraFrame.PixelFormat;
 
 /**
- * Finds connected colour patches in every second pixel of every second row, by run-based labelling (Rosenfeld and Pfaltz, Sequential Operations in Digital Picture Processing, J. ACM 13, 1966).
+ * Finds connected colour patches in every second pixel of every second row, by run-based labelling
+ * (Rosenfeld and Pfaltz, Sequential Operations in Digital Picture Processing, J. ACM 13, 1966).
  * Reuses its buffers.
  */
 final class ColourPatches {

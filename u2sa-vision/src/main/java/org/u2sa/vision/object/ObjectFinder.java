@@ -12,7 +12,8 @@ import org.u2sa.vision.ground.GroundSigma;
 import org.u2sa.vision.ground.GroundView;
 
 /**
- * Detects barrels, sawhorses and flags by colour and size, and locates them by the pixel where they meet the ground and by their apparent size. Not thread-safe; reuses its buffers.
+ * Detects barrels, sawhorses and flags by colour and size, and locates them by the pixel where they
+ * meet the ground and by their apparent size. Not thread-safe; reuses its buffers.
  */
 public final class ObjectFinder {
   private static final double STRIPE = 1.8; // max. width of a plank's stripe, of its height
@@ -65,7 +66,8 @@ public final class ObjectFinder {
   }
 
   /**
-   * Marks the pixels of the last image that occlude the ground: orange areas with their white bands, flags and flag poles. None of these is a painted line.
+   * Marks the pixels of the last image that occlude the ground: orange areas with their white
+   * bands, flags and flag poles. None of these is a painted line.
    *
    * @param into every second pixel of every second row, row-major
    * @param width image width [px]
@@ -87,7 +89,8 @@ public final class ObjectFinder {
   }
 
   /**
-   * Merges the stripes of a plank into one patch, then the bands of a barrel and the planks of a trestle.
+   * Merges the stripes of a plank into one patch, then the bands of a barrel and the planks of a
+   * trestle.
    */
   private static List<ColourPatch> joined(List<ColourPatch> single) {
     return joined(joined(single, ObjectFinder::areStripes), ObjectFinder::areBands);
@@ -325,7 +328,9 @@ public final class ObjectFinder {
         .orElse(RangeEstimate.UNKNOWN);
   }
 
-  /** Distance from the apparent height; off-axis barrels lean in the image but keep their height. */
+  /**
+   * Distance from the apparent height; off-axis barrels lean in the image but keep their height.
+   */
   private static RangeEstimate byHeight(
       double heightM, ColourPatch patch, double middle, GroundView view) {
     Optional<Point> top = view.ray(middle, patch.top() - 0.5);

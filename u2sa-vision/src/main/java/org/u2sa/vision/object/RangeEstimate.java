@@ -22,7 +22,8 @@ record RangeEstimate(double range, double sigma) {
   }
 
   /**
-   * Inverse-variance fusion of both; if they disagree, this one with its uncertainty increased by half the difference.
+   * Inverse-variance fusion of both; if they disagree, this one with its uncertainty increased by
+   * half the difference.
    */
   RangeEstimate with(RangeEstimate other) {
     if (!other.isKnown()) {

@@ -1,4 +1,5 @@
 /**
- * Detection of upright objects by colour: barrels, sawhorses, flags. Paint on the ground is in {@link org.u2sa.vision.line}.
+ * Detection of upright objects by colour: barrels, sawhorses, flags. Paint on the ground is in
+ * {@link org.u2sa.vision.line}.
  */
 package org.u2sa.vision.object;

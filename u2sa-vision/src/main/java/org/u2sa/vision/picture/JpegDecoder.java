@@ -4,7 +4,8 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Decodes JPEG images, as sent by network cameras. Desktop and Android have different implementations, found by {@link java.util.ServiceLoader}.
+ * Decodes JPEG images, as sent by network cameras. Desktop and Android have different
+ * implementations, found by {@link java.util.ServiceLoader}.
  */
 public interface JpegDecoder {
   /**

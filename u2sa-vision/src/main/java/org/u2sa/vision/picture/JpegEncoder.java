@@ -5,7 +5,9 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraFrame.PixelFormat;
 
 /**
- * Encodes images as baseline JPEG (ITU-T T.81, JFIF 1.01) with chroma subsampling 4:2:0. Pure Java, because desktop and Android encoders have no common interface; output is byte-identical on both. Not thread-safe.
+ * Encodes images as baseline JPEG (ITU-T T.81, JFIF 1.01) with chroma subsampling 4:2:0. Pure Java,
+ * because desktop and Android encoders have no common interface; output is byte-identical on both.
+ * Not thread-safe.
  */
 public final class JpegEncoder {
   private static final int START = 0xFFD8;

@@ -4,7 +4,8 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraFrame.PixelFormat;
 
 /**
- * Luminance and chrominance of an image in blocks, offset by -128 to be centred on 0 (JFIF 1.02, page 3). Beyond the right and lower edges the last column and row are repeated.
+ * Luminance and chrominance of an image in blocks, offset by -128 to be centred on 0 (JFIF 1.02,
+ * page 3). Beyond the right and lower edges the last column and row are repeated.
  */
 final class PicturePlanes {
   private static final double MIDDLE = 128.0;

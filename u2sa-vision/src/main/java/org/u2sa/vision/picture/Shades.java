@@ -4,7 +4,10 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraFrame.PixelFormat;
 
 /**
- * An image as two log-scale channels, so that a difference is a brightness ratio independent of illumination: brightness of the darkest colour (white paint is bright in all, grass is dark in blue), and tint (brightest over darkest colour). One octave is {@link #OCTAVE} steps. Reuses its buffers: holds one image at a time.
+ * An image as two log-scale channels, so that a difference is a brightness ratio independent of
+ * illumination: brightness of the darkest colour (white paint is bright in all, grass is dark in
+ * blue), and tint (brightest over darkest colour). One octave is {@link #OCTAVE} steps. Reuses its
+ * buffers: holds one image at a time.
  */
 public final class Shades {
   /** Steps per doubling of brightness. */

@@ -1,4 +1,5 @@
 /**
- * Pixel-level image processing: brightness and tint, JPEG coding. Geometry is in {@link org.u2sa.vision.ground}.
+ * Pixel-level image processing: brightness and tint, JPEG coding. Geometry is in {@link
+ * org.u2sa.vision.ground}.
  */
 package org.u2sa.vision.picture;
