@@ -53,7 +53,7 @@ final class DiskSync implements AutoCloseable {
       file.force(false);
     } catch (ClosedChannelException e) {
       return; // the file was ended meanwhile: the system writes it out by itself
-    } catch (IOException e) {
+    } catch (IOException | RuntimeException e) { // the next one may work
       String what = "the disk does not keep what is recorded: " + e.getMessage();
       if (!what.equals(said)) { // four times a second otherwise
         said = what;

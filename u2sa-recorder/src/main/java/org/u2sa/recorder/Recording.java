@@ -64,6 +64,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private final Thread thread = new Thread(this::write, "u2sa-recorder");
   private long failedToWrite; // by the writing thread, as are the following
   private long unrecordable; // messages that cannot be written whatever the disk is like
+  private long failures; // of anything else
   private long savedMicros;
   private long lastNanos; // of the run's clock
   private final CountDownLatch toClose = new CountDownLatch(1);
@@ -178,7 +179,8 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   }
 
   private void write() {
-    files.at(lastNanos, this::nextFile); // attachments come first, and there is a file at once
+    // Attachments come first, and there is a file at once.
+    unlessItFails(() -> files.at(lastNanos, this::nextFile));
     try (DiskSync sync = new DiskSync(trouble)) {
       while (!(isClosing() && waiting.isEmpty())) {
         Waiting next = waiting.poll(LOOK_UP_EVERY_MS, TimeUnit.MILLISECONDS);
@@ -187,18 +189,33 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
           write(next, lastNanos);
         }
         if (stopwatch.micros() - savedMicros >= SAVE_EVERY_MICROS) {
-          files.requirePresent(lastNanos);
-          if (inRealTime) {
-            files.save(sync);
-          }
+          unlessItFails(() -> save(sync));
           savedMicros = stopwatch.micros();
         }
       }
     } catch (InterruptedException e) {
       trouble.accept("interrupted: " + waiting.size() + " messages are not recorded");
     }
+    unlessItFails(() -> files.requirePresent(lastNanos));
+    unlessItFails(() -> files.end(lastNanos, counts()));
+  }
+
+  private void save(DiskSync sync) {
     files.requirePresent(lastNanos);
-    files.end(lastNanos, counts());
+    if (inRealTime) {
+      files.save(sync);
+    }
+  }
+
+  /** Does something after which the recording goes on, whatever comes of it. */
+  private void unlessItFails(Runnable action) {
+    try {
+      action.run();
+    } catch (RuntimeException e) {
+      if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: a disk is tried four times a second
+        trouble.accept("recording failed, " + failures + " times so far: " + e);
+      }
+    }
   }
 
   private void nextFile() {
@@ -207,12 +224,12 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   }
 
   private void write(Waiting next, long nanos) {
-    McapWriter writer = files.at(nanos, this::nextFile);
-    if (writer == null) {
-      failedToWrite++;
-      return;
-    }
     try {
+      McapWriter writer = files.at(nanos, this::nextFile);
+      if (writer == null) {
+        failedToWrite++;
+        return;
+      }
       if (next instanceof Taken) {
         write(writer, (Taken) next, nanos);
       } else if (next instanceof TakenPart) {

@@ -13,6 +13,7 @@ import java.nio.file.StandardOpenOption;
 /** A disk with so much room for further bytes; writes what fits, then fails. */
 final class SmallDisk implements RecordingFiles.Disk {
   long room;
+  volatile int failuresToCome; // unexpected ones, of whatever is asked of the disk
 
   SmallDisk(long room) {
     this.room = room;
@@ -20,8 +21,16 @@ final class SmallDisk implements RecordingFiles.Disk {
 
   @Override
   public FileChannel create(Path file) throws IOException {
+    failUnexpectedly();
     return new OnDisk(
         FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE));
+  }
+
+  private void failUnexpectedly() {
+    if (failuresToCome > 0) {
+      failuresToCome--;
+      throw new IllegalStateException("a bug");
+    }
   }
 
   private final class OnDisk extends FileChannel {
@@ -33,6 +42,7 @@ final class SmallDisk implements RecordingFiles.Disk {
 
     @Override
     public int write(ByteBuffer bytes) throws IOException {
+      failUnexpectedly();
       if (room <= 0) {
         throw new IOException("No space left on device");
       }
@@ -68,6 +78,7 @@ final class SmallDisk implements RecordingFiles.Disk {
 
     @Override
     public void force(boolean metaData) throws IOException {
+      failUnexpectedly();
       file.force(metaData);
     }
 

@@ -51,6 +51,7 @@ final class Authenticator implements AutoCloseable {
 
   private final Users users;
   private final Clock clock;
+  private final Consumer<String> trouble;
   private final Clock.Waiter waiter;
   private final byte[] key = new byte[32];
   private final PasswordHash nobodys; // in place of an unknown user's hash
@@ -60,9 +61,13 @@ final class Authenticator implements AutoCloseable {
   private final Thread thread = new Thread(this::work, "u2sa-login");
   private long restUntil = Long.MIN_VALUE; // touched by the thread only
 
-  Authenticator(Users users, Clock clock) {
+  /**
+   * @param trouble told of passwords that could not be checked
+   */
+  Authenticator(Users users, Clock clock, Consumer<String> trouble) {
     this.users = users;
     this.clock = clock;
+    this.trouble = trouble;
     waiter = clock.newWaiter("login");
     SecureRandom random = new SecureRandom();
     random.nextBytes(key);
@@ -119,13 +124,22 @@ final class Authenticator implements AutoCloseable {
         boolean rests = clock.micros() < restUntil;
         Optional<LoginApplication> next = queue.poll(rests);
         if (next.isPresent()) {
-          judge(next.get());
+          tryToJudge(next.get());
         } else {
           waiter.await(rests ? restUntil : Clock.NEVER);
         }
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt(); // the end
+    }
+  }
+
+  /** An application that fails keeps nobody else from logging in. */
+  private void tryToJudge(LoginApplication application) {
+    try {
+      judge(application);
+    } catch (RuntimeException e) {
+      trouble.accept(Refusals.shown(application.name()) + ": " + e);
     }
   }
 

@@ -93,7 +93,7 @@ final class BrokerAnnouncement implements AutoCloseable {
       Map<String, String> properties =
           Map.of(SYSTEMS, systemId, ENCRYPTED, String.valueOf(encrypted), ID, id);
       dns.registerService(ServiceInfo.create(TYPE, "u2sa-" + systemId, port, 0, 0, properties));
-    } catch (IOException | IllegalStateException e) { // the latter: closed meanwhile
+    } catch (IOException | RuntimeException e) { // the latter as when closed meanwhile
       log.accept(
           "the broker is not announced by mDNS through "
               + address.getHostAddress()

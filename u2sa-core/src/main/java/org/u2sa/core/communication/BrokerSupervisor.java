@@ -53,10 +53,11 @@ final class BrokerSupervisor implements AutoCloseable {
       try {
         restart();
         return;
-      } catch (CommunicationException e) {
-        if (!lastFailure.equals(e.getMessage())) {
-          lastFailure = e.getMessage(); // said once, however long it lasts
-          log.accept(e.getMessage() + "; services of other processes are cut off, retrying");
+      } catch (RuntimeException e) { // a port that is taken, or anything else
+        String failure = e instanceof CommunicationException ? e.getMessage() : e.toString();
+        if (!lastFailure.equals(failure)) {
+          lastFailure = failure; // said once, however long it lasts
+          log.accept(failure + "; services of other processes are cut off, retrying");
         }
       }
       try {
@@ -83,10 +84,11 @@ final class BrokerSupervisor implements AutoCloseable {
   }
 
   private void endPresent() {
-    if (broker != null) {
-      broker.close();
-      droppedBefore += broker.dropped();
-      broker = null;
+    EmbeddedBroker present = broker;
+    if (present != null) {
+      broker = null; // even if its end fails
+      present.close();
+      droppedBefore += present.dropped();
     }
   }
 

@@ -84,9 +84,11 @@ final class ConnectionFilter implements AutoCloseable {
     this.codec = codec;
     this.clock = clock;
     this.users = users;
-    authenticator =
-        users == null || !users.havePasswords() ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
+    authenticator =
+        users == null || !users.havePasswords()
+            ? null
+            : new Authenticator(users, clock, what -> refusals.add("log-in failed", what));
     retained = new RetainedTable(limits);
     router = new MessageRouter(subscriptions, retained, connections);
     questions = new Allowance.PerUser(limits.clientQuestionsPerSecond());

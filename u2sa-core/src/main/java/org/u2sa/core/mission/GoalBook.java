@@ -31,6 +31,12 @@ final class GoalBook {
           "repeatFrom",
           "repeatTimes"); // the order is up to the Mission Manager and may have changed
 
+  /**
+   * All goals together, as encoded [B]: {@link org.u2sa.messages.GoalList} has them up to three
+   * times, within the codec's limit.
+   */
+  private static final int MAX_BYTES = 320 * 1_024;
+
   private final Map<String, GoalInformation> defined = new LinkedHashMap<>();
   private final Map<String, GoalInformation> present = new LinkedHashMap<>();
   private final Map<String, Long> finished = new LinkedHashMap<>();
@@ -86,9 +92,11 @@ final class GoalBook {
     finished.merge(uid, 1L, Long::sum);
     GoalInformation before = present.get(uid);
     GoalInformation now =
-        report.filter(each -> each.type() == before.type()).isPresent()
-            ? merged(before.copy(), report.get(), KEPT)
-            : before.copy();
+        report
+            .filter(each -> each.type() == before.type())
+            .map(each -> merged(before.copy(), each, KEPT))
+            .filter(this::hasRoomFor)
+            .orElseGet(before::copy);
     boolean done = result == GoalResult.DONE;
     now.completed(done).abandoned(!done).result(result);
     if (done && now.arrivedAt().isEmpty()) {
@@ -117,6 +125,24 @@ final class GoalBook {
     return report.timestamp().isPresent()
         ? Optional.of(report.timestamp().getAsLong())
         : Optional.empty();
+  }
+
+  /** Whether the goals would stay short enough to be published if an update were taken over. */
+  boolean hasRoomForUpdate(GoalInformation update) {
+    return hasRoomFor(updated(defined.get(update.uid()), update))
+        && hasRoomFor(updated(present.get(update.uid()), update));
+  }
+
+  private boolean hasRoomFor(GoalInformation changed) {
+    long bytes = changed.serialize().length;
+    GoalInformation before = present.get(changed.uid());
+    if (before != null && bytes <= before.serialize().length) {
+      return true; // even if the mission's file is too long
+    }
+    for (GoalInformation goal : present.values()) {
+      bytes += goal == before ? 0 : goal.serialize().length;
+    }
+    return bytes <= MAX_BYTES;
   }
 
   /**

@@ -320,6 +320,12 @@ public final class MissionManager extends PeriodicService {
   }
 
   private void update(GoalInformation goal) {
+    if (!progress.pursued().book().hasRoomForUpdate(goal)) {
+      log(
+          LogLevelEnum.WARN,
+          "update of goal \"" + goal.uid() + "\" refused: the goals would be too long to publish");
+      return;
+    }
     if (progress.pursued().update(goal)) {
       log("goal \"" + goal.uid() + "\" updated");
     } else {

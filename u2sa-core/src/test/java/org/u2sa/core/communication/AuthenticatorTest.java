@@ -30,6 +30,7 @@ class AuthenticatorTest {
 
   @TempDir Path folder;
   private Authenticator desk;
+  private final List<String> troubles = new CopyOnWriteArrayList<>();
   private final List<String> order = new CopyOnWriteArrayList<>();
   private final List<Authenticator.Verdict> verdicts = new CopyOnWriteArrayList<>();
 
@@ -39,7 +40,7 @@ class AuthenticatorTest {
     Path file = folder.resolve("users.txt");
     UserFile.write(
         file, List.of(new User("pilot", EnumSet.of(AccessRole.OPERATOR), List.of("*"), hash)));
-    desk = new Authenticator(new Users(file, line -> {}), new SystemClock());
+    desk = new Authenticator(new Users(file, line -> {}), new SystemClock(), troubles::add);
   }
 
   @AfterEach
@@ -64,6 +65,21 @@ class AuthenticatorTest {
           verdicts.add(verdict);
           order.add(verdict.user().map(User::name).orElse(verdict.reason()));
         });
+  }
+
+  @Test
+  void check_answerFails_isReportedAndTheNextOneIsChecked() {
+    desk.check(
+        "nobody",
+        new byte[1],
+        address(1),
+        verdict -> {
+          throw new IllegalStateException("odd");
+        });
+    check("pilot", RIGHT, 2);
+
+    soon().until(() -> order.contains("pilot"));
+    assertThat(troubles).containsExactly("\"nobody\": java.lang.IllegalStateException: odd");
   }
 
   @Test

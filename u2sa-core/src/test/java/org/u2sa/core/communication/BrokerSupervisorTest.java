@@ -30,6 +30,7 @@ class BrokerSupervisorTest {
   private final List<String> log = new CopyOnWriteArrayList<>();
   private final List<Runnable> died = new CopyOnWriteArrayList<>();
   private final AtomicInteger failuresToCome = new AtomicInteger();
+  private RuntimeException failure = new CommunicationException("the port is taken");
   private final InetSocketAddress address = new InetSocketAddress("127.0.0.1", FreePort.find());
   private BrokerSupervisor keeper;
 
@@ -40,7 +41,7 @@ class BrokerSupervisorTest {
 
   private EmbeddedBroker broker(Runnable whenDead) {
     if (failuresToCome.getAndUpdate(left -> Math.max(0, left - 1)) > 0) {
-      throw new CommunicationException("the port is taken");
+      throw failure;
     }
     died.add(whenDead);
     return EmbeddedBroker.start(
@@ -93,6 +94,18 @@ class BrokerSupervisorTest {
     awaitBrokers(2);
     assertThat(log.get(0)).contains("the port is taken").contains("retrying");
     assertThat(log).filteredOn(line -> line.contains("the port is taken")).hasSize(1);
+    connect();
+  }
+
+  @Test
+  void died_startFailsUnexpectedly_triesOnAllTheSame() throws IOException {
+    failure = new IllegalStateException("a bug");
+    failuresToCome.set(2);
+
+    died.get(0).run();
+
+    awaitBrokers(2);
+    assertThat(log).filteredOn(line -> line.contains("a bug")).hasSize(1);
     connect();
   }
 

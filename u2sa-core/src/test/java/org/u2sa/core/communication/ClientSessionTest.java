@@ -52,7 +52,7 @@ class ClientSessionTest {
     UserFile.write(
         file, List.of(new User("pilot", EnumSet.of(AccessRole.OPERATOR), List.of("*"), hash)));
     Users users = new Users(file, line -> {});
-    try (Authenticator authenticator = new Authenticator(users, new SystemClock())) {
+    try (Authenticator authenticator = new Authenticator(users, new SystemClock(), what -> {})) {
       authenticator.check(
           "late", new byte[1], from, verdict -> ClientSession.execute(loop, () -> {}));
       authenticator.check("next", new byte[1], from, verdict -> answered.set(true));

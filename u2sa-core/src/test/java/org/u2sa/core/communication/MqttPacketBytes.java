@@ -114,6 +114,23 @@ final class MqttPacketBytes {
         });
   }
 
+  /** CONNECT with a clean session and a will of QoS 0, as a user. */
+  static byte[] connectAs(String user, String password, String clientId, String willTopic) {
+    return packet(
+        0x10,
+        out -> {
+          out.writeUTF("MQTT");
+          out.write(4);
+          out.write(0xc6);
+          out.writeShort(60);
+          out.writeUTF(clientId);
+          out.writeUTF(willTopic);
+          out.writeUTF("will");
+          out.writeUTF(user);
+          out.writeUTF(password);
+        });
+  }
+
   /** PUBLISH of zeros at QoS 0. */
   static byte[] publish(String topic, int payloadBytes) {
     return packet(

@@ -4,8 +4,10 @@ import io.netty.buffer.ByteBuf;
 import io.netty.buffer.Unpooled;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.channel.ChannelOption;
 import io.netty.channel.ChannelOutboundHandlerAdapter;
 import io.netty.channel.ChannelPromise;
+import io.netty.channel.WriteBufferWaterMark;
 import io.netty.channel.embedded.EmbeddedChannel;
 import io.netty.handler.codec.mqtt.MqttDecoder;
 import io.netty.handler.codec.mqtt.MqttEncoder;
@@ -23,6 +25,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageCodec;
 
@@ -44,6 +47,7 @@ final class PacketPipeline implements AutoCloseable {
   Inflow inflow;
   private final Deque<Runnable> unread = new ArrayDeque<>(); // what the client has not taken
   private boolean isDeaf;
+  private boolean isBlocked;
   private long nowMicros;
 
   PacketPipeline() {
@@ -81,6 +85,11 @@ final class PacketPipeline implements AutoCloseable {
     filter.router().runOn(channel.eventLoop());
     channel.freezeTime();
     channel
+        .config()
+        .setOption(
+            ChannelOption.WRITE_BUFFER_WATER_MARK,
+            new WriteBufferWaterMark(32 << 20, 64 << 20)); // as the Acceptor does
+    channel
         .pipeline()
         .addLast(
             new Network(),
@@ -111,7 +120,7 @@ final class PacketPipeline implements AutoCloseable {
 
     @Override
     public Waiter newWaiter(String name) {
-      throw new IllegalStateException(name + " does not wait");
+      return new SystemClock().newWaiter(name); // of the thread that checks passwords
     }
   }
 
@@ -133,6 +142,42 @@ final class PacketPipeline implements AutoCloseable {
         ctx.write(message, promise);
       }
     }
+
+    @Override
+    public void flush(ChannelHandlerContext ctx) {
+      if (!isBlocked) {
+        ctx.flush();
+      }
+    }
+  }
+
+  /** From now on the client's socket takes nothing: what is sent counts as unread. */
+  void block() {
+    isBlocked = true;
+  }
+
+  /** The client's socket takes what was sent, and what will be. */
+  void unblock() {
+    isBlocked = false;
+    channel.flush();
+    channel.runPendingTasks();
+  }
+
+  /** Number of packets the client's socket has taken since the last call. */
+  int sentPackets() {
+    int packets = 0;
+    for (ByteBuf packet = channel.readOutbound(); packet != null; packet = channel.readOutbound()) {
+      packet.release();
+      packets++;
+    }
+    return packets;
+  }
+
+  /** Lets seconds pass, with the broker's look at the client in each. */
+  void passSeconds(int seconds) {
+    for (int i = 0; i < seconds; i++) {
+      pass(1_000);
+    }
   }
 
   /** From now on the client reads nothing. */
@@ -151,7 +196,12 @@ final class PacketPipeline implements AutoCloseable {
 
   /** Connects as Moquette would confirm it. What the decoder got for that does not count. */
   PacketPipeline introduced() {
-    send(MqttPacketBytes.connect("client", 0));
+    return introduced("client");
+  }
+
+  /** The same under another client ID: a client with the same one would be replaced. */
+  PacketPipeline introduced(String clientId) {
+    send(MqttPacketBytes.connect(clientId, 0));
     filter.connected(session.connection());
     pass(2);
     taken();

@@ -5,17 +5,21 @@ import static org.u2sa.core.communication.BrokerTraffic.frozen;
 import static org.u2sa.core.communication.BrokerTraffic.soon;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
@@ -131,6 +135,57 @@ class RenewedSessionTest {
     broker.cut();
 
     receiver.awaitTrouble("subscriptions except [goal-commands]");
+  }
+
+  @Test
+  void reconnect_hundredsOfRetainedTopics_asksInPacketsThatOurBrokerTakes() throws IOException {
+    List<ActuatorAnnouncement> all = new ArrayList<>();
+    for (int i = 0; i < 300; i++) {
+      String name = "ACTUATOR WITH A LONG NAME, NUMBER " + i;
+      all.add(frozen(new ActuatorAnnouncement().actuatorName(name).minimum(0.0).maximum(1.0)));
+    }
+    all.forEach(one -> client.publish(Channels.ACTUATORS, one));
+    soon().until(() -> broker.retained.size() == 300);
+    String lost = Topic.of("cessna", Channels.ACTUATORS, all.get(150)).toString();
+    broker.retained.remove(lost);
+
+    broker.cut();
+    receiver.awaitTrouble("restored");
+
+    assertThat(broker.longestRequest.get()).isBetween(1, BrokerLimits.LONGEST_CONTROL_PACKET);
+    assertThat(broker.subscribed).hasSize(300).doesNotHaveDuplicates();
+    soon().until(() -> broker.retained.containsKey(lost));
+  }
+
+  @Test
+  void reconnect_receiverFailsAtEachReport_comesBackAllTheSame() throws IOException {
+    client.close();
+    client =
+        TestManager.transport(broker.port())
+            .connect(
+                "MissionManager",
+                new Receiver() {
+                  @Override
+                  public void receive(Channel<?> channel, U2SAData message) {
+                    receiver.receive(channel, message);
+                  }
+
+                  @Override
+                  public void trouble(String what) {
+                    receiver.trouble(what);
+                    throw new IllegalStateException("odd");
+                  }
+                });
+    client.subscribe(Channels.GOALS);
+    client.publish(Channels.GOALS, goals("first"));
+    receiver.awaitMessage(goals("first"));
+    broker.refused.add(REPORTS);
+    for (int i = 0; i < 3; i++) {
+      broker.cut();
+      String uid = "after cut " + i;
+      soon().until(() -> client.publish(Channels.GOALS, goals(uid)));
+      soon().until(() -> goals(uid).equals(held(goals(uid))));
+    }
   }
 
   @Test

@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
 /**
@@ -29,6 +30,7 @@ final class ScriptedBroker implements AutoCloseable {
   final Map<String, byte[]> retained = new ConcurrentHashMap<>();
   final Set<String> refused = ConcurrentHashMap.newKeySet(); // filters answered with 0x80
   final List<String> subscribed = new CopyOnWriteArrayList<>(); // filters, as they were asked for
+  final AtomicInteger longestRequest = new AtomicInteger(); // of (un)subscriptions [B]
   private final List<Socket> sockets = new CopyOnWriteArrayList<>();
   private final ServerSocket server;
   private volatile Consumer<String> beforeAnswer = filter -> {};
@@ -81,6 +83,9 @@ final class ScriptedBroker implements AutoCloseable {
       while (true) {
         int head = in.readUnsignedByte();
         ByteBuffer body = ByteBuffer.wrap(in.readNBytes(length(in)));
+        if (head >> 4 == 8 || head >> 4 == 10) {
+          longestRequest.accumulateAndGet(body.remaining(), Math::max);
+        }
         switch (head >> 4) {
           case 1 -> answer(out, 0x20, new byte[] {0, 0});
           case 3 -> publish(out, head, body);

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
@@ -13,6 +15,8 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.contract.MissionRequest;
 
 /** What a MissionManager publishes, and what it does about reports, commands and changes. */
 class MissionManagerTest extends ThreeWaypoints {
@@ -165,6 +169,64 @@ class MissionManagerTest extends ThreeWaypoints {
     kit.publish(Channels.GOAL_REPORTS, report("1").y(44.0));
 
     assertThat(kit.published(Channels.GOALS)).hasSize(before);
+  }
+
+  private static final int LONGEST_MESSAGE = 1 << 20;
+
+  private static List<String> longNames(String first) {
+    List<String> names = new ArrayList<>(List.of(first));
+    for (int i = 0; i < 700; i++) {
+      names.add("x".repeat(990) + i);
+    }
+    return names;
+  }
+
+  private void assertListsAreShortAndTheMissionGoesOn() {
+    assertThat(kit.published(Channels.GOALS))
+        .allMatch(list -> list.serialize().length < LONGEST_MESSAGE);
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("2");
+  }
+
+  @Test
+  void callback_updatesThatMakeTheGoalsTooLong_areRefused() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_UPDATES, report("1").next(longNames("2")));
+    kit.publish(Channels.GOAL_UPDATES, report("2").next(longNames("3")));
+
+    assertThat(logged("update of goal \"1\" refused")).isTrue();
+    assertListsAreShortAndTheMissionGoesOn();
+  }
+
+  @Test
+  void callback_newGoalsWithoutEnd_areRefusedAtLast() {
+    kit.start(MissionManager::new);
+    for (int i = 0; i < 100; i++) {
+      kit.publish(Channels.GOAL_UPDATES, report("new " + i).next(longNames("2").subList(0, 11)));
+    }
+    kit.publish(Channels.GOAL_UPDATES, report("1").y(44.0));
+
+    assertThat(logged("goal \"new 20\" added")).isTrue();
+    assertThat(logged("goal \"new 90\" added")).isFalse();
+    assertThat(((Waypoint) goals().goals().get(0)).y()).as("one that is short").hasValue(44.0);
+    kit.publish(Channels.MISSION, new MissionRequest().requestId("r"));
+    MissionReport all = (MissionReport) kit.latest(Channels.MISSION).orElseThrow();
+    assertThat(all.serialize().length).isLessThan(LONGEST_MESSAGE);
+    assertListsAreShortAndTheMissionGoesOn();
+  }
+
+  @Test
+  void goalReport_tooLong_completesTheGoalWithoutItsFields() {
+    kit.start(MissionManager::new);
+    for (String uid : List.of("1", "2", "3")) {
+      Waypoint done = report(uid);
+      done.completed(true).next(longNames("2")).reason("x".repeat(65_000));
+      kit.publish(Channels.GOAL_REPORTS, done);
+    }
+    assertThat(logged("mission is over: completed [1, 2, 3]")).isTrue();
+    kit.publish(Channels.MISSION, new MissionRequest().requestId("r"));
+    MissionReport all = (MissionReport) kit.latest(Channels.MISSION).orElseThrow();
+    assertThat(all.serialize().length).isLessThan(LONGEST_MESSAGE);
   }
 
   @Test

@@ -73,7 +73,7 @@ final class BoardConnector implements AutoCloseable {
     }
     if (session == null && nowMicros >= retryMicros) {
       retryMicros = nowMicros + RETRY_MICROS;
-      Thread once = new Thread(this::tryOnce, "u2sa-ioio-connector");
+      Thread once = new Thread(this::triedOnce, "u2sa-ioio-connector");
       once.setDaemon(true); // inherited by the library's threads
       once.start();
       join(once, Long.MAX_VALUE);
@@ -89,7 +89,7 @@ final class BoardConnector implements AutoCloseable {
   private void connect() {
     try {
       while (!closed) {
-        BoardSession made = tryOnce();
+        BoardSession made = triedOnce();
         if (made != null) {
           awaitEnd(made);
         }
@@ -101,6 +101,17 @@ final class BoardConnector implements AutoCloseable {
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+  }
+
+  /** The same, whatever goes wrong: a fault in a library must not end reconnecting. */
+  private BoardSession triedOnce() {
+    try {
+      return tryOnce();
+    } catch (RuntimeException e) {
+      trouble = e.toString();
+      attempt = null;
+      return null;
     }
   }
 

@@ -3,11 +3,14 @@ package org.u2sa.drivers.ioio;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import ioio.lib.api.IOIOConnection;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.sim.ioio.IoioInProcess;
@@ -61,6 +64,31 @@ class BoardConnectorTest {
     assertThat(connector.trouble()).isEmpty();
     assertThat(connector.session().orElseThrow().versions())
         .isEqualTo("hardware SPRK0020, boot loader IOIO0402, firmware IOIO0506, library IOIO0507");
+  }
+
+  @Test
+  void start_libraryFailsUnexpectedly_saysSoAndTriesOn() throws InterruptedException {
+    CountDownLatch attempts = new CountDownLatch(2);
+    BoardConnector inRealTime =
+        new BoardConnector(
+            new BoardConnection() {
+              @Override
+              public IOIOConnection newConnection() {
+                attempts.countDown();
+                throw new UnsupportedOperationException("odd");
+              }
+
+              @Override
+              public String address() {
+                return "nowhere";
+              }
+            },
+            PLAN,
+            1.0);
+    inRealTime.start();
+    assertThat(attempts.await(60, TimeUnit.SECONDS)).isTrue();
+    inRealTime.close();
+    assertThat(inRealTime.trouble()).contains("odd");
   }
 
   @Test

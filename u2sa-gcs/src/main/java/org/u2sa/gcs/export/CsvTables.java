@@ -1,11 +1,8 @@
 package org.u2sa.gcs.export;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Predicate;
@@ -45,30 +42,24 @@ final class CsvTables {
     forEach((topic, message, timeS) -> columnsOf(topic).learn(message));
     Files.createDirectories(folder);
     Map<Topic, Path> files = new LinkedHashMap<>();
-    Map<Topic, Writer> writers = new HashMap<>();
     Map<Path, Long> rows = new LinkedHashMap<>();
-    try {
+    try (CsvFiles texts = new CsvFiles()) {
       for (Map.Entry<Topic, CsvColumns> table : columns.entrySet()) {
         String name = name(table.getKey());
         Path file = folder.resolve(name + SUFFIX);
         for (int i = 2; rows.containsKey(file); i++) { // sources may differ in non-letters only
           file = folder.resolve(name + "-" + i + SUFFIX);
         }
-        BufferedWriter writer = Files.newBufferedWriter(file);
         files.put(table.getKey(), file);
-        writers.put(table.getKey(), writer);
         rows.put(file, 0L);
-        writer.write(table.getValue().head());
+        texts.write(file, table.getValue().head());
       }
       forEach(
           (topic, message, timeS) -> {
-            writers.get(topic).write(columns.get(topic).row(timeS, message));
-            rows.merge(files.get(topic), 1L, Long::sum);
+            Path file = files.get(topic);
+            texts.write(file, columns.get(topic).row(timeS, message));
+            rows.merge(file, 1L, Long::sum);
           });
-    } finally {
-      for (Writer writer : writers.values()) {
-        writer.close();
-      }
     }
     return rows;
   }

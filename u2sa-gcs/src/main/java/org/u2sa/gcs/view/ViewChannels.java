@@ -1,6 +1,7 @@
 package org.u2sa.gcs.view;
 
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,9 +12,25 @@ final class ViewChannels {
   /** The last message of a channel, with its time [ns]. */
   record Last(long nanos, byte[] data) {}
 
+  private static final long MAX_KEPT_BYTES = 64L << 20;
+
+  private final long maxKeptBytes;
+  private long keptBytes; // guarded by this
   private final Map<String, ViewChannel> byTopic = new LinkedHashMap<>(); // guarded by this
   private final Map<Integer, ViewChannel> byId = new LinkedHashMap<>(); // guarded by this
-  private final Map<Integer, Last> last = new LinkedHashMap<>(); // guarded by this
+  private final Map<Integer, Last> last = new LinkedHashMap<>(); // oldest first; guarded by this
+
+  ViewChannels() {
+    this(MAX_KEPT_BYTES);
+  }
+
+  /**
+   * @param maxKeptBytes of all messages kept for viewers that come late [B]; beyond that the oldest
+   *     are forgotten
+   */
+  ViewChannels(long maxKeptBytes) {
+    this.maxKeptBytes = maxKeptBytes;
+  }
 
   synchronized Optional<ViewChannel> of(String topic) {
     return Optional.ofNullable(byTopic.get(topic));
@@ -42,7 +59,14 @@ final class ViewChannels {
   }
 
   synchronized void keep(ViewChannel channel, long nanos, byte[] data) {
+    Last before = last.remove(channel.id());
+    keptBytes += data.length - (before == null ? 0 : before.data.length);
     last.put(channel.id(), new Last(nanos, data));
+    Iterator<Last> oldest = last.values().iterator();
+    while (keptBytes > maxKeptBytes) {
+      keptBytes -= oldest.next().data.length;
+      oldest.remove();
+    }
   }
 
   synchronized Optional<Last> last(int id) {

@@ -325,6 +325,8 @@ final class DirectSession implements MqttSession {
       why = e.getMessage();
     } catch (MqttException e) {
       why = MqttSession.reason(e);
+    } catch (RuntimeException e) { // the next session may do better than none at all
+      why = e.toString();
     }
     broke(why);
   }
@@ -344,15 +346,18 @@ final class DirectSession implements MqttSession {
   private void broke(String why) {
     IOException broken = new IOException(why);
     connected.completeExceptionally(broken);
-    if (!cut) {
-      owner.lost(this, why);
+    try {
+      if (!cut) {
+        owner.lost(this, why);
+      }
+    } finally {
+      synchronized (lock) {
+        over = true;
+        awaited.fail(broken);
+      }
+      settled.countDown();
+      ended.countDown();
     }
-    synchronized (lock) {
-      over = true;
-      awaited.fail(broken);
-    }
-    settled.countDown();
-    ended.countDown();
   }
 
   /** Used by the reader thread only. */

@@ -184,30 +184,44 @@ final class MqttLink {
     if (!current.compareAndSet(session, null) || closed) {
       return; // closed, or not in use yet, in which case the opener notices
     }
-    owner.interrupted("connection to " + address + " lost: " + why);
-    onLinkThread(
-        () -> {
-          lostAtMicros = clock.micros();
-          lastFailure = "";
-          connectAgain();
-        },
-        backOff.nextMs());
+    try {
+      owner.interrupted("connection to " + address + " lost: " + why);
+    } finally { // whatever the report comes to
+      onLinkThread(
+          () -> {
+            lostAtMicros = clock.micros();
+            lastFailure = "";
+            connectAgain();
+          },
+          backOff.nextMs());
+    }
   }
 
   private void connectAgain() {
+    boolean again = true;
     try {
       if (connectOnce()) {
         owner.restored(Clock.seconds(clock.micros() - lostAtMicros));
       }
+      again = false;
     } catch (MqttException e) {
-      String failure = MqttSession.reason(e);
-      if (!failure.equals(lastFailure) && !closed) {
-        lastFailure = failure; // reported once
-        owner.trouble("no way back to " + address + " yet: " + failure + "; tries on");
-      }
-      onLinkThread(this::connectAgain, backOff.nextMs());
+      noWayBack(MqttSession.reason(e));
     } catch (InterruptedException e) {
+      again = false;
       Thread.currentThread().interrupt(); // closed
+    } catch (RuntimeException e) {
+      noWayBack(e.toString());
+    } finally {
+      if (again) {
+        onLinkThread(this::connectAgain, backOff.nextMs());
+      }
+    }
+  }
+
+  private void noWayBack(String failure) {
+    if (!failure.equals(lastFailure) && !closed) {
+      lastFailure = failure; // reported once
+      owner.trouble("no way back to " + address + " yet: " + failure + "; tries on");
     }
   }
 

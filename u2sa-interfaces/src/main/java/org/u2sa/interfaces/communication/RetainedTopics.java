@@ -1,7 +1,10 @@
 package org.u2sa.interfaces.communication;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -18,6 +21,9 @@ import org.eclipse.paho.client.mqttv3.MqttException;
  */
 final class RetainedTopics {
   private static final long ANSWER_WITHIN_MS = 300;
+  private static final int MAX_ASKED_AT_ONCE = 64; // brokers limit the filters of a client
+  private static final int MAX_BYTES_ASKED_AT_ONCE = 6 * 1_024; // and the length of a packet
+  private static final int MAX_UTF8_BYTES_PER_CHAR = 3;
 
   private final Map<String, Published> published = new ConcurrentHashMap<>();
   private final Map<String, byte[]> received = new ConcurrentHashMap<>();
@@ -116,6 +122,26 @@ final class RetainedTopics {
 
   /** Queries the broker; topics it does not let us subscribe to count as held. */
   private Set<String> notHeld(MqttSession session, Set<String> asked)
+      throws MqttException, InterruptedException {
+    Set<String> lacking = new HashSet<>();
+    List<String> part = new ArrayList<>();
+    int bytes = 0;
+    for (String topic : asked) {
+      int its = MAX_UTF8_BYTES_PER_CHAR * topic.length();
+      if (part.size() == MAX_ASKED_AT_ONCE || bytes + its > MAX_BYTES_ASKED_AT_ONCE) {
+        lacking.addAll(notHeld(session, part));
+        part.clear();
+        bytes = 0;
+      }
+      part.add(topic);
+      bytes += its;
+    }
+    lacking.addAll(notHeld(session, part));
+    return lacking;
+  }
+
+  /** Asks within one packet. */
+  private Set<String> notHeld(MqttSession session, List<String> asked)
       throws MqttException, InterruptedException {
     Set<String> lacking = ConcurrentHashMap.newKeySet();
     lacking.addAll(asked);

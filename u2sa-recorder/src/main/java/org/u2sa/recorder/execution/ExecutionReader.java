@@ -19,8 +19,8 @@ import org.u2sa.recorder.mcap.McapReader;
 
 /**
  * Reads one execution from a recording, of one file or of several that follow one another, entry by
- * entry, and with it the messages that it is about. Holds some ten thousand messages at a time.
- * Belongs to one thread.
+ * entry, and with it the messages that it is about. Holds some ten thousand messages at a time, no
+ * more than fit in a quarter of the heap. Belongs to one thread.
  */
 final class ExecutionReader implements AutoCloseable {
   /** A part may come before messages that it refers to, where threads ran side by side. */
@@ -33,8 +33,8 @@ final class ExecutionReader implements AutoCloseable {
   private final String topic;
   private McapReader reader; // of the present file
   private McapCursor cursor;
-  private final Map<Long, McapMessage> near = new HashMap<>();
-  private final Deque<Long> nearInOrder = new ArrayDeque<>();
+  private final RecentlyRead near =
+      new RecentlyRead(ExecutionPart.REACH + 2 * AHEAD, Runtime.getRuntime().maxMemory() / 4);
   private final Deque<McapMessage> parts = new ArrayDeque<>();
   private PackedReader entries = new PackedReader(new byte[0]);
   private PackedReader places = new PackedReader(new byte[0]);
@@ -134,12 +134,7 @@ final class ExecutionReader implements AutoCloseable {
     if (channel(message.channelId()).topic().equals(topic)) {
       parts.add(message);
     } else {
-      long key = key(message.channelId(), message.sequence());
-      near.put(key, message);
-      nearInOrder.add(key);
-      if (nearInOrder.size() > ExecutionPart.REACH + 2 * AHEAD) {
-        near.remove(nearInOrder.remove());
-      }
+      near.add(message);
     }
     return true;
   }
@@ -148,19 +143,15 @@ final class ExecutionReader implements AutoCloseable {
     return channels.get(id);
   }
 
-  private static long key(long channelId, long sequence) {
-    return channelId << Integer.SIZE | sequence;
-  }
-
   private Next withMessage(ExecutionEntry entry) throws IOException {
     long channelId = places.number();
     if (channelId == ExecutionPart.HERE) {
       return new Next(entry, new RecordedMessage(codec, track(places.text()), places.bytes()));
     }
     long sequence = places.number();
-    McapMessage found = near.get(key(channelId, sequence));
+    McapMessage found = near.message(channelId, sequence);
     for (int i = 0; found == null && i < AHEAD && readOne(); i++) {
-      found = near.get(key(channelId, sequence));
+      found = near.message(channelId, sequence);
     }
     if (found == null) {
       throw new McapException(
