@@ -260,7 +260,12 @@ final class Avoidance {
   }
 
   private double reachedM(MotionLimits limits) {
-    return Math.min(0.25 * limits.lookAheadM(), 3.0 * settings.get().planningCell());
+    return Math.min(0.25 * limits.lookAheadM(), 3.0 * cellM());
+  }
+
+  /** Cell of the grid on which routes are planned at present [m]. */
+  private double cellM() {
+    return world.costs().frame().cellM();
   }
 
   private MotionLimits limits(Vehicle vehicle, Wanted wanted, AvoidanceSettings now) {
@@ -275,7 +280,7 @@ final class Avoidance {
         now.stops(),
         now.reverses(),
         lines.get().lookAheadM(vehicle.speedMps()),
-        now.touchM(),
+        now.touchM(cellM()),
         now.preferredClearance(),
         now.trafficClearance(),
         now.trafficHorizon(),
@@ -300,7 +305,7 @@ final class Avoidance {
             && Math.hypot(
                     track.get().northM(track.get().count() - 1) - goalNorthM,
                     track.get().eastM(track.get().count() - 1) - goalEastM)
-                > wanted.thresholdM() + now.planningCell();
+                > wanted.thresholdM() + cellM();
     boolean hopeless = track.isEmpty() && world.revision() == triedRevision;
     boolean lacking = track.isEmpty() && (searches || (due && !hopeless));
     revision = world.revision();
@@ -426,17 +431,13 @@ final class Avoidance {
     }
     routelessSince = micros;
     double remaining = track.get().remainingM();
-    if (remaining < leastRemainingM - PROGRESS_CELLS * now.planningCell()) {
+    if (remaining < leastRemainingM - PROGRESS_CELLS * cellM()) {
       leastRemainingM = remaining;
       progressMicros = micros;
     }
     Optional<String> circles =
         nearing.circles(
-            remaining,
-            PROGRESS_CELLS * now.planningCell(),
-            limits.speedMps(),
-            now.stuckAfter(),
-            micros);
+            remaining, PROGRESS_CELLS * cellM(), limits.speedMps(), now.stuckAfter(), micros);
     if (!now.stops() || circles.isPresent()) {
       return circles;
     }

@@ -72,6 +72,13 @@ record AvoidanceSettings(
     @Variable(
             unit = "m",
             min = 0,
+            ifAbsent = 0,
+            text =
+                "The same while routes may lead through passages in which the vehicle cannot turn, as cells narrow each passage; 0: PLANNING CELL.")
+        double narrowCell,
+    @Variable(
+            unit = "m",
+            min = 0,
             minExcluded = true,
             ifAbsent = 40,
             text = "Edge of the square around the vehicle in which obstacles are planned around.")
@@ -241,7 +248,11 @@ record AvoidanceSettings(
   /** Shape of the vehicle, including corners if passages may be hardly wider than it. */
   BodyDiscs body(boolean onTheSpot) {
     return onTheSpot || narrowestPassage > 0.0
-        ? BodyDiscs.closely(vehicleFront, vehicleRear, vehicleWidth, COVER_CELLS * planningCell)
+        ? BodyDiscs.closely(
+            vehicleFront,
+            vehicleRear,
+            vehicleWidth,
+            COVER_CELLS * Math.min(planningCell, cellM(true)))
         : new BodyDiscs(vehicleFront, vehicleRear, vehicleWidth);
   }
 
@@ -251,14 +262,16 @@ record AvoidanceSettings(
    * @param narrow whether routes may use every passage that it fits through
    */
   SeenWorld.Reading reading(boolean onTheSpot, boolean narrow) {
+    boolean isNarrow = onTheSpot && (narrow || narrowestPassage > 0.0);
     double radius = onTheSpot ? turningM() : body(false).radiusM() + clearance;
-    if (onTheSpot && (narrow || narrowestPassage > 0.0)) {
+    if (isNarrow) {
       radius = Math.min(radius, 0.5 * passageM());
     }
+    double cellM = cellM(isNarrow);
     return new SeenWorld.Reading(
-        planningCell,
+        cellM,
         planningSpan,
-        new Inflation(radius, radius + Math.max(inflation, planningCell), inflationCost),
+        new Inflation(radius, radius + Math.max(inflation, cellM), inflationCost),
         occupiedAbove,
         corridorType,
         types(),
@@ -268,6 +281,10 @@ record AvoidanceSettings(
   /** Whether some passages are wide enough to pass but not to turn in; used as a last resort. */
   boolean hasNarrower(boolean onTheSpot) {
     return onTheSpot && narrowestPassage == 0.0 && 0.5 * passageM() < turningM();
+  }
+
+  private double cellM(boolean narrow) {
+    return narrow && narrowCell > 0.0 ? narrowCell : planningCell;
   }
 
   private double turningM() {
@@ -287,8 +304,9 @@ record AvoidanceSettings(
         .collect(Collectors.toList());
   }
 
-  double touchM() {
-    return Math.min(0.5 * clearance, TOUCH_CELLS * planningCell);
+  /** Distance to an obstacle below which it is a collision, on cells of this size [m]. */
+  double touchM(double cellM) {
+    return Math.min(0.5 * clearance, TOUCH_CELLS * cellM);
   }
 
   boolean stops() {

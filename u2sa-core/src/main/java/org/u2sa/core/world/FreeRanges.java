@@ -105,6 +105,11 @@ final class FreeRanges {
     return line / Math.max(TINY, product * directions.gapSin(beam));
   }
 
+  /** Free length of a beam [m], with the margin of {@link #cut}. */
+  double of(int beam) {
+    return free[beam];
+  }
+
   /**
    * Free length of a beam [m].
    *

@@ -26,9 +26,14 @@ final class MarkedCells {
     if (!(column >= 0.0 && row >= 0.0 && column < side && row < side)) {
       return;
     }
-    int cell = (int) row * side + (int) column;
+    mark((int) row * side + (int) column);
+  }
+
+  /** Marks a cell of the window, unless it is marked already. */
+  void mark(int cell) {
     byte[] all = window.cells();
-    if (all[cell] == LogOdds.MARK || all[cell] == unchanged) {
+    byte held = all[cell];
+    if (held == unchanged || held == LogOdds.MARK) {
       return;
     }
     if (count == cells.length) {
@@ -36,7 +41,7 @@ final class MarkedCells {
       before = Arrays.copyOf(before, 2 * count);
     }
     cells[count] = cell;
-    before[count++] = all[cell];
+    before[count++] = held;
     all[cell] = LogOdds.MARK;
   }
 

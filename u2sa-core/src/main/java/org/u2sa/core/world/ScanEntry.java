@@ -1,5 +1,6 @@
 package org.u2sa.core.world;
 
+import java.nio.ByteBuffer;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,9 +33,16 @@ final class ScanEntry {
   /** A beam takes cells whose middle is up to half a cell beside it. */
   private static final double BEAM_MARGIN = MARGIN + 0.5;
 
+  /** Places in a row or column as integers: doubles would take most of a long beam's time. */
+  private static final int FRACTION_BITS = 32;
+
+  private static final double FRACTIONS = 1L << FRACTION_BITS;
+
   private final GridWindow window;
   private final LogOdds odds;
   private final PolygonFill polygon;
+  private final ByteBuffer eight; // the window's cells, compared eight at a time
+  private final long eightFreest;
   private final Map<String, FreeRanges> scanners = // by sensor, the one heard last at the end
       new LinkedHashMap<>(16, 0.75f, true) {
         @Override
@@ -49,6 +57,8 @@ final class ScanEntry {
     this.window = window;
     this.odds = odds;
     polygon = new PolygonFill(window.side());
+    eight = ByteBuffer.wrap(window.cells());
+    eightFreest = (odds.freest() & 0xFFL) * 0x0101_0101_0101_0101L;
     hits = new MarkedCells(window, LogOdds.MARK);
     passed = new MarkedCells(window, odds.freest());
   }
@@ -97,11 +107,18 @@ final class ScanEntry {
     byte[] cells = window.cells();
     byte[] passed = odds.passed();
     byte freest = odds.freest();
-    int last = row * window.side() + to;
-    for (int k = row * window.side() + from; k <= last; k++) {
-      byte cell = cells[k];
-      if (cell != freest) {
-        cells[k] = passed[cell - Byte.MIN_VALUE];
+    int end = row * window.side() + to + 1;
+    for (int k = row * window.side() + from; k < end; ) {
+      int block = Math.min(end, k + Long.BYTES);
+      if (block - k == Long.BYTES && eight.getLong(k) == eightFreest) {
+        k = block;
+        continue;
+      }
+      for (; k < block; k++) {
+        byte cell = cells[k];
+        if (cell != freest) {
+          cells[k] = passed[cell - Byte.MIN_VALUE];
+        }
       }
     }
   }
@@ -178,13 +195,17 @@ final class ScanEntry {
         double toY = directions.cos(i) * aheadY + directions.sin(i) * asideY;
         double after = i + 1 < to ? free.between(i + 1, window.resolution()) : 0.0;
         polygon.edge(lastX, lastY, x + before * toX, y + before * toY);
-        polygon.edge(x + before * toX, y + before * toY, x + after * toX, y + after * toY);
         lastX = x + after * toX;
         lastY = y + after * toY;
-        double near = Math.min(before, after);
-        double far = free.of(i, BEAM_MARGIN * window.resolution());
-        if (far - near > window.resolution()) {
-          along(toX, toY, near, far);
+        if (before != after) {
+          polygon.edge(x + before * toX, y + before * toY, lastX, lastY);
+        }
+        double near = Math.min(before, after) + window.resolution(); // less is not worth a line
+        if (free.of(i) > near) {
+          double far = free.of(i, BEAM_MARGIN * window.resolution());
+          if (far > near) {
+            along(toX, toY, near - window.resolution(), far);
+          }
         }
         before = after;
       }
@@ -193,21 +214,35 @@ final class ScanEntry {
 
     /** Marks cells between two ranges of a beam: of each column or row, the one it crosses. */
     private void along(double toX, double toY, double near, double far) {
+      int side = window.side();
       boolean isSteep = Math.abs(toY) > Math.abs(toX);
       double start = isSteep ? y : x;
       double pace = isSteep ? toY : toX; // cells a metre along the longer axis
-      double step = Math.signum(pace);
-      double middle = Math.floor(start + near * pace) + 0.5;
+      int step = pace > 0.0 ? 1 : -1;
       double slope = isSteep ? toX / toY : toY / toX;
-      double other = (isSteep ? x : y) + (middle - start) * slope;
-      double last = start + Math.min(far, 2.0 * window.side() / Math.abs(pace)) * pace;
-      for (; (last - middle) * step > 0.0; middle += step) {
-        if (isSteep) {
-          passed.mark(other, middle);
-        } else {
-          passed.mark(middle, other);
+      double nearest = Math.floor(start + near * pace); // column or row
+      double from = Math.max(0.0, step > 0 ? -nearest : nearest - (side - 1)); // in the window
+      double to =
+          Math.min(
+              Math.ceil((start + far * pace - nearest - 0.5) * step),
+              step > 0 ? side - nearest : nearest + 1.0);
+      if (!(from < to)) {
+        return;
+      }
+      double first = nearest + from * step;
+      double other = (isSteep ? x : y) + (first + 0.5 - start) * slope;
+      int stride = step * (isSteep ? side : 1);
+      int otherStride = isSteep ? 1 : side;
+      int cell = (int) first * (isSteep ? side : 1);
+      long across = (long) Math.floor(other * FRACTIONS);
+      long acrossStep = (long) (step * slope * FRACTIONS);
+      for (int left = (int) (to - from); left > 0; left--) {
+        int at = (int) (across >> FRACTION_BITS);
+        if (at >= 0 && at < side) {
+          passed.mark(cell + at * otherStride);
         }
-        other += step * slope;
+        cell += stride;
+        across += acrossStep;
       }
     }
 
