@@ -87,6 +87,10 @@ final class GridModeller implements Modeller {
       }
     }
 
+    ScanEntry.Band band() {
+      return new ScanEntry.Band(lowest, highest, freeWithoutEcho);
+    }
+
     int side() {
       return Math.max(1, (int) Math.round(gridSize / cellSize));
     }
@@ -140,9 +144,7 @@ final class GridModeller implements Modeller {
       SensorPose pose = poses.at(scan, 0.0);
       window.centre(pose.vehicle().x(), pose.vehicle().y());
     }
-    ScanEntry.Band band =
-        new ScanEntry.Band(tuning.lowest(), tuning.highest(), tuning.freeWithoutEcho());
-    beams += entry.enter(scan, poses, band, map.up());
+    beams += entry.enter(scan, poses, tuning.band(), map.up());
     scans++;
   }
 

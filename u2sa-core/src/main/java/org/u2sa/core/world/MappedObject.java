@@ -8,6 +8,16 @@ import org.u2sa.messages.frame.Point;
 
 /** One object of the map: what it is, where it is, and how certain it is that it exists. */
 final class MappedObject {
+  /** Where it is known from. */
+  enum Source {
+    /** The world file. */
+    FILE,
+    /** A sensor that makes out objects. */
+    SENSOR,
+    /** A scanner's echoes where nothing was before. */
+    ECHOES
+  }
+
   private static final double FALSE_ALARM = 0.1; // probability that a sighting is of nothing
   private static final double NEW = 0.5;
   private static final double SUREST = 0.999;
@@ -25,14 +35,16 @@ final class MappedObject {
   private int occasions;
   private boolean confirmed;
   private boolean moved;
+  private boolean scanned; // nothing but a scanner's echoes has shown it
   private int implausible; // sightings in a row
   private long filteredMicros;
   private long seenMicros;
 
   MappedObject(
-      String uid, Detection first, long micros, ObjectMapSettings settings, boolean fromFile) {
+      String uid, Detection first, long micros, ObjectMapSettings settings, Source source) {
     this.uid = uid;
-    this.fromFile = fromFile;
+    fromFile = source == Source.FILE;
+    scanned = source == Source.ECHOES;
     filter = filter(first, settings);
     filteredMicros = micros;
     see(first, micros);
@@ -47,6 +59,11 @@ final class MappedObject {
         at.velocity(),
         at.velocitySigma(),
         settings.assumptions(at.object().objectType()));
+  }
+
+  /** Whether it is more than echoes that stand, of which the grid tells as well. */
+  boolean isShown() {
+    return fromFile || !scanned || moved;
   }
 
   /** Carries the estimate on to a time; an earlier one changes nothing. */
@@ -72,7 +89,7 @@ final class MappedObject {
    *
    * @return whether it was taken
    */
-  boolean hit(Detection detection, long micros, ObjectMapSettings settings) {
+  boolean hit(Detection detection, long micros, Source source, ObjectMapSettings settings) {
     if (!fromFile) {
       if (isNear(detection, Point.ORIGIN, settings)) {
         filter.update(
@@ -86,6 +103,7 @@ final class MappedObject {
       implausible = 0;
       moved |= filter.isMoving();
     }
+    scanned &= source == Source.ECHOES;
     see(detection, micros);
     occasion(1);
     double probability = settings.detectionProbability();
@@ -170,7 +188,8 @@ final class MappedObject {
     if (!confirmed && occasions >= settings.confirmWindow()) {
       return true;
     }
-    double limit = filter.isMoving() ? settings.forgetMoving() : settings.forgetStanding();
+    double limit =
+        filter.isMoving() || scanned ? settings.forgetMoving() : settings.forgetStanding();
     boolean old = limit > 0.0 && Clock.seconds(nowMicros - seenMicros) > limit;
     return old || existence < GONE;
   }

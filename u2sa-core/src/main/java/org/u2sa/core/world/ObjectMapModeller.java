@@ -25,9 +25,11 @@ final class ObjectMapModeller implements Modeller {
   private static final int MAX_NUMBERED_CHARS = 900;
 
   private final Settings<ObjectMapSettings> settings;
+  private final Settings<GridModeller.Tuning> heights;
   private final List<MappedObject> tracks = new ArrayList<>();
   private final TrackReport report = new TrackReport();
   private final HiddenGround hidden = new HiddenGround();
+  private final ScannedMovers scanned = new ScannedMovers();
   private List<ObjectDescription> known = List.of();
   private long knownMicros;
   private MapFrame frame = MapFrame.BODY;
@@ -38,10 +40,15 @@ final class ObjectMapModeller implements Modeller {
 
   ObjectMapModeller(Configurator configuration) {
     settings = configuration.settings(ObjectMapSettings.class);
+    heights = configuration.settings(GridModeller.Tuning.class);
   }
 
   @Override
   public void objects(List<ObjectDescription> all, Sighting sighting) {
+    take(all, sighting, MappedObject.Source.SENSOR);
+  }
+
+  private void take(List<ObjectDescription> all, Sighting sighting, MappedObject.Source source) {
     ObjectMapSettings tuning = settings.get();
     List<ObjectDescription> seen =
         all.stream()
@@ -65,7 +72,7 @@ final class ObjectMapModeller implements Modeller {
     for (int i = 0; i < match.length; i++) {
       if (match[i] != SightingMatch.NONE) {
         MappedObject track = tracks.get(match[i]);
-        if (!track.hit(detections.get(i), sighting.micros(), tuning)) {
+        if (!track.hit(detections.get(i), sighting.micros(), source, tuning)) {
           misread++;
           continue;
         }
@@ -77,7 +84,7 @@ final class ObjectMapModeller implements Modeller {
     for (int i = 0; i < match.length; i++) {
       if (match[i] == SightingMatch.NONE
           && tracks.size() - known.size() < 2 * tuning.mostObjects()) {
-        begin(detections.get(i), sighting.micros(), tuning);
+        begin(detections.get(i), sighting.micros(), tuning, source);
       }
     }
     tidy(sighting.micros(), tuning);
@@ -89,9 +96,10 @@ final class ObjectMapModeller implements Modeller {
         && hidden.hides(place.x(), place.y(), Double.POSITIVE_INFINITY);
   }
 
-  private MappedObject begin(Detection detection, long micros, ObjectMapSettings tuning) {
+  private MappedObject begin(
+      Detection detection, long micros, ObjectMapSettings tuning, MappedObject.Source source) {
     MappedObject track =
-        new MappedObject(freeUid(detection.object().uid()), detection, micros, tuning, false);
+        new MappedObject(freeUid(detection.object().uid()), detection, micros, tuning, source);
     track.occasion(1);
     track.judge(tuning.confirmHits(), tuning.confirmWindow());
     tracks.add(track);
@@ -157,6 +165,12 @@ final class ObjectMapModeller implements Modeller {
         }
       }
     }
+    if (tuning.moversInScans()) {
+      List<ObjectDescription> moving = scanned.of(scan, poses, heights.get().band());
+      if (!moving.isEmpty()) {
+        take(moving, poses.first(), MappedObject.Source.ECHOES);
+      }
+    }
     tidy(poses.first().micros(), tuning);
   }
 
@@ -208,13 +222,18 @@ final class ObjectMapModeller implements Modeller {
         tracks.add(
             at++,
             new MappedObject(
-                freeUid(object.uid()), placed.get(), knownMicros, settings.get(), true));
+                freeUid(object.uid()),
+                placed.get(),
+                knownMicros,
+                settings.get(),
+                MappedObject.Source.FILE));
       }
     }
   }
 
   @Override
   public void enter(MapFrame newFrame, Sighting now) {
+    scanned.clear();
     List<MappedObject> before = new ArrayList<>(tracks);
     Sighting there = new Sighting(now.micros(), newFrame, now.vehicle());
     tracks.clear();
@@ -244,7 +263,7 @@ final class ObjectMapModeller implements Modeller {
     tidy(now.micros(), tuning);
     List<ObjectDescription> objects = new ArrayList<>();
     for (MappedObject track : List.copyOf(tracks)) {
-      if (track.isConfirmed()) {
+      if (track.isConfirmed() && track.isShown()) {
         try {
           track.predict(now.micros(), tuning);
           objects.add(report.of(track, frame, tuning, now.micros()));
@@ -287,7 +306,7 @@ final class ObjectMapModeller implements Modeller {
   public void handOver(HandOver state, Sighting now) {
     List<ObjectDescription> objects = new ArrayList<>();
     for (MappedObject track : tracks) {
-      if (track.isConfirmed() && !track.isFromFile()) {
+      if (track.isConfirmed() && track.isShown() && !track.isFromFile()) {
         objects.add(report.estimate(track, frame));
       }
     }
@@ -300,7 +319,10 @@ final class ObjectMapModeller implements Modeller {
     for (ObjectDescription object : state.messages("OBJECTS", ObjectDescription.class)) {
       Sighting sighting = new Sighting(now.micros(), frame, Optional.ofNullable(vehicle));
       Detection.of(object, sighting, settings.get().defaultSigma())
-          .ifPresent(detection -> begin(detection, now.micros(), settings.get()).confirm());
+          .ifPresent(
+              detection ->
+                  begin(detection, now.micros(), settings.get(), MappedObject.Source.SENSOR)
+                      .confirm());
     }
   }
 }

@@ -67,6 +67,11 @@ record ObjectMapSettings(
                 "OBJECTS: types of objects that scanners see, separated by commas, * for all: a scan through the place of such an object speaks against it.")
         String scannersSee,
     @Variable(
+            ifAbsentText = "true",
+            text =
+                "OBJECTS: whether echoes of scanners where earlier scans saw that nothing is are followed, and published once they are known to move.")
+        boolean moversInScans,
+    @Variable(
             unit = "m/s",
             min = 0,
             max = 1000,

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.world.MappedObject.Source;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
@@ -22,10 +23,10 @@ class MappedObjectTest {
           .get();
 
   private MappedObject standing(String type) {
-    MappedObject object = new MappedObject(type, at(0.0, type), 0, settings, false);
+    MappedObject object = new MappedObject(type, at(0.0, type), 0, settings, Source.SENSOR);
     for (int second = 1; second <= 20; second++) {
       object.predict(second * SECOND, settings);
-      assertThat(object.hit(at(0.0, type), second * SECOND, settings)).isTrue();
+      assertThat(object.hit(at(0.0, type), second * SECOND, Source.SENSOR, settings)).isTrue();
     }
     return object;
   }
@@ -41,10 +42,10 @@ class MappedObjectTest {
     MappedObject landmark = standing("landmark");
     for (int time = 1; time <= 3; time++) {
       landmark.predict((20 + 60 * time) * SECOND, settings);
-      assertThat(landmark.hit(at(6.0, "landmark"), (20 + 60 * time) * SECOND, settings)).isFalse();
+      assertThat(landmark.hit(at(6.0, "landmark"), (20 + 60 * time) * SECOND, Source.SENSOR, settings)).isFalse();
       assertThat(landmark.place().x()).isCloseTo(0.0, within(SIGMA));
     }
-    assertThat(landmark.hit(at(6.0, "landmark"), 261 * SECOND, settings)).isTrue();
+    assertThat(landmark.hit(at(6.0, "landmark"), 261 * SECOND, Source.SENSOR, settings)).isTrue();
     assertThat(landmark.place().x()).isEqualTo(6.0);
   }
 
@@ -53,7 +54,7 @@ class MappedObjectTest {
     MappedObject landmark = standing("landmark");
     for (int time = 0; time < 9; time++) {
       double x = time % 3 == 2 ? 0.0 : 6.0;
-      assertThat(landmark.hit(at(x, "landmark"), (21 + time) * SECOND, settings))
+      assertThat(landmark.hit(at(x, "landmark"), (21 + time) * SECOND, Source.SENSOR, settings))
           .isEqualTo(x == 0.0);
     }
   }
@@ -62,7 +63,7 @@ class MappedObjectTest {
   void hit_moverUnseenForLong_isWhereItIsSeenAgain() {
     MappedObject robot = standing("robot");
     robot.predict(50 * SECOND, settings);
-    assertThat(robot.hit(at(20.0, "robot"), 50 * SECOND, settings)).isTrue();
+    assertThat(robot.hit(at(20.0, "robot"), 50 * SECOND, Source.SENSOR, settings)).isTrue();
     assertThat(robot.place().x()).isEqualTo(20.0);
     assertThat(robot.filter().sigma().x()).isGreaterThanOrEqualTo(SIGMA);
   }
@@ -71,7 +72,7 @@ class MappedObjectTest {
   void hit_moverFartherThanItCanHaveGone_isRefused() {
     MappedObject robot = standing("robot");
     robot.predict(21 * SECOND, settings);
-    assertThat(robot.hit(at(6.0, "robot"), 21 * SECOND, settings)).isFalse();
+    assertThat(robot.hit(at(6.0, "robot"), 21 * SECOND, Source.SENSOR, settings)).isFalse();
     assertThat(robot.place().x()).isCloseTo(0.0, within(SIGMA));
   }
 }

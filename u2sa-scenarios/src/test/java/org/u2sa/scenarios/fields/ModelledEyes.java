@@ -17,9 +17,9 @@ import org.u2sa.sim.world.World;
 import org.u2sa.testkit.ServiceKit;
 
 /**
- * The World Modeler's grid and tracks of what a laser and a detector of objects measure ten times a
- * second, both with errors: the laser sees traffic too, the detector tells no velocities and gives
- * no names of their own.
+ * The World Modeler's grid and tracks of what a laser and perhaps a detector of objects measure ten
+ * times a second, both with errors: the laser sees traffic too, the detector tells no velocities
+ * and gives no names of their own.
  */
 final class ModelledEyes implements RoverEyes {
   private static final int LOOK_EVERY = 2;
@@ -32,17 +32,22 @@ final class ModelledEyes implements RoverEyes {
   private final RandomField field;
   private final World world;
   private final ServiceKit kit;
+  private final boolean detects;
   private final Random noise;
   private int step;
 
-  ModelledEyes(RandomField field, World world, ServiceKit kit, long seed) {
+  ModelledEyes(RandomField field, World world, ServiceKit kit, boolean detects) {
     this.field = field;
     this.world = world;
     this.kit = kit;
-    noise = new Random(seed);
+    this.detects = detects;
+    noise = new Random(field.seed);
     kit.withoutVariables(); // as in config/ugv/WorldModeler.xml
     kit.with("CELL SIZE", 0.1).with("GRID SIZE", 60.0).with("LOWEST", 0.05);
-    kit.with("SCANNERS SEE", "walker").with("FORGET STANDING", 10.0); // who stands may walk on
+    if (detects) {
+      kit.with("MOVERS IN SCANS", false);
+      kit.with("SCANNERS SEE", "walker").with("FORGET STANDING", 10.0); // who stands may walk on
+    }
     kit.start(WorldModeler::new);
   }
 
@@ -50,8 +55,8 @@ final class ModelledEyes implements RoverEyes {
   public void look(VehicleTruth truth) {
     if (step++ % LOOK_EVERY == 0) {
       kit.send(Channels.SCANS, scan(truth));
-      for (RandomField.Traffic other : field.traffic) {
-        detect(truth, other);
+      if (detects) {
+        field.traffic.forEach(other -> detect(truth, other));
       }
       kit.settle();
     }

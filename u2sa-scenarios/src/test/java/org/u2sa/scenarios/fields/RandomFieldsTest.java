@@ -11,7 +11,7 @@ class RandomFieldsTest {
 
   @Test
   void rover_someFields_noContactAndSolved() {
-    FieldSeries series = rover(false);
+    FieldSeries series = rover(RoverEyes.Kind.KNOWN);
     series.run(1, 6);
     series.check(NEARLY_ALL);
   }
@@ -46,7 +46,7 @@ class RandomFieldsTest {
   @Test
   @Tag("long")
   void rover_twoHundredFields_noContactAndNearlyAllSolved() {
-    FieldSeries series = rover(false);
+    FieldSeries series = rover(RoverEyes.Kind.KNOWN);
     series.run(1000, 1200);
     series.check(NEARLY_ALL);
   }
@@ -54,7 +54,7 @@ class RandomFieldsTest {
   @Test
   @Tag("long")
   void rover_seesByTheWorldModeler_noContactAndNearlyAllSolved() {
-    FieldSeries series = rover(true);
+    FieldSeries series = rover(RoverEyes.Kind.DETECTOR);
     series.run(1000, 1040);
     series.check(NEARLY_ALL);
   }
@@ -75,11 +75,11 @@ class RandomFieldsTest {
     series.check(NEARLY_ALL);
   }
 
-  private static FieldSeries rover(boolean modelled) {
+  private static FieldSeries rover(RoverEyes.Kind sees) {
     return new FieldSeries(
         RoverRun.KIND,
         field -> {
-          try (RoverRun run = new RoverRun(field, modelled)) {
+          try (RoverRun run = new RoverRun(field, sees)) {
             return run.run();
           }
         },

@@ -62,9 +62,9 @@ final class RoverRun implements AutoCloseable {
           c -> contacts.add(c.object().uid() + " at " + Math.round(10.0 * c.timeS()) / 10.0));
 
   /**
-   * @param modelled whether the World Modeler tells of the surroundings, instead of the truth
+   * @param sees what tells of the surroundings
    */
-  RoverRun(RandomField field, boolean modelled) {
+  RoverRun(RandomField field, RoverEyes.Kind sees) {
     this.field = field;
     World world = World.at(new Geodetic(8.0, 50.0, 0.0)).with(field.obstacles);
     vehicle =
@@ -78,9 +78,9 @@ final class RoverRun implements AutoCloseable {
     kit.with("LEFT ACTUATOR", "LEFT MOTOR").with("RIGHT ACTUATOR", "RIGHT MOTOR");
     kit.start(DifferentialPursuitControl::new);
     eyes =
-        modelled
-            ? new ModelledEyes(field, world, kit, field.seed)
-            : new KnownEyes(field, world, kit);
+        sees == RoverEyes.Kind.KNOWN
+            ? new KnownEyes(field, world, kit)
+            : new ModelledEyes(field, world, kit, sees == RoverEyes.Kind.DETECTOR);
   }
 
   FieldResult run() {

@@ -34,14 +34,14 @@ class WalkerTest {
     field.traffic.add(new RandomField.Traffic(ends, WALKER_M, mps, 0.0));
   }
 
-  private FieldResult drive(boolean modelled) {
-    try (RoverRun run = new RoverRun(field, modelled)) {
+  private FieldResult drive(RoverEyes.Kind sees) {
+    try (RoverRun run = new RoverRun(field, sees)) {
       return run.run();
     }
   }
 
-  private void requireReached(boolean modelled) {
-    FieldResult result = drive(modelled);
+  private void requireReached(RoverEyes.Kind sees) {
+    FieldResult result = drive(sees);
     assertThat(result.contacts()).isEmpty();
     assertThat(result.reason()).isEmpty();
     assertThat(result.reached()).isTrue();
@@ -51,7 +51,7 @@ class WalkerTest {
   @CsvSource({"0.3, 0.0", "0.3, 0.25", "1.5, 0.0", "1.5, 0.25", "1.5, -0.25"})
   void headOn_asWorldModelerSeesHim_isNotDrivenInto(double mps, double aside) {
     walks(at(wayM + 3.0, aside), at(-40.0, aside), mps);
-    requireReached(true);
+    requireReached(RoverEyes.Kind.DETECTOR);
   }
 
   @ParameterizedTest
@@ -59,16 +59,32 @@ class WalkerTest {
   void crossing_asWorldModelerSeesHim_isNotDrivenInto(double mps, double laterS) {
     double meetS = 2.0 + 0.5 * wayM / ROVER_MPS + laterS;
     walks(at(0.5 * wayM, mps * meetS), at(0.5 * wayM, -60.0), mps);
-    requireReached(true);
+    requireReached(RoverEyes.Kind.DETECTOR);
   }
 
   @ParameterizedTest
   @CsvSource({"0.0", "0.25", "0.5"})
   void headOn_fastAndItsVelocityKnown_isNotTouched(double aside) {
     walks(at(wayM + 3.0, aside), at(-40.0, aside), 1.5);
-    FieldResult result = drive(false);
+    FieldResult result = drive(RoverEyes.Kind.KNOWN);
     assertThat(result.contacts()).isEmpty();
     assertThat(result.touchedBy()).isEmpty();
     assertThat(result.reached()).isTrue();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.3, 0.0", "1.0, 0.25", "1.5, 0.0"})
+  void headOn_asALaserAloneSeesHim_isNotDrivenInto(double mps, double aside) {
+    walks(at(wayM + 3.0, aside), at(-40.0, aside), mps);
+    requireReached(RoverEyes.Kind.LASER);
+  }
+
+  /** Half of these were driven into while only the grid showed them. */
+  @ParameterizedTest
+  @CsvSource({"0.6, 0.0", "0.6, -0.75", "1.0, 0.0", "1.0, 0.75", "1.5, -0.75", "1.5, 0.75"})
+  void crossing_asALaserAloneSeesHim_isNotDrivenInto(double mps, double laterS) {
+    double meetS = 2.0 + 0.5 * wayM / ROVER_MPS + laterS;
+    walks(at(0.5 * wayM, mps * meetS), at(0.5 * wayM, -60.0), mps);
+    requireReached(RoverEyes.Kind.LASER);
   }
 }

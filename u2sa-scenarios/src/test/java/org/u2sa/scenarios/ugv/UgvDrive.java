@@ -38,6 +38,7 @@ final class UgvDrive implements AutoCloseable {
   private final Mission mission;
   private final List<Double> misses = new ArrayList<>();
   final UgvWorld world;
+  final Walkers walkers = new Walkers(); // whom the laser sees besides the obstacles
   final TestOperator operator;
 
   /** One loop by {@code config/ugv/system.xml}. */
@@ -83,7 +84,10 @@ final class UgvDrive implements AutoCloseable {
             .override("CommunicationManager", "BROKER", "none")
             .override("SafetyManager", "ARM AT START", armAtStart)
             .making(IoioService.class, context -> new IoioService(context, world.connection()))
-            .making(LidarSensor.class, context -> new LidarSensor(context, world.laser(seed)));
+            .making(
+                LidarSensor.class,
+                context ->
+                    new LidarSensor(context, walkers.seenBy(world.laser(seed), world::truth)));
     world.sensors(seed).receiver(scene.receiver().parameters()).attach(options);
     more.accept(options);
     running = RunningSystem.start(SystemFile.read(system), options);
@@ -129,6 +133,7 @@ final class UgvDrive implements AutoCloseable {
   void drive(double seconds) throws InterruptedException {
     clock.advance(Clock.micros(seconds));
     noteMisses();
+    walkers.look(world.truth());
   }
 
   /** Fails if it does not come to that. */
