@@ -9,7 +9,8 @@ import org.u2sa.messages.frame.Point;
  * Sides of the lane that the vehicle has driven in, also where no line was seen beside it. At each
  * driven place the lines to the left and to the right are looked for square to the way. Where one
  * is missing, the lane goes on as wide as it was: between two places where both lines are known,
- * and as far as the other line leads. Metres from the map's anchor.
+ * and as far as the other line leads within a lane's width of the way. Metres from the map's
+ * anchor.
  */
 final class DrivenLane {
   private static final double STEP_M = 0.3; // from one place to the next
@@ -126,6 +127,10 @@ final class DrivenLane {
         widthM = place.left.seenM + place.right.seenM;
       }
       place.set(widthM, !Double.isNaN(widthM) && i > 0 ? places.get(i - 1) : null);
+      if (place.isOutside()) {
+        widthM = Double.NaN;
+        place.set(widthM, null);
+      }
     }
   }
 

@@ -43,13 +43,18 @@ final class LanePlace {
     }
     double leftM = left.seenM;
     double rightM = right.seenM;
-    if (!Double.isNaN(leftM) && Double.isNaN(rightM)) {
+    if (leftM < widthM && Double.isNaN(rightM)) {
       left.awayM = leftM;
       right.awayM = widthM - leftM;
-    } else if (Double.isNaN(leftM) && !Double.isNaN(rightM)) {
+    } else if (Double.isNaN(leftM) && rightM < widthM) {
       left.awayM = widthM - rightM;
       right.awayM = rightM;
     }
+  }
+
+  /** Whether the vehicle has passed an inferred side: it is in another place than the lane. */
+  boolean isOutside() {
+    return left.awayM <= 0.0 || right.awayM <= 0.0;
   }
 
   /** Whether both sides of the lane are known, seen or inferred. */

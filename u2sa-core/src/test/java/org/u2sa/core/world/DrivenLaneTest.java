@@ -90,6 +90,35 @@ class DrivenLaneTest {
     assertThat(sides()).noneMatch(p -> p.x() > 1.6);
   }
 
+  /** As in no-man's land: the way leads away from the only line, through where its lane was. */
+  private void leaveThroughTheMissingSide() {
+    line(true, -6.0, 20.0, 2.0);
+    line(true, -6.0, 0.0, -2.0);
+    drive(-5.0, 0.0);
+    for (double x = 0.0; x <= 9.0; x += 0.1) {
+      lane.at(Point.of(x, -0.45 * x, 0.0), 0L);
+    }
+  }
+
+  @Test
+  void sides_vehicleHasPassedTheMissingSide_theLaneEnds() {
+    leaveThroughTheMissingSide();
+    assertThat(sides()).isNotEmpty().allSatisfy(p -> assertThat(p.x()).isLessThan(5.5));
+  }
+
+  @Test
+  void wayBack_vehicleHasPassedTheMissingSide_liesAcrossTheLane() {
+    leaveThroughTheMissingSide();
+    for (double x = 9.0; x <= 12.0; x += 0.1) {
+      lane.at(Point.of(x, -0.45 * x, 0.0), 0L);
+    }
+    sides();
+    assertThat(lane.wayBack())
+        .hasSize(2)
+        .anySatisfy(p -> assertThat(p.y() + 0.45 * p.x()).isPositive())
+        .anySatisfy(p -> assertThat(p.y() + 0.45 * p.x()).isNegative());
+  }
+
   @Test
   void sides_onlyOneLineEverSeen_isNoLane() {
     line(false, -6.0, 20.0, 2.0);
