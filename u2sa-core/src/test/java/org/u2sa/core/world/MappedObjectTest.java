@@ -42,7 +42,9 @@ class MappedObjectTest {
     MappedObject landmark = standing("landmark");
     for (int time = 1; time <= 3; time++) {
       landmark.predict((20 + 60 * time) * SECOND, settings);
-      assertThat(landmark.hit(at(6.0, "landmark"), (20 + 60 * time) * SECOND, Source.SENSOR, settings)).isFalse();
+      assertThat(
+              landmark.hit(at(6.0, "landmark"), (20 + 60 * time) * SECOND, Source.SENSOR, settings))
+          .isFalse();
       assertThat(landmark.place().x()).isCloseTo(0.0, within(SIGMA));
     }
     assertThat(landmark.hit(at(6.0, "landmark"), 261 * SECOND, Source.SENSOR, settings)).isTrue();
