@@ -11,6 +11,7 @@ final class Fuser {
   private static final double TRACK_AFTER_S = 3.0;
   private static final double FLUID_FRESH_S = 2.0;
   private static final double SPEED_FRESH_S = 2.0;
+  private static final double STANDING_MPS = 0.1; // by the wheels
   private static final double READABLE_SIGMAS = 3.0;
 
   private final FilterTuning tuning;
@@ -103,7 +104,7 @@ final class Fuser {
       return;
     }
     int at = trust.of(s, source, quantity);
-    int slot = persistent.slot(s, m, quantity, source);
+    int slot = persistent.slot(s, m, quantity, source, at);
     int delay = delays.slot(s, quantity, source);
     if (starts.begin(s, m, quantity, at, slot)) {
       DelayErrors.share(s, delay);
@@ -128,6 +129,9 @@ final class Fuser {
     if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
       QuantityStart.shift(s, model, quantity, at);
     }
+    if (SpeedDoubt.isOfPosition(quantity)) {
+      searchHeading(s, source);
+    }
     PersistentErrors.look(s, m, quantity, model, slot);
     DelayErrors.look(s, m, quantity, model, delay);
     double factor = SourceTrust.factor(s, at);
@@ -149,19 +153,23 @@ final class Fuser {
     if (nis > gates[model.rows]) {
       boolean mustGiveWay = judge.gated(s, model, source, quantity, at);
       boolean isAlone = !judge.isCorroborated(s, source, quantity);
-      if (SpeedDoubt.isOfPosition(quantity) && isAlone && doubts.isRaised(s, model, source, at)) {
+      boolean isJump = false;
+      double wanderRate = persistent.wanderRate(s, slot);
+      if (SpeedDoubt.isOfPosition(quantity)
+          && isAlone
+          && doubts.isRaised(s, model, source, at, wanderRate)) {
         mustGiveWay = true;
       } else if (mustGiveWay) {
         QuantityStart.doubt(s, quantity, at);
+        isJump = PersistentErrors.isPosition(slot) && s.hasHeading && MotionInput.drivesSpeed(s);
       }
-      if (mustGiveWay) {
+      if (mustGiveWay && isJump) {
+        PersistentErrors.jumped(s, model, slot, at);
+      } else if (mustGiveWay) {
         starts.reset(s, m, quantity, at, slot);
         DelayErrors.share(s, delay);
       }
     } else if (SourceJudge.passes(s, at)) {
-      if (SpeedDoubt.isOfPosition(quantity)) {
-        searchHeading(s, at);
-      }
       if (isInput) {
         motion.take(s, m, source, quantity, model, factor);
         count(s, at, SourceTrust.USED);
@@ -173,12 +181,12 @@ final class Fuser {
   }
 
   /** Positions and wheels together tell a heading that nothing measures. */
-  private void searchHeading(FilterState s, int at) {
+  private void searchHeading(FilterState s, int source) {
     if (!s.hasHeading && model.rows == 2) {
       double north = model.predicted[0] + model.innovation[0];
       double east = model.predicted[1] + model.innovation[1];
-      double variance = SourceTrust.factor(s, at) * Math.max(model.variance[0], model.variance[1]);
-      HeadingSearch.position(s, north, east, variance);
+      double variance = Math.max(model.variance[0], model.variance[1]);
+      HeadingSearch.position(s, source, north, east, variance, tuning.positionCorrelationS());
     }
   }
 
@@ -235,14 +243,20 @@ final class Fuser {
     }
   }
 
-  /** Where nothing measures the heading, a moving vehicle is taken to look where it goes. */
+  /**
+   * Where nothing measures the heading, a moving vehicle is taken to look where it goes. Where only
+   * positions tell its velocity, and wheels turn, {@link HeadingSearch} knows better.
+   */
   private void headingOfMotion(FilterState s) {
     double vn = s.x[FilterState.V];
     double ve = s.x[FilterState.V + 1];
     double speed = Math.sqrt(vn * vn + ve * ve);
     double sigma =
         Math.sqrt(Math.max(s.variance(FilterState.VELOCITY), s.variance(FilterState.VELOCITY + 1)));
-    if (s.hasHeading || speed < tuning.domain().trackSpeedMps() || sigma > 0.3 * speed) {
+    boolean isMeasured = (s.micros - s.velocityMicros) / MICROS < SPEED_FRESH_S;
+    boolean isSearched = !isMeasured && Math.abs(HeadingSearch.forwardMps(s)) > STANDING_MPS;
+    boolean isSlow = speed < tuning.domain().trackSpeedMps();
+    if (s.hasHeading || isSearched || isSlow || sigma > 0.3 * speed) {
       s.movingMicros = s.micros;
     } else if ((s.micros - s.movingMicros) / MICROS >= TRACK_AFTER_S) {
       double of = Math.max(TRACK_SIGMA_RAD, sigma / speed);

@@ -132,7 +132,27 @@ final class KalmanUpdate {
         p[touched[b] * N + i] = p[i * N + touched[b]];
       }
     }
+    constrain(state);
     correct(state);
+  }
+
+  /**
+   * Moves the correction to the most likely one whose delays are possible, along the covariance
+   * (projection of the estimate, Simon 2010): to cut only the delay would leave its share of the
+   * innovation to other states.
+   */
+  private void constrain(FilterState state) {
+    for (int slot = 0; slot < DelayErrors.SLOTS; slot++) {
+      int delay = FilterState.DELAY + slot;
+      double seconds = state.x[FilterState.DELAYS + slot] + dx[delay];
+      double over = seconds - DelayErrors.possible(seconds);
+      if (over != 0.0 && state.delaySource[slot] != FilterState.NO_SOURCE) {
+        double by = over / state.variance(delay);
+        for (int i = 0; i < N; i++) {
+          dx[i] -= by * state.p.data[delay * N + i];
+        }
+      }
+    }
   }
 
   /** A number of the product of a matrix of columns and a square one. */

@@ -13,6 +13,11 @@ import java.util.Arrays;
  * as it claims, however often it says the same. But where other sensors know how the vehicle moved
  * and turned, a wandering error cannot draw the estimate along, and what was known better, once, is
  * not forgotten.
+ *
+ * <p>Where wheels know how the vehicle moves, they also show by how much a position source wanders,
+ * and its variance is learnt by expectation maximisation: the mean of b² + P, estimated error and
+ * its variance (Shumway and Stoffer 1982). Only more than the claim is believed. A receiver that
+ * takes reflections for signals is off by several times what it claims.
  */
 final class PersistentErrors {
   static final int NONE = -1;
@@ -26,6 +31,8 @@ final class PersistentErrors {
 
   private static final double OUTGROWN = 9.0; // variance over that of the newest claim
 
+  private static final double MEMORY = 4.0; // time constants over which a variance is learnt
+  private static final double LARGEST = 4.0; // multiple of the variance that one error shows
   private static final double NEW_VARIANCE = NEW_SHARE * NEW_SHARE;
 
   private final double positionS;
@@ -43,8 +50,8 @@ final class PersistentErrors {
     return sources;
   }
 
-  private static boolean isPosition(int slot) {
-    return slot < POSITION_SOURCES;
+  static boolean isPosition(int slot) {
+    return slot != NONE && slot < POSITION_SOURCES;
   }
 
   private static int size(int slot) {
@@ -63,9 +70,10 @@ final class PersistentErrors {
   /**
    * Which slot holds the source's error, from now on if none did.
    *
+   * @param at where the numbers of the source's quantity begin in {@link SourceTrust}
    * @return NONE if errors of that quantity do not persist, or all slots are taken
    */
-  int slot(FilterState s, Measurement m, SensedQuantity quantity, int source) {
+  int slot(FilterState s, Measurement m, SensedQuantity quantity, int source, int at) {
     int from = quantity == SensedQuantity.PLACE ? 0 : POSITION_SOURCES;
     int to = quantity == SensedQuantity.PLACE ? POSITION_SOURCES : SLOTS;
     boolean isKind = quantity == SensedQuantity.PLACE || quantity == SensedQuantity.HEADING;
@@ -75,7 +83,10 @@ final class PersistentErrors {
     for (int slot = from; slot < to; slot++) {
       boolean isFree = s.persistentSource[slot] == FilterState.NO_SOURCE;
       if (isFree || s.persistentSource[slot] == source) {
-        note(s, m, quantity, slot);
+        if (isPosition(slot) && !isFree) {
+          learn(s, slot, at);
+        }
+        note(s, m, quantity, slot, Math.max(1.0, s.trust[at + SourceTrust.WANDER]));
         if (isFree || isOutgrown(s, slot)) {
           s.persistentSource[slot] = source;
           begin(s, slot);
@@ -86,13 +97,53 @@ final class PersistentErrors {
     return NONE;
   }
 
-  private static void note(FilterState s, Measurement m, SensedQuantity quantity, int slot) {
+  /** E(b² + P) of what the filter knows of the error, as a multiple of the claimed variance. */
+  private void learn(FilterState s, int slot, int at) {
+    double[] t = s.trust;
+    double seconds = (s.micros - t[at + SourceTrust.WANDER_MICROS]) * 1e-6;
+    t[at + SourceTrust.WANDER_MICROS] = s.micros;
+    if (!s.hasHeading || !MotionInput.drivesSpeed(s) || seconds > positionS) {
+      return;
+    }
+    double known = Math.max(1.0, t[at + SourceTrust.WANDER]);
+    double shown = 0.0;
+    for (int i = first(slot); i < first(slot) + size(slot); i++) {
+      double error = s.x[FilterState.PERSISTENT_ERRORS + i];
+      shown += (error * error + s.variance(FilterState.PERSISTENT + i)) / size(slot);
+    }
+    shown *= known / s.x[FilterState.PERSISTENT_VARIANCE + slot];
+    double learnt = Math.min(MEMORY * positionS, t[at + SourceTrust.WANDER_S] + seconds);
+    double share = seconds / (positionS + learnt); // the claim is worth a time constant
+    double before = Math.max(t[at + SourceTrust.WANDER], learnt == seconds ? 1.0 : 0.0);
+    t[at + SourceTrust.WANDER_S] = learnt;
+    t[at + SourceTrust.WANDER] = before + share * (Math.min(shown, LARGEST * known) - before);
+  }
+
+  /**
+   * Positions contradict for good what the wheels say, and stand beside it: the source's error has
+   * jumped by as much, or the estimate is off by as much. Both become as uncertain.
+   */
+  static void jumped(FilterState s, MeasurementModel model, int slot, int at) {
+    double[] n = model.innovation;
+    double by = (n[0] * n[0] + n[1] * n[1]) / 2.0;
+    double known = Math.max(1.0, s.trust[at + SourceTrust.WANDER]);
+    double claimed = s.x[FilterState.PERSISTENT_VARIANCE + slot] / known;
+    s.trust[at + SourceTrust.WANDER] = Math.max(known, by / claimed);
+    s.trust[at + SourceTrust.STREAK] = 0.0;
+    for (int i = 0; i < 2; i++) {
+      s.p.data[(FilterState.POSITION + i) * (FilterState.N + 1)] += by;
+      s.p.data[(FilterState.PERSISTENT + first(slot) + i) * (FilterState.N + 1)] += by;
+    }
+  }
+
+  private static void note(
+      FilterState s, Measurement m, SensedQuantity quantity, int slot, double wander) {
     double claim = 0.0;
     for (int i = 0; i < size(slot); i++) {
       double sigma = m.has(quantity, i) ? m.sigma(quantity, i) : 0.0;
       claim = Math.max(claim, sigma * sigma);
     }
-    s.x[FilterState.PERSISTENT_VARIANCE + slot] = (1.0 - NEW_VARIANCE) * claim;
+    s.x[FilterState.PERSISTENT_VARIANCE + slot] = (1.0 - NEW_VARIANCE) * claim * wander;
   }
 
   /** Whether the source has claimed much more before: that error is over. */
@@ -160,11 +211,17 @@ final class PersistentErrors {
     }
   }
 
+  /** Variance by which a slot's errors change, of each axis and in each second [m²/s]. */
+  double wanderRate(FilterState s, int slot) {
+    boolean persists = slot != NONE && timeConstantS(slot) > 0.0;
+    return persists ? 2.0 * s.x[FilterState.PERSISTENT_VARIANCE + slot] / timeConstantS(slot) : 0.0;
+  }
+
   /** Lets the errors wander: driven by 2 σ² / τ they keep their σ. */
   void wander(FilterState s, double dt) {
     for (int slot = 0; slot < SLOTS; slot++) {
-      if (timeConstantS(slot) > 0.0 && s.persistentSource[slot] != FilterState.NO_SOURCE) {
-        double q = 2.0 * s.x[FilterState.PERSISTENT_VARIANCE + slot] / timeConstantS(slot);
+      if (s.persistentSource[slot] != FilterState.NO_SOURCE) {
+        double q = wanderRate(s, slot);
         for (int i = first(slot); i < first(slot) + size(slot); i++) {
           s.p.data[(FilterState.PERSISTENT + i) * (FilterState.N + 1)] += q * dt;
         }

@@ -51,7 +51,10 @@ final class SourceTrust {
   static final int RESET_MICROS = 28; // when the estimate last began anew from it; 0: never
   static final int DOUBT_MPS = 29; // by how much positions contradict this speed; 0: not
   static final int DOUBT_MEAN = 30; // mean innovation since: three
-  private static final int QUANTITY_SIZE = 33;
+  static final int WANDER = 33; // true over claimed variance of its persistent error; 0: unknown
+  static final int WANDER_S = 34; // for how long it was learnt
+  static final int WANDER_MICROS = 35; // when it was learnt last
+  private static final int QUANTITY_SIZE = 36;
 
   private static final double PRIOR = 10.0; // innovations that the claim is worth
   private static final double LARGEST = 25.0; // multiple of the variance that one innovation shows

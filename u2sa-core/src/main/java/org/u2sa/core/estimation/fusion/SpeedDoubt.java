@@ -43,9 +43,10 @@ final class SpeedDoubt {
   /**
    * Looks at a position that was refused, and that no other supports.
    *
+   * @param wanderRate variance by which its error changes in each second, of each axis [m²/s]
    * @return whether speed or heading are now taken for wrong
    */
-  boolean isRaised(FilterState s, MeasurementModel model, int source, int at) {
+  boolean isRaised(FilterState s, MeasurementModel model, int source, int at, double wanderRate) {
     double[] t = s.trust;
     double seconds = (s.micros - t[at + SourceTrust.STREAK_SINCE]) * 1e-6;
     if (model.rows != 2 || t[at + SourceTrust.STREAK] < 3.0 || seconds < SHORTEST_S) {
@@ -55,7 +56,7 @@ final class SpeedDoubt {
     double east = (model.innovation[1] - t[at + SourceTrust.STREAK_FIRST + 1]) / seconds;
     double drift = Math.hypot(north, east);
     double variance = SourceTrust.factor(s, at) * (model.variance[0] + model.variance[1]);
-    double sigma = Math.sqrt(variance) / seconds;
+    double sigma = Math.sqrt(variance + 2.0 * wanderRate * seconds) / seconds;
     double vn = s.x[FilterState.V] + north;
     double ve = s.x[FilterState.V + 1] + east;
     double speed = Math.hypot(s.x[FilterState.V], s.x[FilterState.V + 1]);
