@@ -51,7 +51,9 @@ final class SourceTrust {
   static final int RESET_MICROS = 28; // when the estimate last began anew from it; 0: never
   static final int DOUBT_MPS = 29; // by how much positions contradict this speed; 0: not
   static final int DOUBT_MEAN = 30; // mean innovation since: three
-  private static final int QUANTITY_SIZE = 33;
+  static final int STREAK_NEWEST = 33; // newest innovation of the streak: two
+  static final int STREAK_JUMP = 35; // largest change from one of its innovations to the next
+  private static final int QUANTITY_SIZE = 36;
 
   private static final double PRIOR = 10.0; // innovations that the claim is worth
   private static final double LARGEST = 25.0; // multiple of the variance that one innovation shows
