@@ -54,7 +54,9 @@ final class SourceTrust {
   static final int WANDER = 33; // true over claimed variance of its persistent error; 0: unknown
   static final int WANDER_S = 34; // for how long it was learnt
   static final int WANDER_MICROS = 35; // when it was learnt last
-  private static final int QUANTITY_SIZE = 36;
+  static final int STREAK_NEWEST = 36; // newest innovation of the streak: two
+  static final int STREAK_JUMP = 38; // largest change from one of its innovations to the next
+  private static final int QUANTITY_SIZE = 39;
 
   private static final double PRIOR = 10.0; // innovations that the claim is worth
   private static final double LARGEST = 25.0; // multiple of the variance that one innovation shows

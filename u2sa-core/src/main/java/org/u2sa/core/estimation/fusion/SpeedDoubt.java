@@ -12,6 +12,7 @@ final class SpeedDoubt {
       2.5; // standard deviations, after several that were refused
   private static final double MIN_MPS = 0.5; // a receiver's error wanders slower
   private static final double MIN_SHARE = 0.5; // of the speed
+  private static final double JUMP_SHARE = 0.7; // of a difference: what grows has no such step
   private static final double SAME_SPEED = 0.4; // share by which two speeds may differ
   private static final double MEMORY_S = 6.0; // of the mean by which a doubted speed is judged
   private static final double HEADING_SIGMA_RAD = 0.2;
@@ -61,7 +62,10 @@ final class SpeedDoubt {
     double ve = s.x[FilterState.V + 1] + east;
     double speed = Math.hypot(s.x[FilterState.V], s.x[FilterState.V + 1]);
     double least = Math.max(MIN_MPS, MIN_SHARE * Math.max(speed, Math.hypot(vn, ve)));
-    if (drift < least || drift < UNLIKELY * sigma) {
+    double jump = t[at + SourceTrust.STREAK_JUMP];
+    boolean isNoise = jump < UNLIKELY * Math.sqrt(2.0 * variance);
+    boolean isJump = !isNoise && jump > JUMP_SHARE * drift * seconds;
+    if (isJump || drift < least || drift < UNLIKELY * sigma) {
       return false;
     }
     if (isOtherWay(s, vn, ve)) {

@@ -22,6 +22,7 @@ class ContradictionTest {
   private double gpsSigma = 1.0;
   private double claim = 1.0;
   private double persistS; // of the receiver's error; 0: each is new
+  private double reflectionM; // of the receiver's signals
   private boolean hasCompass = true;
   private boolean hasTurnRate = true;
 
@@ -52,7 +53,8 @@ class ContradictionTest {
     wanderNorth = kept * wanderNorth + fresh * random.nextGaussian();
     double wanderEast = gpsSigma * (persistS > 0.0 ? 0.1 : 1.0) * random.nextGaussian();
     Geodetic at =
-        SimulatedMotion.HOME.fromNed(Point.of(north + wanderNorth, east + wanderEast, 0.0));
+        SimulatedMotion.HOME.fromNed(
+            Point.of(north + wanderNorth + reflectionM, east + wanderEast, 0.0));
     filter.add(m.begin("GPS", micros).place(at.latitudeDeg(), at.longitudeDeg(), claim, claim));
   }
 
@@ -83,6 +85,22 @@ class ContradictionTest {
     drive(40.0, 2.0, 2.0);
     assertThat(filter.sources().at(micros).toString()).contains("source=Wheels, standing=USED");
     assertThat(off()).isLessThan(2.5);
+  }
+
+  /** A second reflection, while the first is refused. */
+  @Test
+  void add_receiverJumpsTwice_wheelsAreBelievedMeanwhile() {
+    gpsSigma = 0.05;
+    claim = 0.35;
+    drive(60.0, 0.8, 0.8);
+    worst = 0.0;
+    reflectionM = 1.5;
+    drive(0.8, 0.8, 0.8);
+    reflectionM = 3.0;
+    drive(3.0, 0.8, 0.8);
+    assertThat(filter.sources().at(micros).toString()).doesNotContain("standing=BIASED");
+    assertThat(worst).isLessThan(0.6);
+    assertThat(filter.resets()).isZero();
   }
 
   /** A receiver whose errors persist may walk away for a while, too: it takes some 8 s to tell. */
