@@ -234,11 +234,13 @@ final class ScanEntry {
       int stride = step * (isSteep ? side : 1);
       int otherStride = isSteep ? 1 : side;
       int cell = (int) first * (isSteep ? side : 1);
+      byte[] cells = window.cells();
+      byte freest = odds.freest(); // most cells: not worth a call
       long across = (long) Math.floor(other * FRACTIONS);
       long acrossStep = (long) (step * slope * FRACTIONS);
       for (int left = (int) (to - from); left > 0; left--) {
         int at = (int) (across >> FRACTION_BITS);
-        if (at >= 0 && at < side) {
+        if (at >= 0 && at < side && cells[cell + at * otherStride] != freest) {
           passed.mark(cell + at * otherStride);
         }
         cell += stride;

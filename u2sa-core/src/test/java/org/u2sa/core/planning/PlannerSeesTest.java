@@ -77,13 +77,17 @@ class PlannerSeesTest extends PlannedVehicle {
 
   /** What the way costs of a vehicle 0.92 m wide to behind a wall with a gap of 1.25 m. */
   private double costThroughAGap(double narrowestPassageM, double wallReachesM) {
+    driveToAGap(narrowestPassageM, wallReachesM);
+    return path().cost().orElseThrow();
+  }
+
+  private void driveToAGap(double narrowestPassageM, double wallReachesM) {
     kit.with("PLANNER", "GRID").with("CLEARANCE", 0.03).with("INFLATION COST", 0.0);
     kit.with("VEHICLE FRONT", 0.4).with("VEHICLE REAR", 0.2).with("VEHICLE WIDTH", 0.92);
     kit.with("NARROWEST PASSAGE", narrowestPassageM).start(PathPlanner::new);
     goals(waypoint("1", 10, 0));
     see(wall("west", -wallReachesM, -0.625), wall("east", 0.625, wallReachesM));
     drive(10, 0, 0, 0);
-    return path().cost().orElseThrow();
   }
 
   @Test
@@ -99,6 +103,21 @@ class PlannerSeesTest extends PlannedVehicle {
   @Test
   void state_gapTooNarrowToTurnInButNoNarrowerThanThePassage_goesThrough() {
     assertThat(costThroughAGap(1.0, 8.0)).isBetween(9.9, 10.5);
+  }
+
+  @Test
+  void state_gapThatOnlyFineCellsShow_isFoundOnNarrowCells() {
+    kit.with("PLANNING CELL", 0.25).with("NARROW CELL", 0.05);
+
+    assertThat(costThroughAGap(0.0, 25.0)).isBetween(9.9, 10.5);
+  }
+
+  @Test
+  void state_gapThatOnlyFineCellsShowAndNoNarrowCells_findsNoWay() {
+    kit.with("PLANNING CELL", 0.25);
+    driveToAGap(0.0, 25.0);
+
+    assertThat(path().cost()).isEmpty();
   }
 
   @Test

@@ -3,10 +3,13 @@ package org.u2sa.core.world;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
@@ -164,6 +167,34 @@ class ScanEntryTest {
     assertThat(at(grid, 6.0, 0.0)).isEqualTo((byte) -8);
     Point between = Point.polar(0.25, 0.0, 6.0);
     assertThat(at(grid, between.x(), between.y())).isEqualTo(OccupancyGrid.UNKNOWN);
+  }
+
+  @Test
+  void enter_beamsFarApartBeyondTheWindow_freesOneCellOfEachRowOrColumnOnTheirWay() {
+    double[] far = new double[36];
+    Arrays.fill(far, 40.0);
+    OccupancyGrid grid = enter(scan(0.01, Math.PI / 18.0, far).maxRange(50.0), vehicle(0, 0, 0));
+
+    Set<Integer> expected = new HashSet<>();
+    for (int beam = 0; beam < far.length; beam++) {
+      double x = Math.cos(0.01 + beam * Math.PI / 18.0);
+      double y = -Math.sin(0.01 + beam * Math.PI / 18.0); // LOCAL_NED's y is to the right
+      double longer = Math.max(Math.abs(x), Math.abs(y));
+      for (int cell = 10; cell < 150; cell++) { // from where the beams are more than a cell apart
+        double way = (cell + 0.5) / longer;
+        int column = 150 + (int) Math.floor(way * x);
+        int row = 150 + (int) Math.floor(way * y);
+        expected.add(300 * row + column);
+      }
+    }
+    Set<Integer> free = new HashSet<>();
+    for (int k = 0; k < 300 * 300; k++) {
+      boolean isNear = Math.abs(k % 300 - 149.5) < 10.0 && Math.abs(k / 300 - 149.5) < 10.0;
+      if (!isNear && grid.cell(k % 300, k / 300) != OccupancyGrid.UNKNOWN) {
+        free.add(k);
+      }
+    }
+    assertThat(free).isEqualTo(expected);
   }
 
   @Test
