@@ -6,7 +6,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionPart;
 import org.u2sa.recorder.mcap.McapChannel;
@@ -21,7 +23,14 @@ import org.u2sa.recorder.mcap.McapWriter;
 final class RecordedChannels {
   private static final int MOST = 0xFFFF; // numbers have 16 bits
 
+  /**
+   * Of these, the channels for sources and types of any name, of which somebody may invent tens of
+   * thousands. The rest is for the standard ones.
+   */
+  private static final int MAX_OF_ANY_NAME = MOST - 4_096;
+
   private final Map<String, Track> tracks = new HashMap<>();
+  private final Map<MessageType<?>, byte[]> texts = new HashMap<>();
   private final Map<String, McapSchema> schemas = new HashMap<>();
   private int file;
 
@@ -47,15 +56,26 @@ final class RecordedChannels {
 
   /** The channel of a message as it is: its topic at a broker. */
   Track of(String systemId, Channel<?> channel, U2SAData message) {
-    String topic = Topic.of(systemId, channel, message).toString();
+    Topic its = Topic.of(systemId, channel, message);
+    String topic = its.toString();
     Track known = tracks.get(topic);
     if (known != null) {
       return known;
     }
     List<String> chain = message.typeChain();
     String name = chain.get(chain.size() - 1);
+    boolean isStandard =
+        its.source().isEmpty()
+            && name.equals(message.type().name())
+            && Channels.named(channel.name()).isPresent();
+    if (!isStandard && tracks.size() >= MAX_OF_ANY_NAME) {
+      throw new IllegalStateException(
+          "a recording cannot have more than " + MAX_OF_ANY_NAME + " channels of any name");
+    }
     // A type unknown here is described as the nearest known ancestor; its bytes hold all fields.
-    byte[] text = SchemaText.of(message.type()).getBytes(StandardCharsets.UTF_8);
+    byte[] text =
+        texts.computeIfAbsent(
+            message.type(), type -> SchemaText.of(type).getBytes(StandardCharsets.UTF_8));
     return add(topic, "cbor", name, "jsonschema", text, Map.of("channel", channel.name()));
   }
 

@@ -13,6 +13,7 @@ import java.nio.file.StandardOpenOption;
 /** A disk with so much room for further bytes; writes what fits, then fails. */
 final class SmallDisk implements RecordingFiles.Disk {
   long room;
+  volatile int forced; // how often
   volatile int failuresToCome; // unexpected ones, of whatever is asked of the disk
 
   SmallDisk(long room) {
@@ -80,6 +81,7 @@ final class SmallDisk implements RecordingFiles.Disk {
     public void force(boolean metaData) throws IOException {
       failUnexpectedly();
       file.force(metaData);
+      forced++;
     }
 
     @Override

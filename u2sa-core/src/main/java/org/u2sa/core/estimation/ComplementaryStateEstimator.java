@@ -115,6 +115,9 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
   @Override
   protected Optional<StateInformation> estimate(StateInformation sensed) {
+    if (isFromTheFuture(sensed)) { // everything else would be too late from then on
+      return Optional.empty();
+    }
     long measuredAt = sensed.timestamp().orElseThrow();
     if (micros != Long.MIN_VALUE && micros - measuredAt > Clock.micros(tuning.staleAfter())) {
       ignore(sensed, "is later than STALE AFTER");

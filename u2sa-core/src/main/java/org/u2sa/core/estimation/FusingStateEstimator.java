@@ -37,7 +37,6 @@ public final class FusingStateEstimator extends StateEstimator {
   private static final String STATE = "STATE";
   private static final long REPORT_MICROS = 500_000L;
   private static final int REPORTS_REMEMBERED = 10;
-  private static final double FUTURE_S = 0.5; // clocks of sensors may differ by so much
   private static final int WARN_OF_LATE = 100;
   private static final double OWN_FIELDS_FRESH_S = 2.0;
   private static final String START = "start"; // of the source that the surveyed start is
@@ -77,8 +76,7 @@ public final class FusingStateEstimator extends StateEstimator {
   protected Optional<StateInformation> estimate(StateInformation sensed) {
     long now = clock().micros();
     long micros = sensed.timestamp().orElseThrow();
-    if (Clock.seconds(micros - now) > FUTURE_S) {
-      ignore(sensed, "is from the future");
+    if (isFromTheFuture(sensed)) {
       return Optional.empty();
     }
     try {

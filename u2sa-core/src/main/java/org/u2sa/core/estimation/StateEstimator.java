@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
@@ -20,6 +21,7 @@ import org.u2sa.service.ServiceRole;
  * and so are those of sensors beyond the first 32.
  */
 public abstract class StateEstimator extends EventDrivenService {
+  private static final double FUTURE_S = 0.5; // clocks of sensors may differ by this much
   private static final int WARN_OF_IGNORED = 100;
   private static final int MAX_SOURCES = 32; // each costs time and memory in every estimate
 
@@ -71,6 +73,16 @@ public abstract class StateEstimator extends EventDrivenService {
     if (ignored++ % WARN_OF_IGNORED == 0) {
       trouble("ignored a measurement of " + sensed.sensorName() + ", which " + why);
     }
+  }
+
+  /** Whether a measurement is to be ignored because its time is still to come; people are told. */
+  final boolean isFromTheFuture(StateInformation sensed) {
+    double aheadS = Clock.seconds(sensed.timestamp().orElseThrow() - clock().micros());
+    if (aheadS <= FUTURE_S) {
+      return false;
+    }
+    ignore(sensed, "is from the future");
+    return true;
   }
 
   private void publishEstimate(StateInformation estimate, StateInformation sensed) {

@@ -89,6 +89,22 @@ class ComplementaryStateEstimatorTest {
   }
 
   @Test
+  void callback_fixesFromTheFuture_areIgnoredAndTheOthersGoOnCounting() {
+    kit.start(ComplementaryStateEstimator::new);
+    drive(
+        10.0,
+        () -> {
+          fix("GPS", 0.25, 0.0);
+          fix("GPS ahead", -3_600.0, 50.0);
+        });
+
+    assertThat(offM().x()).isCloseTo(0.0, within(0.05));
+    assertThat(state().timestamp()).hasValue(kit.clock().micros());
+    assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError))
+        .hasValueSatisfying(said -> assertThat(said).contains("GPS ahead", "future"));
+  }
+
+  @Test
   void callback_fixOlderThanStaleAfter_isIgnoredAndHealthSaysSo() {
     kit.start(ComplementaryStateEstimator::new);
     drive(1.0, () -> fix("GPS", 3.0, 0.0));
