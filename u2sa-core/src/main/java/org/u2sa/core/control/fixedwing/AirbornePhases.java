@@ -6,6 +6,7 @@ import org.u2sa.service.HandOver;
 /** The airborne phases: climb-out, cruise, holding and go-around. */
 final class AirbornePhases {
   private static final double NEAR_GROUND_M = 10.0;
+  private static final double HEIGHT_FIRST_BELOW = 0.5; // of the safe height
 
   private final Tuning tuning;
   private final GuidanceParameters guidance;
@@ -65,7 +66,13 @@ final class AirbornePhases {
     double low = Limit.within(0.0, 2.0 - state.heightM() / NEAR_GROUND_M, 1.0);
     double lower = Math.toRadians(climb.climbOutPitchLowerLimit());
     double least = lower + low * Math.max(0.0, rotation.pitchRad() - lower);
-    return surfaces(state, bank, Math.toRadians(climb.climbOutBankLimit()), true, least, dtS);
+    return surfaces(
+        state,
+        bank,
+        Math.toRadians(climb.climbOutBankLimit()),
+        EnergyLaw.Priority.SPEED,
+        least,
+        dtS);
   }
 
   /**
@@ -88,7 +95,7 @@ final class AirbornePhases {
         state,
         bank,
         Math.toRadians(guidance.bankLimit()),
-        false,
+        EnergyLaw.Priority.BOTH,
         Math.toRadians(guidance.pitchLowerLimit()),
         dtS);
   }
@@ -96,7 +103,7 @@ final class AirbornePhases {
   /**
    * Climbs to the safe height and follows navigation laterally there. Near the ground bank is
    * limited, whatever navigation demands, and the speed is above approach speed, because landings
-   * are refused in strong wind, whose gusts cost airspeed.
+   * are refused in strong wind, whose gusts cost airspeed. Down there height comes before speed.
    */
   Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
     altitudeDemandM = Math.max(target.altitudeM(), safeAltitudeM(state));
@@ -104,12 +111,15 @@ final class AirbornePhases {
     double calibratedMps = target.speedMps().orElse(0.0) / state.trueOverCalibrated();
     speedDemandMps =
         Math.max(calibratedMps, guidance.cruiseSpeed()) + guidance.gustShare() * wind.speedMps();
+    if (state.climbMps() < 0.0) {
+      energy.levelOff();
+    }
     double share = Limit.within(0.0, state.heightM() / tuning.takeOff().safeHeight(), 1.0);
     return surfaces(
         state,
         lateral.bankRad(state, target.northM(), target.eastM()),
         share * share * Math.toRadians(guidance.bankLimit()),
-        false,
+        share < HEIGHT_FIRST_BELOW ? EnergyLaw.Priority.HEIGHT : EnergyLaw.Priority.BOTH,
         Math.toRadians(guidance.pitchLowerLimit()),
         dtS);
   }
@@ -118,7 +128,7 @@ final class AirbornePhases {
       FlightState state,
       double bank,
       double bankLimit,
-      boolean speedOnly,
+      EnergyLaw.Priority priority,
       double leastPitch,
       double dtS) {
     double limit = Math.min(bankLimit, stall.bankLimitRad(state));
@@ -135,7 +145,7 @@ final class AirbornePhases {
             new EnergyLaw.Demand(
                 altitudeDemandM,
                 speedDemandMps * state.trueOverCalibrated(),
-                speedOnly,
+                priority,
                 Math.min(leastPitch, most),
                 most),
             stall.urgency(state),

@@ -18,12 +18,30 @@ final class EnergyLaw {
    *
    * @param altitudeM altitude above mean sea level [m]
    * @param airspeedMps true airspeed [m/s]
-   * @param speedOnly whether pitch controls airspeed alone, at full throttle: climb-out
+   * @param priority what pitch controls
    * @param least minimum pitch [rad]
    * @param most maximum pitch [rad]
    */
   record Demand(
-      double altitudeM, double airspeedMps, boolean speedOnly, double least, double most) {}
+      double altitudeM, double airspeedMps, Priority priority, double least, double most) {}
+
+  /** What pitch controls. */
+  enum Priority {
+    /** Airspeed alone, at full throttle: climb-out. */
+    SPEED(2.0),
+    /** Altitude and airspeed alike. */
+    BOTH(1.0),
+    /**
+     * Altitude alone, at full throttle, as long as there is speed to spare: close to the ground.
+     */
+    HEIGHT(0.0);
+
+    private final double speedShare; // of two that altitude and airspeed have together
+
+    Priority(double speedShare) {
+      this.speedShare = speedShare;
+    }
+  }
 
   private final EnergyParameters parameters;
   private double filteredAirspeed = Double.NaN;
@@ -45,6 +63,11 @@ final class EnergyLaw {
     throttle = newThrottle;
     pitchIntegral = newPitch - flightPath(state);
     throttleIntegral = newThrottle;
+  }
+
+  /** Ends a descent at once instead of gradually. */
+  void levelOff() {
+    climbDemand = Math.max(0.0, climbDemand);
   }
 
   void handOver(HandOver state) {
@@ -90,14 +113,15 @@ final class EnergyLaw {
                 parameters.accelerationLimit())
             / Gravity.STANDARD_MPS2;
 
-    double speedShare = demand.speedOnly() ? 2.0 : 1.0 + urgency; // of the two that are shared out
+    double usual = demand.priority().speedShare;
+    double speedShare = usual + (2.0 - usual) * urgency;
     double heightShare = 2.0 - speedShare;
     throttle =
         throttle(
             state,
             pathDemand + accelerationDemand,
             path + acceleration,
-            demand.speedOnly() ? 1.0 : urgency,
+            demand.priority() == Priority.BOTH ? urgency : 1.0,
             dtS);
     pitch =
         pitch(

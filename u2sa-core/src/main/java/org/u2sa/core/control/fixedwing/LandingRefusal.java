@@ -18,6 +18,9 @@ final class LandingRefusal {
   /** Closer to the flare, a descent cannot become a climb before touchdown [m]. */
   private static final double COMMITTED_ABOVE_FLARE_M = 6.0;
 
+  /** Upward acceleration that ends a descent [m/s²]. */
+  private static final double PULL_UP_MPS2 = 2.0;
+
   private final double maxCrosswindMps;
   private final double safeHeightM;
   private final double committedHeightM;
@@ -48,12 +51,18 @@ final class LandingRefusal {
     if (refused) {
       refused = ledToM < safeHeightM;
     } else if (ledToM < JUDGED_BELOW_M
-        && state.heightM() > committedHeightM
+        && state.heightM() > committedHeightM + pullUpM(state)
         && approach.isKnown()) {
       crosswindMps = wind.acrossMps(approach.courseRad());
       refused = Math.abs(crosswindMps) > maxCrosswindMps;
     }
     return refused;
+  }
+
+  /** Height that it takes to end the descent [m]. */
+  private static double pullUpM(FlightState state) {
+    double sinkMps = Math.max(0.0, -state.climbMps());
+    return sinkMps * sinkMps / (2.0 * PULL_UP_MPS2);
   }
 
   /** The reason, and what the aircraft does instead. */

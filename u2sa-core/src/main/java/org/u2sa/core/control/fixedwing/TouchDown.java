@@ -49,7 +49,7 @@ final class TouchDown {
               unit = "m/s",
               min = 0,
               max = 20,
-              ifAbsent = 15,
+              ifAbsent = 13,
               text =
                   "Maximum crosswind for landing, as felt by the aircraft; in more it stays at SAFE HEIGHT.")
           double maxCrosswind) {}

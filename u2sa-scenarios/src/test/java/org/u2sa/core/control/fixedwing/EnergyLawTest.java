@@ -87,6 +87,6 @@ class EnergyLawTest {
   }
 
   private static EnergyLaw.Demand demand(double altitudeM, double airspeedMps) {
-    return new EnergyLaw.Demand(altitudeM, airspeedMps, false, LEAST, MOST);
+    return new EnergyLaw.Demand(altitudeM, airspeedMps, EnergyLaw.Priority.BOTH, LEAST, MOST);
   }
 }
