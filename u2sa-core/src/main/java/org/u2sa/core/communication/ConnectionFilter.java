@@ -8,6 +8,7 @@ import io.netty.channel.ChannelOption;
 import io.netty.channel.WriteBufferWaterMark;
 import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
 import io.netty.util.AttributeKey;
+import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
@@ -54,6 +55,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final Refusals refusals;
   private final Users users; // null grants everyone full access
   private final Authenticator authenticator; // null likewise
+  private final Encryption encryption; // null: plain text
   private final byte[] pass = newPass();
   private final AtomicLong kept = new AtomicLong();
   private final PendingConnections<ClientSession> pending = new PendingConnections<>();
@@ -75,12 +77,25 @@ final class ConnectionFilter implements AutoCloseable {
   private final MessageRouter router;
   private volatile boolean ending;
 
-  /**
-   * @param users the known users; null lets anyone connect without a password
-   */
+  /** Without encryption. */
   ConnectionFilter(
       BrokerLimits limits, MessageCodec codec, Clock clock, Users users, Consumer<String> log) {
+    this(limits, codec, clock, users, null, log);
+  }
+
+  /**
+   * @param users the known users; null lets anyone connect without a password
+   * @param encryption closed with this; null for plain text
+   */
+  ConnectionFilter(
+      BrokerLimits limits,
+      MessageCodec codec,
+      Clock clock,
+      Users users,
+      Encryption encryption,
+      Consumer<String> log) {
     this.limits = limits;
+    this.encryption = encryption;
     this.codec = codec;
     this.clock = clock;
     this.users = users;
@@ -183,6 +198,12 @@ final class ConnectionFilter implements AutoCloseable {
       session.inflow(inflow);
       for (String unused : MOQUETTES_OBSERVERS) {
         ctx.pipeline().remove(unused);
+      }
+      if (encryption != null) {
+        encryption.addTo(
+            ctx.pipeline(),
+            new TlsRecords(ConnectionFilter.this, session),
+            pending.isKnown(((InetSocketAddress) ctx.channel().remoteAddress()).getAddress()));
       }
       ctx.pipeline().addFirst(new ReceivedBytes(session, inflow));
       ctx.pipeline()
@@ -393,6 +414,9 @@ final class ConnectionFilter implements AutoCloseable {
   public void close() {
     if (authenticator != null) {
       authenticator.close();
+    }
+    if (encryption != null) {
+      encryption.close();
     }
   }
 }
