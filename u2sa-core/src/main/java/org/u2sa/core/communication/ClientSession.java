@@ -324,6 +324,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     }
     user = known.get();
     name = user.name();
+    if (isOperator()) { // of the account, not anybody
+      filter.pending().proven(this);
+    }
     admit(ctx, said);
   }
 

@@ -9,6 +9,7 @@ import io.netty.channel.WriteBufferWaterMark;
 import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
 import io.netty.util.AttributeKey;
 import java.net.InetSocketAddress;
+import java.net.SocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
@@ -41,6 +42,18 @@ final class ConnectionFilter implements AutoCloseable {
   static final AttributeKey<Boolean> FILTERED = AttributeKey.valueOf("u2sa-filtered");
 
   private static final long ACCEPT_AGAIN_AFTER_MS = 200;
+
+  /** Connections accepted per second from networks that are not known, see {@link AcceptRate}. */
+  static final double ACCEPTED_PER_S = 2_000.0;
+
+  static final double ENCRYPTED_PER_S = 200.0; // each costs milliseconds
+
+  /** Connections beyond that which are refused per second; others wait, unseen. */
+  private static final double REFUSED_PER_S = 10_000.0;
+
+  private static final double REFUSED_AT_ONCE = 100.0;
+
+  private static final long REFUSE_AGAIN_AFTER_MS = 10;
 
   private static final int LEAST_READ = 512;
 
@@ -144,9 +157,23 @@ final class ConnectionFilter implements AutoCloseable {
 
   /** First handler of the listening socket's pipeline; receives each new connection. */
   final class Acceptor extends ChannelInboundHandlerAdapter {
+    private final AcceptRate rate =
+        new AcceptRate(encryption == null ? ACCEPTED_PER_S : ENCRYPTED_PER_S, nowMicros());
+    private final Allowance refused = new Allowance(REFUSED_PER_S, REFUSED_AT_ONCE, nowMicros());
+
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
+      if (isTooMuch(child.remoteAddress())) { // before anything is built for it
+        refusals.add(
+            "connection refused, too many a second", String.valueOf(child.remoteAddress()));
+        child.unsafe().closeForcibly();
+        refused.take(1.0, nowMicros());
+        if (!refused.isOpen(nowMicros())) {
+          pause(ctx, REFUSE_AGAIN_AFTER_MS);
+        }
+        return;
+      }
       // Pending and admitted connections are counted apart; this bounds both together.
       if (open.incrementAndGet() > limits.clientsAtMost() + 2 * BrokerLimits.PENDING || ending) {
         open.decrementAndGet();
@@ -179,12 +206,20 @@ final class ConnectionFilter implements AutoCloseable {
     @Override
     public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
       refusals.add("connection not accepted", Refusals.shown(String.valueOf(cause.getMessage())));
+      pause(ctx, ACCEPT_AGAIN_AFTER_MS);
+    }
+
+    private boolean isTooMuch(SocketAddress from) {
+      return from instanceof InetSocketAddress address
+          && !rate.accepts(
+              address.getAddress(), pending.isKnown(address.getAddress()), nowMicros());
+    }
+
+    private static void pause(ChannelHandlerContext ctx, long milliseconds) {
       ctx.channel().config().setAutoRead(false);
       ctx.executor()
           .schedule(
-              () -> ctx.channel().config().setAutoRead(true),
-              ACCEPT_AGAIN_AFTER_MS,
-              TimeUnit.MILLISECONDS);
+              () -> ctx.channel().config().setAutoRead(true), milliseconds, TimeUnit.MILLISECONDS);
     }
   }
 

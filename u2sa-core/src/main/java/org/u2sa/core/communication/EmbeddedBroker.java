@@ -1,5 +1,6 @@
 package org.u2sa.core.communication;
 
+import io.moquette.BrokerConstants;
 import io.moquette.broker.Server;
 import io.moquette.broker.config.IConfig;
 import io.moquette.broker.config.MemoryConfig;
@@ -23,6 +24,8 @@ import org.u2sa.messages.schema.MessageCodec;
  * local ones go out.
  */
 final class EmbeddedBroker implements AutoCloseable {
+  private static final String BACKLOG = "1024"; // connections not accepted yet
+
   private final LocalBus bus;
   private final Consumer<String> log;
   private final InetSocketAddress address;
@@ -91,6 +94,7 @@ final class EmbeddedBroker implements AutoCloseable {
     Properties properties = new Properties();
     properties.setProperty(IConfig.HOST_PROPERTY_NAME, address.getHostString());
     properties.setProperty(IConfig.PORT_PROPERTY_NAME, String.valueOf(address.getPort()));
+    properties.setProperty(BrokerConstants.NETTY_SO_BACKLOG_PROPERTY_NAME, BACKLOG);
     properties.setProperty(
         IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // the connection filter names all
     properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");

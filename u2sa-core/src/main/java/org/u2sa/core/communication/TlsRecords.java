@@ -16,7 +16,7 @@ import java.util.List;
  */
 final class TlsRecords extends ByteToMessageDecoder {
   /** Records without data that may come at once; a handshake needs about five. */
-  static final int WITHOUT_DATA_AT_ONCE = 32;
+  static final int WITHOUT_DATA_AT_ONCE = 12;
 
   private static final double WITHOUT_DATA_PER_S = 8.0 / 60.0; // clients rarely renew their keys
 
