@@ -119,8 +119,9 @@ final class BrokerSecurity {
     return directory != null;
   }
 
-  SslContext tls() {
-    return tls;
+  /** Encryption for a broker's connections; null if they are in plain text. */
+  Encryption encryption() {
+    return tls == null ? null : new Encryption(tls);
   }
 
   /** The known users; null if anyone may connect without a password. */

@@ -184,6 +184,11 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     return stage == Stage.STRANGER;
   }
 
+  /** Whether nothing that it sends counts any more. */
+  boolean isOut() {
+    return stage == Stage.OUT;
+  }
+
   /** Ends the connection. May be called on any thread. */
   void putOutFor(String kind) {
     ChannelHandlerContext ctx = context;
@@ -206,7 +211,8 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     if (stage != Stage.OUT) {
       stage = Stage.OUT;
       filter.refusals().add(kind, who() + (details.isEmpty() ? "" : ", " + details));
-      ctx.close();
+      // Past the encryption, which would wait until the client has read its goodbye.
+      ctx.pipeline().firstContext().close();
     }
   }
 
@@ -318,6 +324,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     }
     user = known.get();
     name = user.name();
+    if (isOperator()) { // of the account, not anybody
+      filter.pending().proven(this);
+    }
     admit(ctx, said);
   }
 

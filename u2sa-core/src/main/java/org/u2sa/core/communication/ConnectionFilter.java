@@ -8,6 +8,8 @@ import io.netty.channel.ChannelOption;
 import io.netty.channel.WriteBufferWaterMark;
 import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
 import io.netty.util.AttributeKey;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
@@ -41,6 +43,18 @@ final class ConnectionFilter implements AutoCloseable {
 
   private static final long ACCEPT_AGAIN_AFTER_MS = 200;
 
+  /** Connections accepted per second from networks that are not known, see {@link AcceptRate}. */
+  static final double ACCEPTED_PER_S = 2_000.0;
+
+  static final double ENCRYPTED_PER_S = 200.0; // each costs milliseconds
+
+  /** Connections beyond that which are refused per second; others wait, unseen. */
+  private static final double REFUSED_PER_S = 10_000.0;
+
+  private static final double REFUSED_AT_ONCE = 100.0;
+
+  private static final long REFUSE_AGAIN_AFTER_MS = 10;
+
   private static final int LEAST_READ = 512;
 
   private static final double TOTAL_BURST_S = 0.01; // how long a flood may delay other clients
@@ -54,6 +68,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final Refusals refusals;
   private final Users users; // null grants everyone full access
   private final Authenticator authenticator; // null likewise
+  private final Encryption encryption; // null: plain text
   private final byte[] pass = newPass();
   private final AtomicLong kept = new AtomicLong();
   private final PendingConnections<ClientSession> pending = new PendingConnections<>();
@@ -75,12 +90,25 @@ final class ConnectionFilter implements AutoCloseable {
   private final MessageRouter router;
   private volatile boolean ending;
 
-  /**
-   * @param users the known users; null lets anyone connect without a password
-   */
+  /** Without encryption. */
   ConnectionFilter(
       BrokerLimits limits, MessageCodec codec, Clock clock, Users users, Consumer<String> log) {
+    this(limits, codec, clock, users, null, log);
+  }
+
+  /**
+   * @param users the known users; null lets anyone connect without a password
+   * @param encryption closed with this; null for plain text
+   */
+  ConnectionFilter(
+      BrokerLimits limits,
+      MessageCodec codec,
+      Clock clock,
+      Users users,
+      Encryption encryption,
+      Consumer<String> log) {
     this.limits = limits;
+    this.encryption = encryption;
     this.codec = codec;
     this.clock = clock;
     this.users = users;
@@ -131,9 +159,23 @@ final class ConnectionFilter implements AutoCloseable {
 
   /** First handler of the listening socket's pipeline; receives each new connection. */
   final class Acceptor extends ChannelInboundHandlerAdapter {
+    private final AcceptRate rate =
+        new AcceptRate(encryption == null ? ACCEPTED_PER_S : ENCRYPTED_PER_S, nowMicros());
+    private final Allowance refused = new Allowance(REFUSED_PER_S, REFUSED_AT_ONCE, nowMicros());
+
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
+      if (isTooMuch(child.remoteAddress())) { // before anything is built for it
+        refusals.add(
+            "connection refused, too many a second", String.valueOf(child.remoteAddress()));
+        child.unsafe().closeForcibly();
+        refused.take(1.0, nowMicros());
+        if (!refused.isOpen(nowMicros())) {
+          pause(ctx, REFUSE_AGAIN_AFTER_MS);
+        }
+        return;
+      }
       // Pending and admitted connections are counted apart; this bounds both together.
       if (open.incrementAndGet() > limits.clientsAtMost() + 2 * BrokerLimits.PENDING || ending) {
         open.decrementAndGet();
@@ -166,12 +208,20 @@ final class ConnectionFilter implements AutoCloseable {
     @Override
     public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
       refusals.add("connection not accepted", Refusals.shown(String.valueOf(cause.getMessage())));
+      pause(ctx, ACCEPT_AGAIN_AFTER_MS);
+    }
+
+    private boolean isTooMuch(SocketAddress from) {
+      return from instanceof InetSocketAddress address
+          && !rate.accepts(
+              address.getAddress(), pending.isKnown(address.getAddress()), nowMicros());
+    }
+
+    private static void pause(ChannelHandlerContext ctx, long milliseconds) {
       ctx.channel().config().setAutoRead(false);
       ctx.executor()
           .schedule(
-              () -> ctx.channel().config().setAutoRead(true),
-              ACCEPT_AGAIN_AFTER_MS,
-              TimeUnit.MILLISECONDS);
+              () -> ctx.channel().config().setAutoRead(true), milliseconds, TimeUnit.MILLISECONDS);
     }
   }
 
@@ -185,6 +235,12 @@ final class ConnectionFilter implements AutoCloseable {
       session.inflow(inflow);
       for (String unused : MOQUETTES_OBSERVERS) {
         ctx.pipeline().remove(unused);
+      }
+      if (encryption != null) {
+        encryption.addTo(
+            ctx.pipeline(),
+            new TlsRecords(ConnectionFilter.this, session),
+            pending.isKnown(((InetSocketAddress) ctx.channel().remoteAddress()).getAddress()));
       }
       ctx.pipeline().addFirst(new ReceivedBytes(session, inflow));
       ctx.pipeline()
@@ -395,6 +451,9 @@ final class ConnectionFilter implements AutoCloseable {
   public void close() {
     if (authenticator != null) {
       authenticator.close();
+    }
+    if (encryption != null) {
+      encryption.close();
     }
   }
 }

@@ -24,6 +24,8 @@ import org.u2sa.messages.schema.MessageCodec;
  * local ones go out.
  */
 final class EmbeddedBroker implements AutoCloseable {
+  private static final String BACKLOG = "1024"; // connections not accepted yet
+
   private final LocalBus bus;
   private final Consumer<String> log;
   private final InetSocketAddress address;
@@ -67,13 +69,14 @@ final class EmbeddedBroker implements AutoCloseable {
       Runnable died) {
     refuseTakenPort(address);
     ConnectionFilter filter =
-        new ConnectionFilter(limits, codec, new SystemClock(), security.users(log), log);
+        new ConnectionFilter(
+            limits, codec, new SystemClock(), security.users(log), security.encryption(), log);
     EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, filter, log, died);
     try {
       broker.server.startServer(
-          new MemoryConfig(properties(address, security)),
+          new MemoryConfig(properties(address)),
           List.of(broker.new Listener()),
-          security::tls,
+          () -> null, // the connection filter encrypts
           (clientId, user, password) -> filter.letIn(password),
           new PermitAllAuthorizatorPolicy()); // the connection filter has checked each packet
       FilterInstaller.install(filter, broker.server);
@@ -87,16 +90,11 @@ final class EmbeddedBroker implements AutoCloseable {
     return broker;
   }
 
-  private static Properties properties(InetSocketAddress address, BrokerSecurity security) {
+  private static Properties properties(InetSocketAddress address) {
     Properties properties = new Properties();
-    String port = String.valueOf(address.getPort());
     properties.setProperty(IConfig.HOST_PROPERTY_NAME, address.getHostString());
-    if (security.isOn()) {
-      properties.setProperty(IConfig.PORT_PROPERTY_NAME, BrokerConstants.DISABLED_PORT_BIND);
-      properties.setProperty(IConfig.SSL_PORT_PROPERTY_NAME, port);
-    } else {
-      properties.setProperty(IConfig.PORT_PROPERTY_NAME, port);
-    }
+    properties.setProperty(IConfig.PORT_PROPERTY_NAME, String.valueOf(address.getPort()));
+    properties.setProperty(BrokerConstants.NETTY_SO_BACKLOG_PROPERTY_NAME, BACKLOG);
     properties.setProperty(
         IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // the connection filter names all
     properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");

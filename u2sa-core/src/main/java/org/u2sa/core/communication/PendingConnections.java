@@ -56,6 +56,11 @@ final class PendingConnections<C> {
     }
   }
 
+  /** Whether somebody's password from that network was right. */
+  synchronized boolean isKnown(InetAddress from) {
+    return known.get(SourceNetwork.of(from)) != null; // seen now
+  }
+
   synchronized void remove(C connection) {
     waiting.remove(connection);
   }

@@ -24,6 +24,10 @@ final class ReceivedBytes extends ChannelInboundHandlerAdapter {
   public void channelRead(ChannelHandlerContext ctx, Object message) {
     int length = ((ByteBuf) message).readableBytes();
     inflow.received(length);
+    if (session.isOut()) { // closing takes a while when the client does not read
+      ReferenceCountUtil.release(message);
+      return;
+    }
     if (session.isPending()) {
       beforeFirstPacket += length;
       if (beforeFirstPacket > BrokerLimits.FIRST_PACKET_BYTES) {

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.netty.channel.embedded.EmbeddedChannel;
 import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -46,5 +48,48 @@ class AcceptorTest {
     assertThat(client.log)
         .hasSize(10)
         .allMatch(line -> line.startsWith("connection not accepted: \"Too many open files\""));
+  }
+
+  /** Connections with an address, as the listening socket gives them. */
+  private int accepted(int connections) {
+    int accepted = 0;
+    for (int i = 0; i < connections; i++) {
+      EmbeddedChannel child =
+          new EmbeddedChannel() {
+            @Override
+            protected SocketAddress remoteAddress0() {
+              return new InetSocketAddress("192.0.2.1", 1);
+            }
+          };
+      listening.pipeline().fireChannelRead(child);
+      accepted += child.isOpen() ? 1 : 0;
+      child.unsafe().closeForcibly();
+      child.close();
+    }
+    return accepted;
+  }
+
+  @Test
+  void channelRead_moreASecondThanAreAccepted_refusesBeforeAnythingIsBuilt() {
+    int most = (int) ConnectionFilter.ACCEPTED_PER_S / 2;
+    assertThat(accepted(most)).isEqualTo(most);
+    assertThat(accepted(50)).isZero();
+    assertThat(client.log).anyMatch(line -> line.contains("connection refused, too many a second"));
+    assertThat(listening.config().isAutoRead()).isTrue();
+
+    client.pass(100);
+    assertThat(accepted(most)).isEqualTo(most / 10);
+  }
+
+  @Test
+  void channelRead_moreASecondThanItCanRefuse_letsThemWait() {
+    listening.freezeTime();
+    accepted((int) ConnectionFilter.ACCEPTED_PER_S);
+    assertThat(listening.config().isAutoRead()).isFalse();
+
+    client.pass(100);
+    listening.advanceTimeBy(10, TimeUnit.MILLISECONDS);
+    listening.runScheduledPendingTasks();
+    assertThat(listening.config().isAutoRead()).isTrue();
   }
 }

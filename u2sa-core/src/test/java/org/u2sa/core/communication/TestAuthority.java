@@ -64,6 +64,12 @@ final class TestAuthority {
 
   /** A socket, not connected yet, that trusts this authority. */
   static Socket socket(SecurityDirectory directory) throws IOException, GeneralSecurityException {
+    return trusting(directory).getSocketFactory().createSocket();
+  }
+
+  /** What a client needs that trusts this authority. */
+  static SSLContext trusting(SecurityDirectory directory)
+      throws IOException, GeneralSecurityException {
     KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
     trusted.load(null, null);
     try (InputStream in = Files.newInputStream(directory.authority())) {
@@ -75,7 +81,7 @@ final class TestAuthority {
     managers.init(trusted);
     SSLContext context = SSLContext.getInstance("TLS");
     context.init(null, managers.getTrustManagers(), null);
-    return context.getSocketFactory().createSocket();
+    return context;
   }
 
   private static List<String> arguments(Path store) {

@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.Callable;
 import java.util.function.BooleanSupplier;
@@ -73,6 +74,13 @@ public final class ViewCommand implements Callable<Integer> {
       description =
           "Address to listen on; 0.0.0.0 lets everybody on the network look, unencrypted. Default: ${DEFAULT-VALUE}.")
   private String bind;
+
+  @Option(
+      names = "--origin",
+      paramLabel = "ORIGIN",
+      description =
+          "Web page whose viewer may connect too, such as https://viewer.example; repeatable, '*' for all. Without it: pages of this host, Foxglove's, and programs that are no web pages.")
+  private Set<String> origins = Set.of();
 
   @Option(
       names = "--rate",
@@ -148,7 +156,7 @@ public final class ViewCommand implements Callable<Integer> {
       throw wrong("--bind " + bind + ": no such address");
     }
     ViewServer server =
-        new ViewServer(address, name, UUID.randomUUID().toString(), tellsTime, this::tell);
+        new ViewServer(address, name, UUID.randomUUID().toString(), tellsTime, origins, this::tell);
     PrintWriter out = command.commandLine().getOut();
     String host = address.getAddress().isLoopbackAddress() ? "localhost" : bind;
     out.println(

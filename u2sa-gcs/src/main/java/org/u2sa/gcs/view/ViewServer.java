@@ -51,6 +51,7 @@ final class ViewServer implements AutoCloseable {
 
   private final String name;
   private final boolean tellsTime;
+  private final Set<String> origins;
   private final String sessionId;
   private final Consumer<String> remarks;
   private final ViewChannels channels = new ViewChannels();
@@ -66,6 +67,7 @@ final class ViewServer implements AutoCloseable {
    * @param name name of the source
    * @param sessionId a new ID makes viewers discard their data
    * @param tellsTime whether viewers use {@link #time} as their clock, as for a recording
+   * @param origins web pages that may connect besides the usual ones, see {@link OriginCheck}
    * @param remarks receives connects and disconnects
    * @throws RunFailedException if the port is taken
    */
@@ -74,8 +76,10 @@ final class ViewServer implements AutoCloseable {
       String name,
       String sessionId,
       boolean tellsTime,
+      Set<String> origins,
       Consumer<String> remarks) {
     this.name = name;
+    this.origins = Set.copyOf(origins);
     this.sessionId = sessionId;
     this.tellsTime = tellsTime;
     this.remarks = remarks;
@@ -204,6 +208,7 @@ final class ViewServer implements AutoCloseable {
           .addLast(new ReadsWhileWritable())
           .addLast(new HttpServerCodec())
           .addLast(new HttpObjectAggregator(LONGEST_REQUEST))
+          .addLast(new OriginCheck(origins))
           .addLast(
               new WebSocketServerProtocolHandler(
                   WebSocketServerProtocolConfig.newBuilder()

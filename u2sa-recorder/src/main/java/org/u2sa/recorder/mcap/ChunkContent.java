@@ -1,9 +1,6 @@
 package org.u2sa.recorder.mcap;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
 import java.util.zip.CRC32;
 
 /**
@@ -16,7 +13,7 @@ import java.util.zip.CRC32;
  */
 record ChunkContent(long size, long crc, ChunkCompression compression, byte[] compressed) {
   /** Records up to where a chunk goes wrong, and why it does; null: it does not. */
-  record Salvage(List<RecordStream.Entry> records, IOException trouble) {}
+  record Salvage(ChunkRecords records, IOException trouble) {}
 
   static ChunkContent read(RecordFields in) throws McapException {
     return read(in, false);
@@ -42,9 +39,9 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
   }
 
   /** Its records, each with its offset in the chunk. */
-  List<RecordStream.Entry> records() throws McapException {
-    List<RecordStream.Entry> records = new ArrayList<>();
-    IOException trouble = split(decompressed(), records);
+  ChunkRecords records() throws McapException {
+    ChunkRecords records = new ChunkRecords(decompressed());
+    McapException trouble = records.trouble();
     if (trouble != null) {
       throw new McapException("a chunk is damaged: " + trouble.getMessage(), trouble);
     }
@@ -71,34 +68,13 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
   /** All whole records of what can be decompressed. */
   Salvage salvage() {
     ChunkCompression.Prefix prefix = compression.decompressPrefix(compressed, size);
-    List<RecordStream.Entry> records = new ArrayList<>();
-    IOException trouble = split(prefix.bytes(), records);
-    if (prefix.trouble() != null) {
-      trouble = prefix.trouble();
-    }
+    ChunkRecords records = new ChunkRecords(prefix.bytes());
+    IOException trouble = prefix.trouble() != null ? prefix.trouble() : records.trouble();
     CRC32 actual = new CRC32();
     actual.update(prefix.bytes());
     if (trouble == null && crc != 0 && crc != actual.getValue()) {
       trouble = new McapException("a chunk's checksum is another: some of its bytes are wrong");
     }
     return new Salvage(records, trouble);
-  }
-
-  private static IOException split(byte[] bytes, List<RecordStream.Entry> records) {
-    RecordFields in = new RecordFields(bytes);
-    try {
-      while (in.remaining() > 0) {
-        int offset = in.position();
-        int opcode = in.uint8();
-        long length = in.uint64();
-        int from = in.position();
-        in.skip(length);
-        records.add(
-            new RecordStream.Entry(offset, opcode, Arrays.copyOfRange(bytes, from, in.position())));
-      }
-      return null;
-    } catch (McapException e) {
-      return e;
-    }
   }
 }

@@ -17,6 +17,7 @@ import java.util.Set;
 public final class McapRecovery {
   private final FileChannel from;
   private final McapWriter writer;
+  private final long maxBytes; // of one record, and of one chunk when it is decompressed
   private final Definitions definitions = new Definitions();
   private final Set<Integer> schemas = new HashSet<>(); // written
   private final Set<Integer> channels = new HashSet<>(); // written
@@ -33,9 +34,10 @@ public final class McapRecovery {
    */
   public record Result(long messages, int damagedChunks, Optional<String> trouble) {}
 
-  private McapRecovery(FileChannel from, McapWriter writer) {
+  private McapRecovery(FileChannel from, McapWriter writer, long maxBytes) {
     this.from = from;
     this.writer = writer;
+    this.maxBytes = maxBytes;
   }
 
   /**
@@ -47,11 +49,20 @@ public final class McapRecovery {
    * @throws IOException if one cannot be read or the other not written
    */
   public static Result recover(Path broken, Path whole, String library) throws IOException {
+    return recover(broken, whole, library, ReadLimits.heldBytes());
+  }
+
+  /**
+   * As above.
+   *
+   * @param maxBytes of a record, and of a chunk when it is decompressed; longer ones are left out
+   */
+  static Result recover(Path broken, Path whole, String library, long maxBytes) throws IOException {
     try (FileChannel from = FileChannel.open(broken, StandardOpenOption.READ);
         FileChannel to =
             FileChannel.open(whole, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
         McapWriter writer = new McapWriter(to, McapOptions.usual(ChunkCompression.LZ4, library))) {
-      McapRecovery recovery = new McapRecovery(from, writer);
+      McapRecovery recovery = new McapRecovery(from, writer, maxBytes);
       recovery.copy();
       return new Result(
           recovery.messages, recovery.damagedChunks, Optional.ofNullable(recovery.trouble));
@@ -99,14 +110,24 @@ public final class McapRecovery {
   }
 
   private RecordFields content(RecordSearch.Found found) throws IOException {
+    requireHeld("the record at byte " + found.offset(), found.length());
     return new RecordFields(new RecordStream(from, found.contentAt()).bytes(found.length()));
+  }
+
+  private void requireHeld(String what, long bytes) throws McapException {
+    if (bytes > maxBytes) {
+      throw new McapException(
+          what + " has " + bytes + " bytes: expected at most " + maxBytes + " with this heap");
+    }
   }
 
   private void copyChunk(RecordSearch.Found found) throws IOException {
     ChunkContent.Salvage salvage;
     try {
       RecordFields in = content(found);
-      salvage = (found.isCut() ? ChunkContent.readBrokenOff(in) : ChunkContent.read(in)).salvage();
+      ChunkContent chunk = found.isCut() ? ChunkContent.readBrokenOff(in) : ChunkContent.read(in);
+      requireHeld("the chunk at byte " + found.offset(), chunk.size());
+      salvage = chunk.salvage();
     } catch (McapException e) {
       damagedChunks++;
       throw e;

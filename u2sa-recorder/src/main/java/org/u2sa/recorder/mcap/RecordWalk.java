@@ -3,9 +3,9 @@ package org.u2sa.recorder.mcap;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
-import java.util.ArrayDeque;
 import java.util.Arrays;
-import java.util.Deque;
+import java.util.Collections;
+import java.util.Iterator;
 
 /**
  * All records of a whole file in their order, from header to footer; of chunks, the records in them
@@ -13,7 +13,7 @@ import java.util.Deque;
  */
 final class RecordWalk {
   private final RecordStream stream;
-  private final Deque<RecordStream.Entry> ofChunk = new ArrayDeque<>();
+  private Iterator<RecordStream.Entry> ofChunk = Collections.emptyIterator();
   private boolean ended;
 
   RecordWalk(SeekableByteChannel file) throws IOException {
@@ -37,18 +37,18 @@ final class RecordWalk {
 
   /** The next record; null after the footer. */
   RecordStream.Entry next() throws IOException {
-    while (ofChunk.isEmpty()) {
+    while (!ofChunk.hasNext()) {
       if (ended) {
         return null;
       }
       RecordStream.Entry entry = stream.next();
       if (entry.opcode() == Opcode.CHUNK) {
-        ofChunk.addAll(ChunkContent.read(entry.fields()).records());
+        ofChunk = ChunkContent.read(entry.fields()).records().iterator();
       } else if (entry.opcode() != Opcode.MESSAGE_INDEX) {
         ended = entry.opcode() == Opcode.FOOTER;
         return entry;
       }
     }
-    return ofChunk.poll();
+    return ofChunk.next();
   }
 }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -93,7 +94,7 @@ class McapRecoveryTest {
         if (e.opcode() == Opcode.CHUNK) {
           count +=
               (int)
-                  ChunkContent.read(e.fields()).records().stream()
+                  StreamSupport.stream(ChunkContent.read(e.fields()).records().spliterator(), false)
                       .filter(record -> record.opcode() == Opcode.MESSAGE)
                       .count();
           counts.add(count);
@@ -210,5 +211,21 @@ class McapRecoveryTest {
     List<String> messages = SmallRecording.read(whole);
     assertThat((long) messages.size()).isEqualTo(result.messages());
     return messages;
+  }
+
+  @Test
+  void recover_chunksLargerThanTheHeapHolds_areLeftOutAndSaid() throws IOException {
+    Path file = folder.resolve("a.mcap");
+    SmallRecording.write(file, SmallRecording.options(ChunkCompression.LZ4, CHUNK_BYTES), 12);
+    McapRecovery.Result none =
+        McapRecovery.recover(file, folder.resolve("none.mcap"), "test", CHUNK_BYTES / 2);
+    assertThat(none.messages()).isZero();
+    assertThat(none.damagedChunks()).isPositive();
+    assertThat(none.trouble().orElseThrow()).contains("expected at most " + CHUNK_BYTES / 2);
+
+    McapRecovery.Result all =
+        McapRecovery.recover(file, folder.resolve("all.mcap"), "test", 10 * CHUNK_BYTES);
+    assertThat(all.messages()).isPositive();
+    assertThat(all.damagedChunks()).isZero();
   }
 }

@@ -1,0 +1,64 @@
+package org.u2sa.gcs.view;
+
+import io.netty.channel.ChannelFutureListener;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.handler.codec.http.DefaultFullHttpResponse;
+import io.netty.handler.codec.http.HttpHeaderNames;
+import io.netty.handler.codec.http.HttpRequest;
+import io.netty.handler.codec.http.HttpResponseStatus;
+import io.netty.handler.codec.http.HttpVersion;
+import io.netty.util.ReferenceCountUtil;
+import java.net.URI;
+import java.util.Set;
+
+/**
+ * Refuses web pages that are no viewer: a browser lets any page connect to this host, and says in
+ * the header Origin (RFC 6455, section 10.2) whose it is. Programs that are no browsers say none.
+ */
+final class OriginCheck extends ChannelInboundHandlerAdapter {
+  private static final Set<String> USUAL = Set.of("https://app.foxglove.dev", "file://");
+  private static final Set<String> THIS_HOST = Set.of("localhost", "127.0.0.1", "[::1]");
+
+  private final Set<String> others;
+
+  /**
+   * @param others origins besides the usual ones and those of this host; "*" for all
+   */
+  OriginCheck(Set<String> others) {
+    this.others = others;
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext context, Object message) {
+    String origin =
+        message instanceof HttpRequest request
+            ? request.headers().get(HttpHeaderNames.ORIGIN)
+            : null;
+    if (origin == null || isAllowed(origin)) {
+      context.fireChannelRead(message);
+      return;
+    }
+    ReferenceCountUtil.release(message);
+    context
+        .writeAndFlush(
+            new DefaultFullHttpResponse(HttpVersion.HTTP_1_1, HttpResponseStatus.FORBIDDEN))
+        .addListener(ChannelFutureListener.CLOSE);
+  }
+
+  private boolean isAllowed(String origin) {
+    return USUAL.contains(origin)
+        || others.contains(origin)
+        || others.contains("*")
+        || isOfThisHost(origin);
+  }
+
+  private static boolean isOfThisHost(String origin) {
+    try {
+      String host = URI.create(origin).getHost();
+      return host != null && THIS_HOST.contains(host);
+    } catch (IllegalArgumentException e) {
+      return false; // no origin that a browser sends
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package org.u2sa.recorder.mcap;
+
+import java.util.Arrays;
+import java.util.Iterator;
+import java.util.NoSuchElementException;
+
+/**
+ * The records of a decompressed chunk, up to where it goes wrong. Walks them in place: each is made
+ * when it is asked for, since millions fit into a chunk.
+ */
+final class ChunkRecords implements Iterable<RecordStream.Entry> {
+  private final byte[] bytes;
+  private final int end; // of the last whole record [B]
+  private final McapException trouble; // null: none
+
+  ChunkRecords(byte[] bytes) {
+    this.bytes = bytes;
+    RecordFields in = new RecordFields(bytes);
+    int whole = 0;
+    McapException wrong = null;
+    try {
+      while (in.remaining() > 0) {
+        in.uint8();
+        in.skip(in.uint64());
+        whole = in.position();
+      }
+    } catch (McapException e) {
+      wrong = e;
+    }
+    end = whole;
+    trouble = wrong;
+  }
+
+  /** Why they end before the chunk does; null: they do not. */
+  McapException trouble() {
+    return trouble;
+  }
+
+  @Override
+  public Iterator<RecordStream.Entry> iterator() {
+    return new Walk();
+  }
+
+  private final class Walk implements Iterator<RecordStream.Entry> {
+    private final RecordFields in = new RecordFields(bytes, 0, end);
+
+    @Override
+    public boolean hasNext() {
+      return in.remaining() > 0;
+    }
+
+    @Override
+    public RecordStream.Entry next() {
+      if (!hasNext()) {
+        throw new NoSuchElementException("the chunk has no more records");
+      }
+      try {
+        int offset = in.position();
+        int opcode = in.uint8();
+        long length = in.uint64();
+        int from = in.position();
+        in.skip(length);
+        return new RecordStream.Entry(
+            offset, opcode, Arrays.copyOfRange(bytes, from, in.position()));
+      } catch (McapException e) {
+        throw new IllegalStateException("a record that was whole is not", e);
+      }
+    }
+  }
+}
