@@ -161,9 +161,10 @@ def px4(java, path, work):
         return []
     pick = {k: answer[k][valid][use].astype(float) for k in ("x", "y", "z", "vx", "vy", "vz", "ref_lat", "ref_lon", "ref_alt", "eph")}
     ref = np.stack([pick["x"], pick["y"], pick["z"]], axis=1)
-    lat, lon, alt = (at(t, ours[:, 0], ours[:, k]) for k in (1, 2, 3))
+    lat, alt = (at(t, ours[:, 0], ours[:, k]) for k in (1, 3))
+    lon = at(t, ours[:, 0], np.unwrap(ours[:, 2], period=360.0))
     north = np.radians(lat - pick["ref_lat"]) * 6371000.0  # PX4's map projection is a sphere's
-    east = np.radians(lon - pick["ref_lon"]) * 6371000.0 * np.cos(np.radians(pick["ref_lat"]))
+    east = wrapped(np.radians(lon - pick["ref_lon"])) * 6371000.0 * np.cos(np.radians(pick["ref_lat"]))
     est = np.stack([north, east, pick["ref_alt"] - alt], axis=1)
     moved = np.ptp(ref, axis=0)
     horizontal = rms(np.hypot(est[:, 0] - ref[:, 0], est[:, 1] - ref[:, 1]))

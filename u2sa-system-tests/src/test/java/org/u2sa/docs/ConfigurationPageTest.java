@@ -16,6 +16,8 @@ import org.u2sa.core.control.fixedwing.ThesisControl;
 import org.u2sa.core.control.ground.AckermannPursuitControl;
 import org.u2sa.core.control.ground.DifferentialDriveControl;
 import org.u2sa.core.control.ground.DifferentialPursuitControl;
+import org.u2sa.core.estimation.ComplementaryStateEstimator;
+import org.u2sa.core.estimation.FusingStateEstimator;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.planning.VectorFieldPlanner;
 import org.u2sa.core.world.WorldModeler;
@@ -77,6 +79,8 @@ class ConfigurationPageTest {
     for (SystemFile.Entry entry : system.services()) {
       services.put(entry.simpleName(), declaredBy(Class.forName(entry.className())));
     }
+    services.put("ComplementaryStateEstimator", declaredBy(ComplementaryStateEstimator.class));
+    services.put("FusingStateEstimator", declaredBy(FusingStateEstimator.class));
     services.put("VectorFieldPlanner", declaredBy(VectorFieldPlanner.class));
     services.put("WorldModeler", declaredBy(WorldModeler.class));
     services.put("ThesisControl", declaredBy(ThesisControl.class));

@@ -97,7 +97,8 @@ final class QuantityStart {
             v0 + lever.apartVariance(0),
             v1 + lever.apartVariance(1));
         s.x[FilterState.LATITUDE] -= lever.apartM(0) / s.northRadiusM();
-        s.x[FilterState.LONGITUDE] -= lever.apartM(1) / s.axisDistanceM();
+        double longitude = s.x[FilterState.LONGITUDE] - lever.apartM(1) / s.axisDistanceM();
+        s.x[FilterState.LONGITUDE] = Math.IEEEremainder(longitude, 2.0 * Math.PI);
         PersistentErrors.share(s, slot);
         return true;
       case ALTITUDE:
