@@ -49,9 +49,9 @@ final class ConnectionFilter implements AutoCloseable {
   static final double ENCRYPTED_PER_S = 200.0; // each costs milliseconds
 
   /** Connections beyond that which are refused per second; others wait, unseen. */
-  private static final double REFUSED_PER_S = 10_000.0;
+  private static final double REFUSED_PER_S = 20_000.0;
 
-  private static final double REFUSED_AT_ONCE = 100.0;
+  private static final double REFUSED_AT_ONCE = 200.0;
 
   private static final long REFUSE_AGAIN_AFTER_MS = 10;
 
