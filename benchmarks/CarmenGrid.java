@@ -1,4 +1,4 @@
-package org.u2sa.core.world;
+package org.u2sa.world;
 
 import java.awt.image.BufferedImage;
 import java.io.BufferedReader;

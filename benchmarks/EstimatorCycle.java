@@ -2,10 +2,10 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Random;
-import org.u2sa.core.estimation.fusion.ErrorStateFilter;
-import org.u2sa.core.estimation.fusion.FilterTuning;
-import org.u2sa.core.estimation.fusion.Measurement;
-import org.u2sa.core.estimation.fusion.MotionDomain;
+import org.u2sa.estimation.fusion.ErrorStateFilter;
+import org.u2sa.estimation.fusion.FilterTuning;
+import org.u2sa.estimation.fusion.Measurement;
+import org.u2sa.estimation.fusion.MotionDomain;
 
 /**
  * Processor time and allocation of the fusing State Estimator's filter: an IMU at 400 Hz, a GPS at 10 Hz, a compass at 50 Hz,

@@ -1,4 +1,4 @@
-package org.u2sa.core.world;
+package org.u2sa.world;
 
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
@@ -14,7 +14,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 /**
  * Lidar points a second that one thread enters into the occupancy grid, clearing included: scans as
  * they come from the wire, each with a pose of its own, a window that rolls. Run by benchmarks/run
- * with U2SA_BENCHMARKS=org.u2sa.core.world.GridThroughput.
+ * with U2SA_BENCHMARKS=org.u2sa.world.GridThroughput.
  */
 final class GridThroughput {
   private static final int SCANS = 200;

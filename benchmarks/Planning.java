@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.Random;
-import org.u2sa.core.planning.curve.Pose;
-import org.u2sa.core.planning.hybrid.HybridAStar;
-import org.u2sa.core.planning.search.BodyDiscs;
-import org.u2sa.core.planning.search.CostGrid;
-import org.u2sa.core.planning.search.DStarLite;
-import org.u2sa.core.planning.search.GridFrame;
-import org.u2sa.core.planning.search.GridPath;
-import org.u2sa.core.planning.search.Inflation;
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.hybrid.HybridAStar;
+import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.search.CostGrid;
+import org.u2sa.planning.search.DStarLite;
+import org.u2sa.planning.search.GridFrame;
+import org.u2sa.planning.search.GridPath;
+import org.u2sa.planning.search.Inflation;
 
 /** CPU time of planning: repairing a route after a local change, and hybrid A* from scratch. */
 public final class Planning {

@@ -49,6 +49,11 @@ val vehicleAssets = tasks.register<Sync>("vehicleAssets") {
 tasks.named("preBuild") { dependsOn(vehicleAssets) }
 
 dependencies {
+    api(project(":u2sa-estimation"))
+    api(project(":u2sa-world"))
+    api(project(":u2sa-mission"))
+    api(project(":u2sa-planning"))
+    api(project(":u2sa-control"))
     api(project(":u2sa-core"))
     api(project(":u2sa-recorder"))
     api(project(":u2sa-drivers"))

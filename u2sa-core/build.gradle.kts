@@ -2,11 +2,10 @@ plugins {
     id("u2sa.java-conventions")
 }
 
-description = "Core services (thesis 3.2.3), Communication Manager and launcher."
+description = "What runs a vehicle: Communication Manager, security, launcher, health, safety."
 
 dependencies {
     api(project(":u2sa-abstract"))
-    api(libs.ejml)
     api(libs.jts)
     api(libs.moquette) {
         exclude(group = "com.librato.metrics")
@@ -28,6 +27,9 @@ dependencies {
     api(libs.netty.transport.native.unix.common)
     api(libs.jmdns)
     api(libs.slf4j)
+    testImplementation(project(":u2sa-estimation"))
+    testImplementation(project(":u2sa-mission"))
+    testImplementation(project(":u2sa-planning"))
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
     testImplementation(libs.logback)

@@ -5,11 +5,16 @@ plugins {
 description = "Ground control: the command line and what joins a running system."
 
 dependencies {
+    api(project(":u2sa-control"))
     api(project(":u2sa-core"))
     api(project(":u2sa-recorder"))
     api(libs.picocli)
     api(libs.logback)
     api(libs.jackson.core)
+    testImplementation(project(":u2sa-estimation"))
+    testImplementation(project(":u2sa-mission"))
+    testImplementation(project(":u2sa-planning"))
+    testImplementation(project(":u2sa-world"))
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.jackson.databind)
     testImplementation(libs.junit.platform.launcher)

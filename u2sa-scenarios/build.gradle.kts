@@ -5,6 +5,11 @@ plugins {
 description = "Demos: vehicles and competitions with their worlds and scorers."
 
 dependencies {
+    api(project(":u2sa-estimation"))
+    api(project(":u2sa-world"))
+    api(project(":u2sa-mission"))
+    api(project(":u2sa-planning"))
+    api(project(":u2sa-control"))
     api(project(":u2sa-core"))
     api(project(":u2sa-vision"))
     api(project(":u2sa-drivers"))

@@ -9,21 +9,17 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.core.control.fixedwing.AircraftState;
-import org.u2sa.core.control.fixedwing.ControlStatus;
-import org.u2sa.messages.StateInformation;
+import org.u2sa.control.fixedwing.ControlStatus;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Holds the tables of the Cessna's own messages in docs/wire-protocol.md to their schemas. */
+/** Holds the table of the Cessna's own message in docs/wire-protocol.md to their schemas. */
 class OwnMessagesDocTest {
   @Test
-  void tables_ofTheCessnasMessages_nameFieldsUnitsAndBits() throws IOException {
+  void table_ofTheCessnasMessage_namesFieldsUnitsAndBits() throws IOException {
     String page = Files.readString(Paths.get("../docs/wire-protocol.md"), UTF_8);
 
-    assertThat(rows(page, "`AircraftState`, chain"))
-        .containsExactlyElementsOf(own(AircraftState.TYPE, StateInformation.TYPE));
     assertThat(rows(page, "`ControlStatus`, chain"))
         .containsExactlyElementsOf(own(ControlStatus.TYPE, U2SAData.TYPE));
   }

@@ -48,12 +48,20 @@ final class HouseRules {
           Map.entry("device", List.of("messages", "interfaces", "service")),
           Map.entry("testkit", List.of("messages", "interfaces", "service", "device")),
           Map.entry("core", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("estimation", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("world", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("mission", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("planning", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("control", List.of("messages", "interfaces", "service", "device")),
           Map.entry("drivers", List.of("messages", "interfaces", "service", "device")),
           Map.entry("vision", List.of("messages", "interfaces", "service", "device")),
           Map.entry("sim", List.of("messages", "interfaces", "service", "device")),
           Map.entry("recorder", List.of("messages", "interfaces", "service")),
-          Map.entry("gcs", List.of("messages", "interfaces", "service", "core", "recorder")),
-          Map.entry("flightgear", List.of("messages", "interfaces", "service", "core", "sim")),
+          Map.entry(
+              "gcs", List.of("messages", "interfaces", "service", "control", "core", "recorder")),
+          Map.entry(
+              "flightgear",
+              List.of("messages", "interfaces", "service", "mission", "control", "sim")),
           Map.entry(
               "scenarios",
               List.of(
@@ -61,6 +69,10 @@ final class HouseRules {
                   "interfaces",
                   "service",
                   "device",
+                  "mission",
+                  "planning",
+                  "world",
+                  "control",
                   "core",
                   "vision",
                   "drivers",
@@ -76,6 +88,7 @@ final class HouseRules {
                   "interfaces",
                   "service",
                   "device",
+                  "mission",
                   "core",
                   "vision",
                   "drivers",
@@ -97,8 +110,9 @@ final class HouseRules {
 
   /** Packages of services whose executions can be repeated. */
   private static final String[] REPEATABLE =
-      Stream.of("estimation", "mission", "planning", "control", "safety", "world", "health")
-          .map(name -> ROOT + "core." + name + "..")
+      Stream.of(
+              "estimation", "mission", "planning", "control", "world", "core.safety", "core.health")
+          .map(name -> ROOT + name + "..")
           .toArray(String[]::new);
 
   /** Calls whose result is another one in each process: chance, and orders that have a salt. */

@@ -52,12 +52,12 @@ class HouseRulesBiteTest {
       delimiter = '|',
       textBlock =
           """
-          services repeat         | package org.u2sa.core.mission; class Bad { double d() { return Math.random(); } }
-          services repeat         | package org.u2sa.core.mission; class Bad { Object r() { return new java.util.Random(); } }
-          services repeat         | package org.u2sa.core.planning.route; class Bad { Object m() { return java.util.Map.of("a", 1, "b", 2); } }
-          services repeat         | package org.u2sa.core.control; class Bad { Object s() { return java.util.Set.copyOf(java.util.List.of(1)); } }
-          services repeat         | package org.u2sa.core.world; class Bad { Object t() { return new Thread(() -> {}); } }
-          services repeat         | package org.u2sa.core.world; class Bad { Object t() { return java.util.List.of(1).parallelStream(); } }
+          services repeat         | package org.u2sa.mission; class Bad { double d() { return Math.random(); } }
+          services repeat         | package org.u2sa.mission; class Bad { Object r() { return new java.util.Random(); } }
+          services repeat         | package org.u2sa.planning.route; class Bad { Object m() { return java.util.Map.of("a", 1, "b", 2); } }
+          services repeat         | package org.u2sa.control; class Bad { Object s() { return java.util.Set.copyOf(java.util.List.of(1)); } }
+          services repeat         | package org.u2sa.world; class Bad { Object t() { return new Thread(() -> {}); } }
+          services repeat         | package org.u2sa.world; class Bad { Object t() { return java.util.List.of(1).parallelStream(); } }
           services repeat         | package org.u2sa.core.safety; class Bad { Object e() { return java.util.concurrent.Executors.newCachedThreadPool(); } }
           arrows of messages      | package org.u2sa.messages; class Bad { org.u2sa.interfaces.I i; }
           arrows of interfaces    | package org.u2sa.interfaces.xml; class Bad { org.u2sa.service.S s; }
@@ -82,7 +82,7 @@ class HouseRulesBiteTest {
           known packages          | package org.u2sa.elsewhere; class Bad {}
           named by subject        | package org.u2sa.core.util; class Bad {}
           named by subject        | package org.u2sa.core.impl.mission; class Bad {}
-          Moquette                | package org.u2sa.core.mission; class Bad { io.moquette.broker.Server s; }
+          Moquette                | package org.u2sa.mission; class Bad { io.moquette.broker.Server s; }
           Paho                    | package org.u2sa.core.communication; class Bad { org.eclipse.paho.client.Client c; }
           one clock               | package org.u2sa.core; class Bad { long t() { return System.nanoTime(); } }
           one clock               | package org.u2sa.gcs; class Bad { Object t() { return java.time.Instant.now(); } }
@@ -96,7 +96,7 @@ class HouseRulesBiteTest {
           no Java serialization   | package org.u2sa.core; class Bad { Object r(java.io.ObjectInputStream i) throws Exception { return i.readObject(); } }
           no objects from data    | package org.u2sa.gcs; class Bad { com.fasterxml.jackson.databind.ObjectMapper m; }
           no objects from data    | package org.u2sa.core; class Bad { Object o = new java.beans.XMLDecoder(System.in); }
-          one XML reader          | package org.u2sa.core.mission; class Bad { javax.xml.parsers.SAXParser p; }
+          one XML reader          | package org.u2sa.mission; class Bad { javax.xml.parsers.SAXParser p; }
           SVG                     | package org.u2sa.gcs; class Bad { org.w3c.dom.Document d; }
           one XML reader          | package org.u2sa.gcs; class Bad { Object f = javax.xml.stream.XMLInputFactory.newFactory(); }
           no Java serialization   | package org.u2sa.core; class Bad { void w(java.io.ObjectOutputStream o) throws Exception { o.writeObject(""); } }

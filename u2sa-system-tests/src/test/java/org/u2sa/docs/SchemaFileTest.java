@@ -13,7 +13,7 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.core.control.fixedwing.ControlStatus;
+import org.u2sa.control.fixedwing.ControlStatus;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.AccessTable;

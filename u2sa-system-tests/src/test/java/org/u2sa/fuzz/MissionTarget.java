@@ -1,9 +1,9 @@
 package org.u2sa.fuzz;
 
-import org.u2sa.core.mission.Mission;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.mission.Mission;
 
 /** Mission files. */
 public final class MissionTarget {

@@ -1,10 +1,10 @@
 package org.u2sa.fuzz;
 
-import org.u2sa.core.world.xml.WorldFile;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.world.xml.WorldFile;
 
 /** World files. */
 public final class WorldTarget {

@@ -2,7 +2,6 @@ package org.u2sa.network;
 
 import java.nio.file.Path;
 import java.util.Locale;
-import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.link.StandInFlightGear;
 import org.u2sa.flightgear.link.StandInSetup;
@@ -10,6 +9,7 @@ import org.u2sa.flightgear.protocol.OutField;
 import org.u2sa.flightgear.protocol.OutLine;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.mission.Mission;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.atmosphere.Wind;
 

@@ -4,7 +4,7 @@ import java.io.File
 import java.io.IOException
 import java.io.InputStream
 import org.u2sa.core.launch.SystemFile
-import org.u2sa.core.mission.Mission
+import org.u2sa.mission.Mission
 import org.u2sa.interfaces.BadInputException
 
 private const val FILE_BYTES_AT_MOST = 4L shl 20

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.io.TempDir
 import org.u2sa.interfaces.BadInputException
 
 private const val SYSTEM =
-    "<system id=\"a\"><service class=\"org.u2sa.core.estimation.PassThroughStateEstimator\"/></system>"
+    "<system id=\"a\"><service class=\"org.u2sa.estimation.PassThroughStateEstimator\"/></system>"
 private const val MISSION = "<mission><waypoint><name>1</name><reference>Global</reference><x>-81.0</x><y>29.0</y></waypoint></mission>"
 
 class VehicleFilesTest {

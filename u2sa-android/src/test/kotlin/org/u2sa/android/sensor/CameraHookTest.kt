@@ -66,6 +66,6 @@ class CameraHookTest {
     @Test
     fun isWanted_onlyWhereAServiceLooks() {
         assertThat(CameraHook(system(Eye::class.java.name)).isWanted).isTrue()
-        assertThat(CameraHook(system("org.u2sa.core.estimation.PassThroughStateEstimator", "not.There")).isWanted).isFalse()
+        assertThat(CameraHook(system("org.u2sa.estimation.PassThroughStateEstimator", "not.There")).isWanted).isFalse()
     }
 }

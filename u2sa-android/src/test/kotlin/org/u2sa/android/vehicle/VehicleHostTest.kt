@@ -52,7 +52,7 @@ class VehicleHostTest {
     private fun awaitPhase(host: VehicleHost, phase: Phase) =
         await().atMost(Duration.ofSeconds(60)).until { host.state.phase == phase }
 
-    private val quiet = "<service class=\"org.u2sa.core.estimation.PassThroughStateEstimator\"/>" +
+    private val quiet = "<service class=\"org.u2sa.estimation.PassThroughStateEstimator\"/>" +
         "<service class=\"org.u2sa.core.safety.SafetyManager\"/>"
 
     @Test

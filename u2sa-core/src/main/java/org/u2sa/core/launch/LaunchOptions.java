@@ -67,7 +67,7 @@ public final class LaunchOptions {
   }
 
   /** Reads a configuration file; its changes are saved according to these options. */
-  XmlConfiguration load(Path file) {
+  private XmlConfiguration load(Path file) {
     return changes
         .map(folder -> XmlConfiguration.load(file, copyOf(file.toAbsolutePath(), folder)))
         .orElseGet(() -> XmlConfiguration.load(file));
@@ -196,7 +196,18 @@ public final class LaunchOptions {
     return supervised;
   }
 
-  Map<String, Object> overridesOf(String service) {
-    return overrides.getOrDefault(service, Map.of());
+  /** The configuration of a service of the system, with this run's overrides. */
+  public XmlConfiguration configuration(SystemFile.Entry service) {
+    return configuration(service.simpleName(), service.configuration());
+  }
+
+  /**
+   * Reads a configuration file, or uses the variables' defaults, and applies the run's overrides.
+   */
+  XmlConfiguration configuration(String service, Optional<Path> path) {
+    XmlConfiguration configuration =
+        path.map(this::load).orElseGet(() -> XmlConfiguration.inMemory(service, Map.of()));
+    overrides.getOrDefault(service, Map.of()).forEach(configuration::override);
+    return configuration;
   }
 }

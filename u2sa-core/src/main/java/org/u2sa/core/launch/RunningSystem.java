@@ -70,8 +70,7 @@ public final class RunningSystem implements AutoCloseable {
     file.services().stream()
         .filter(entry -> options.makerOf(entry.className()).isEmpty())
         .forEach(ServiceFactory::constructor);
-    XmlConfiguration communication =
-        ServiceMaker.configuration(options, MANAGER, file.communication());
+    XmlConfiguration communication = options.configuration(MANAGER, file.communication());
     manager = CommunicationManager.start(file.systemId(), communication, types, options.console());
     communication.refuseUndeclared();
     maker = new ServiceMaker(file.systemId(), options, types, transport());

@@ -1,8 +1,5 @@
 package org.u2sa.core.launch;
 
-import java.nio.file.Path;
-import java.util.Map;
-import java.util.Optional;
 import java.util.function.Function;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -26,19 +23,8 @@ final class ServiceMaker {
     this.transport = transport;
   }
 
-  /**
-   * Reads a configuration file, or uses the variables' defaults, and applies the run's overrides.
-   */
-  static XmlConfiguration configuration(
-      LaunchOptions options, String service, Optional<Path> path) {
-    XmlConfiguration configuration =
-        path.map(options::load).orElseGet(() -> XmlConfiguration.inMemory(service, Map.of()));
-    options.overridesOf(service).forEach(configuration::override);
-    return configuration;
-  }
-
   XmlConfiguration configuration(SystemFile.Entry entry) {
-    return configuration(options, entry.simpleName(), entry.configuration());
+    return options.configuration(entry);
   }
 
   ServiceContext context(XmlConfiguration configuration) {

@@ -23,7 +23,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * <system id="cessna">
  *   <communication configuration="CommunicationManager.xml"/>
  *   <autonomy perception="discrete" decision="static response" independence="problem detection"/>
- *   <service class="org.u2sa.core.estimation.PassThroughStateEstimator" configuration="StateEstimator.xml"/>
+ *   <service class="org.u2sa.estimation.PassThroughStateEstimator" configuration="StateEstimator.xml"/>
  * </system>
  * }</pre>
  *

@@ -3,8 +3,8 @@ package org.u2sa.core.safety;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
-import org.u2sa.core.mission.LoadedFile;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.LoadedFile;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 
 /** The file named by the variable FENCE; detects changes since loading. */

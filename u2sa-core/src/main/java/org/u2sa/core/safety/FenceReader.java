@@ -10,7 +10,7 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.operation.valid.IsValidOp;
 import org.locationtech.jts.operation.valid.TopologyValidationError;
-import org.u2sa.core.mission.MissionNumbers;
+import org.u2sa.interfaces.configuration.XmlNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.Geodetic;
@@ -75,7 +75,7 @@ final class FenceReader {
     Optional<XmlElement> element = root.child(name);
     element.ifPresent(each -> each.refuseUnknownAttributes("unit"));
     return element.isPresent()
-        ? OptionalDouble.of(MissionNumbers.converted(element.get(), "m", "m"))
+        ? OptionalDouble.of(XmlNumbers.converted(element.get(), "m", "m"))
         : OptionalDouble.empty();
   }
 
@@ -108,7 +108,7 @@ final class FenceReader {
     XmlElement radius =
         area.child("radius").orElseThrow(() -> area.error("has a <centre> but no <radius>"));
     radius.refuseUnknownAttributes("unit");
-    double radiusM = MissionNumbers.converted(radius, "m", "m");
+    double radiusM = XmlNumbers.converted(radius, "m", "m");
     if (!(radiusM > 0.0)) {
       throw radius.error(radiusM + " m: expected more than 0 m");
     }
@@ -124,8 +124,8 @@ final class FenceReader {
     if (!onEarth) {
       return new Coordinate(x, y);
     }
-    MissionNumbers.checkLongitude(element.child("x").orElseThrow(), x);
-    MissionNumbers.checkLatitude(element.child("y").orElseThrow(), y);
+    XmlNumbers.checkLongitude(element.child("x").orElseThrow(), x);
+    XmlNumbers.checkLatitude(element.child("y").orElseThrow(), y);
     if (origin == null) {
       origin = new Geodetic(x, y, 0.0);
     }
@@ -138,6 +138,6 @@ final class FenceReader {
         element.child(name).orElseThrow(() -> element.error("lacks <" + name + ">"));
     number.refuseUnknownAttributes("unit");
     String unit = onEarth ? "deg" : "m";
-    return MissionNumbers.converted(number, unit, unit);
+    return XmlNumbers.converted(number, unit, unit);
   }
 }

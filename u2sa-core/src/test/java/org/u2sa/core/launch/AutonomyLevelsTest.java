@@ -91,8 +91,8 @@ class AutonomyLevelsTest {
     Path file = directory.resolve("rover.xml");
     Files.writeString(
         file,
-        "<system id=\"rover\"><service class=\"org.u2sa.core.planning.PathPlanner\" configuration=\"PathPlanner.xml\"/>"
-            + "<service class=\"org.u2sa.core.mission.MissionManager\"/></system>");
+        "<system id=\"rover\"><service class=\"org.u2sa.planning.PathPlanner\" configuration=\"PathPlanner.xml\"/>"
+            + "<service class=\"org.u2sa.mission.MissionManager\"/></system>");
     var planned = PlannedService.of(SystemFile.read(file));
 
     assertThat(planned.get(0).name()).isEqualTo("Planner");

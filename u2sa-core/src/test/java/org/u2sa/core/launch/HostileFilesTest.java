@@ -18,9 +18,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.u2sa.core.mission.Mission;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.mission.Mission;
 
 /** Files that somebody wrote to do harm are refused at once, with file and line. */
 @Timeout(120)

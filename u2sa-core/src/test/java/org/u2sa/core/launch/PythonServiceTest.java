@@ -189,7 +189,7 @@ class PythonServiceTest {
         file(
             "system.xml",
             "<system id=\"boat\"><communication configuration=\"Manager.xml\"/>"
-                + "<service class=\"org.u2sa.core.estimation.PassThroughStateEstimator\""
+                + "<service class=\"org.u2sa.estimation.PassThroughStateEstimator\""
                 + " configuration=\"Estimator.xml\"/></system>"));
   }
 

@@ -1,6 +1,6 @@
 package org.u2sa.flightgear.link;
 
-import org.u2sa.core.control.fixedwing.AircraftState;
+import org.u2sa.messages.AircraftState;
 
 /**
  * One reading of a simulated aircraft.

@@ -1,9 +1,9 @@
 package org.u2sa.flightgear.link;
 
-import org.u2sa.core.mission.Home;
-import org.u2sa.core.mission.Mission;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.mission.Home;
+import org.u2sa.mission.Mission;
 import org.u2sa.sim.aircraft.RunwayStart;
 
 /** Starting position of the embedded aircraft. */

@@ -1,7 +1,7 @@
 package org.u2sa.flightgear.link;
 
-import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.messages.AircraftState;
 
 /** Channels of simulated flights. */
 public final class FlightChannels {

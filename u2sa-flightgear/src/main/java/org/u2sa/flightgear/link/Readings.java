@@ -2,9 +2,9 @@ package org.u2sa.flightgear.link;
 
 import java.util.EnumMap;
 import java.util.Map;
-import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.flightgear.protocol.OutField;
 import org.u2sa.flightgear.protocol.OutLine;
+import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**

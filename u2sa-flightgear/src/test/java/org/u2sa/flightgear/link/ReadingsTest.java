@@ -6,9 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
-import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.flightgear.protocol.OutField;
 import org.u2sa.flightgear.protocol.OutLine;
+import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.frame.ReferenceFrame;
 

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.AircraftState;
 import org.u2sa.sim.aircraft.ControlInputs;
 import org.u2sa.testkit.ServiceKit;
 

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.StateField;
 import org.u2sa.testkit.ServiceKit;
 

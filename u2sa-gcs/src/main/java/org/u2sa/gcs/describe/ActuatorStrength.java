@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import org.u2sa.core.control.allocation.Authority;
-import org.u2sa.core.control.allocation.DegreeOfFreedom;
-import org.u2sa.core.control.allocation.Effector;
+import org.u2sa.control.allocation.Authority;
+import org.u2sa.control.allocation.DegreeOfFreedom;
+import org.u2sa.control.allocation.Effector;
 import org.u2sa.gcs.describe.VehicleComposition.AnnouncedActuator;
 
 /** Combined forces and moments per axis of actuators with numeric effects. */

@@ -33,8 +33,8 @@ class ConfigCommandTest {
         ForeignSystem.start(
             directory,
             "rover",
-            "org.u2sa.core.planning.PathPlanner",
-            "org.u2sa.core.estimation.PassThroughStateEstimator");
+            "org.u2sa.planning.PathPlanner",
+            "org.u2sa.estimation.PassThroughStateEstimator");
   }
 
   @AfterAll

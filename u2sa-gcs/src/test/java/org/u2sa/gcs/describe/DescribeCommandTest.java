@@ -34,7 +34,7 @@ class DescribeCommandTest {
             directory,
             "rover",
             Flashlight.class.getName(),
-            "org.u2sa.core.estimation.PassThroughStateEstimator");
+            "org.u2sa.estimation.PassThroughStateEstimator");
   }
 
   @AfterAll
@@ -60,11 +60,10 @@ class DescribeCommandTest {
         "<system id=\"rover\">"
             + "<autonomy perception=\"discrete\" decision=\"2\" independence=\"Problem detection\"/>"
             + service(Flashlight.class.getName(), "")
-            + service("org.u2sa.core.estimation.PassThroughStateEstimator", "")
-            + service(
-                "org.u2sa.core.mission.MissionManager", " configuration=\"MissionManager.xml\"")
-            + service("org.u2sa.core.planning.PathPlanner", "")
-            + service("org.u2sa.core.control.ground.DifferentialPursuitControl", "")
+            + service("org.u2sa.estimation.PassThroughStateEstimator", "")
+            + service("org.u2sa.mission.MissionManager", " configuration=\"MissionManager.xml\"")
+            + service("org.u2sa.planning.PathPlanner", "")
+            + service("org.u2sa.control.ground.DifferentialPursuitControl", "")
             + service("org.u2sa.core.safety.SafetyManager", "")
             + service("org.u2sa.core.health.HealthMonitor", "")
             + "</system>");
@@ -86,7 +85,7 @@ class DescribeCommandTest {
         .containsPattern("independence +5 problem detection +5 problem detection +SafetyManager")
         .contains("Flashlight measures the vehicle.\nStateEstimator makes one estimate of it")
         .contains("MissionManager says which goal comes next.\nPathPlanner plans the way there")
-        .contains("PathPlanner, path planner, org.u2sa.core.planning.PathPlanner")
+        .contains("PathPlanner, path planner, org.u2sa.planning.PathPlanner")
         .containsPattern("configuration +.*MissionManager.xml")
         .containsPattern("hears .*goals from MissionManager")
         .containsPattern("publishes .*navigation to ")
@@ -106,7 +105,7 @@ class DescribeCommandTest {
         Files.writeString(
             directory.resolve("bold.xml"),
             "<system id=\"bold\"><autonomy perception=\"classification\" decision=\"1\" independence=\"1\"/>"
-                + "<service class=\"org.u2sa.core.estimation.PassThroughStateEstimator\"/></system>");
+                + "<service class=\"org.u2sa.estimation.PassThroughStateEstimator\"/></system>");
     assertThat(run("describe", file.toString())).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
         .containsPattern("perception +4 classification +1 no sensing")
@@ -161,8 +160,8 @@ class DescribeCommandTest {
     Path file =
         Files.writeString(
             directory.resolve("half.xml"),
-            "<system id=\"half\"><service class=\"org.u2sa.core.mission.MissionManager\"/>"
-                + "<service class=\"org.u2sa.core.estimation.PassThroughStateEstimator\"/></system>");
+            "<system id=\"half\"><service class=\"org.u2sa.mission.MissionManager\"/>"
+                + "<service class=\"org.u2sa.estimation.PassThroughStateEstimator\"/></system>");
     assertThat(run("describe", file.toString())).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
         .contains("could not be made here: ", "StateEstimator, state estimator");

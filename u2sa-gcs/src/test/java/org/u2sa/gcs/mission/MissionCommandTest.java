@@ -62,7 +62,7 @@ class MissionCommandTest {
         Files.writeString(
             directory.resolve("system.xml"),
             "<system id=\"rover\"><communication configuration=\"Manager.xml\"/>"
-                + "<service class=\"org.u2sa.core.mission.MissionManager\" configuration=\"MissionManager.xml\"/>"
+                + "<service class=\"org.u2sa.mission.MissionManager\" configuration=\"MissionManager.xml\"/>"
                 + "<service class=\""
                 + StandingRover.class.getName()
                 + "\"/></system>");

@@ -41,7 +41,7 @@ import picocli.CommandLine.ParameterException;
 
 @Timeout(60)
 class RemoteSystemTest {
-  private static final String ESTIMATOR = "org.u2sa.core.estimation.PassThroughStateEstimator";
+  private static final String ESTIMATOR = "org.u2sa.estimation.PassThroughStateEstimator";
 
   @TempDir private static Path directory;
   private static ForeignSystem foreign;

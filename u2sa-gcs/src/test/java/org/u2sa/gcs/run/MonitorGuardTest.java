@@ -16,13 +16,13 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.health.HealthMonitor;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.core.planning.PathPlanner;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.planning.PathPlanner;
 import org.u2sa.testkit.ServiceKit;
 
 /** Which processes are restarted without an order, in a time that the test sets. */

@@ -49,7 +49,7 @@ class SeveralHostsTest {
             <system id="%s">
               <communication configuration="Manager.xml" host="desk"/>
               <service class="org.u2sa.gcs.services.Lidar" host="bow"/>
-              <service class="org.u2sa.core.estimation.PassThroughStateEstimator" host="bridge"/>
+              <service class="org.u2sa.estimation.PassThroughStateEstimator" host="bridge"/>
             </system>
             """
                 .formatted(system));

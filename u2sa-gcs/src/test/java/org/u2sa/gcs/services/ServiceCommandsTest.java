@@ -22,7 +22,7 @@ import org.u2sa.gcs.remote.ForeignSystem;
 /** What operators see of a system of another process, and what becomes of their orders. */
 @Timeout(120)
 class ServiceCommandsTest {
-  private static final String ESTIMATOR = "org.u2sa.core.estimation.PassThroughStateEstimator";
+  private static final String ESTIMATOR = "org.u2sa.estimation.PassThroughStateEstimator";
 
   @TempDir private static Path directory;
   private static ForeignSystem foreign;

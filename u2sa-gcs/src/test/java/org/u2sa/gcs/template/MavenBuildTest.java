@@ -70,7 +70,14 @@ class MavenBuildTest {
   @Test
   void verify_generatedProject_succeeds() throws Exception {
     Path repository = repository();
-    maven(ROOT, repository, "install", "-DskipTests", "-pl", "u2sa-core,u2sa-bom", "-am");
+    maven(
+        ROOT,
+        repository,
+        "install",
+        "-DskipTests",
+        "-pl",
+        "u2sa-estimation,u2sa-world,u2sa-mission,u2sa-planning,u2sa-control,u2sa-core,u2sa-bom",
+        "-am");
     new NewProject(folder).make("vehicle", "boat");
     maven(folder.resolve("boat"), repository, "verify");
     assertThat(folder.resolve("boat/target/boat-1.0.jar")).exists();

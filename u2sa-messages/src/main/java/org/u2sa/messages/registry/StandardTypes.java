@@ -2,6 +2,7 @@ package org.u2sa.messages.registry;
 
 import java.util.List;
 import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.AngleCommand;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.CameraImage;
@@ -128,7 +129,8 @@ public final class StandardTypes implements MessageTypeProvider {
           AngleCommand.TYPE,
           SpeedCommand.TYPE,
           ForceCommand.TYPE,
-          CameraImage.TYPE);
+          CameraImage.TYPE,
+          AircraftState.TYPE);
 
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}

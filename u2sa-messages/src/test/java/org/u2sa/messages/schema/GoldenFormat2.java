@@ -55,7 +55,7 @@ final class GoldenFormat2 {
             .serviceType("PATH_PLANNER")
             .status(ServiceStatus.RUNNING)
             .instance("planner-2")
-            .className("org.u2sa.core.planning.PathPlanner"));
+            .className("org.u2sa.core.planning.PathPlanner")); // as it was then
     ConfigurationVariable broker =
         new ConfigurationVariable()
             .name("BROKER")

@@ -2,6 +2,7 @@ package org.u2sa.messages.schema;
 
 import java.util.HexFormat;
 import java.util.List;
+import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.OccupancyGrid;
@@ -43,6 +44,15 @@ final class GoldenWorld {
     golden.add("Box-seen", seen(new Box()));
     golden.add("HealthReport-remarks", remarking(new HealthReport()));
     golden.add("ConnectionLost-remarks", remarking(new ConnectionLost()));
+    golden.add(
+        "AircraftState",
+        new AircraftState()
+            .heightAboveGround(1.25)
+            .calibratedAirspeed(41.5)
+            .engineRpm(2350.0)
+            .weightOnWheels(true)
+            .engineStarting(true)
+            .crashed(true));
     golden.add(
         "CameraImage",
         new CameraImage()

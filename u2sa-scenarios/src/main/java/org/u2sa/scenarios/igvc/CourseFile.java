@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.u2sa.core.world.xml.WorldFile;
 import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
@@ -14,6 +13,7 @@ import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.camera.Scenery;
+import org.u2sa.world.xml.WorldFile;
 
 /** Courses as world XML files. */
 final class CourseFile {

@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.u2sa.core.launch.LaunchOptions;
-import org.u2sa.core.mission.Mission;
+import org.u2sa.mission.Mission;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.Surroundings;

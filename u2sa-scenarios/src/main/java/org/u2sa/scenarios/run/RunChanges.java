@@ -26,7 +26,7 @@ final class RunChanges {
       names = "--swap",
       paramLabel = "SECONDS:SERVICE=CLASS",
       description =
-          "Replace a service with another class during the run, for example 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner. May be given several times.")
+          "Replace a service with another class during the run, for example 100:PathPlanner=org.u2sa.planning.VectorFieldPlanner. May be given several times.")
   private void swaps(List<String> texts) {
     swaps = parsed("--swap", () -> texts.stream().map(SwapOperator.PlannedSwap::parse).toList());
   }

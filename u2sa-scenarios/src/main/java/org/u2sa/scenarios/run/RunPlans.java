@@ -3,14 +3,14 @@ package org.u2sa.scenarios.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.core.mission.Home;
-import org.u2sa.core.mission.Mission;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.mission.Home;
+import org.u2sa.mission.Mission;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
 

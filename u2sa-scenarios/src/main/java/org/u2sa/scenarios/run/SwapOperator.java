@@ -116,7 +116,7 @@ public final class SwapOperator extends PeriodicService {
             "\""
                 + text
                 + "\" is no swap; expected SECONDS:SERVICE=CLASS, such as"
-                + " 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner");
+                + " 100:PathPlanner=org.u2sa.planning.VectorFieldPlanner");
       }
       return new PlannedSwap(Double.parseDouble(form.group(1)), form.group(2), form.group(3));
     }

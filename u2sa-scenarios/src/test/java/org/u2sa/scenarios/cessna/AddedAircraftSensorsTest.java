@@ -11,15 +11,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.mission.Mission;
 import org.u2sa.scenarios.report.Surroundings;
 
 /** A line in the system file adds a sensor to the Cessna, and it rolls all the same. */
 class AddedAircraftSensorsTest {
-  private static final String ESTIMATOR = "  <service class=\"org.u2sa.core.estimation.";
+  private static final String ESTIMATOR = "  <service class=\"org.u2sa.estimation.";
 
   @TempDir Path directory;
 

@@ -30,7 +30,7 @@ class BadInputTest {
           PathPlanner.xml | "LINE" | "CURVE" | PathPlanner.xml, line 5, variable "GUIDANCE": "CURVE" is not one of "LINE", "DIRECT"
           CommunicationManager.xml | "1883" | "x" | CommunicationManager.xml, line 7, variable "COMMUNICATION MANAGER PORT": value "x" is not a whole number
           CommunicationManager.xml | "embedded" | "carrier pigeon" | CommunicationManager.xml, line 4, variable "BROKER": "carrier pigeon" is not one of "embedded", "external", "none"
-          system.xml      | CessnaControl" | CessnaControll" | system.xml, line 11, <service>: class "org.u2sa.core.control.fixedwing.CessnaControll" is not on the class path
+          system.xml      | CessnaControl" | CessnaControll" | system.xml, line 11, <service>: class "org.u2sa.control.fixedwing.CessnaControll" is not on the class path
           system.xml      | "Control.xml" | "Nothing.xml" | system.xml, line 11, <service>: configuration "Nothing.xml": there is no file
           system.xml      | id="cessna" | id="a/b" | system.xml, line 3, <system>: id
           """)

@@ -16,12 +16,12 @@ import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.link.StandInFlightGear;
 import org.u2sa.flightgear.link.StandInSetup;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.mission.Mission;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.atmosphere.Wind;
 

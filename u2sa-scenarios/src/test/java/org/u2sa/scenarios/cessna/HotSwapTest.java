@@ -13,11 +13,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.core.control.fixedwing.CessnaControl;
-import org.u2sa.core.control.fixedwing.ThesisControl;
-import org.u2sa.core.planning.PathPlanner;
-import org.u2sa.core.planning.VectorFieldPlanner;
+import org.u2sa.control.fixedwing.CessnaControl;
+import org.u2sa.control.fixedwing.ThesisControl;
 import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.planning.PathPlanner;
+import org.u2sa.planning.VectorFieldPlanner;
 
 /** Algorithms replaced in flight by the command line (thesis 5.1, user story 8). */
 class HotSwapTest {

@@ -2,8 +2,8 @@ package org.u2sa.scenarios.cessna;
 
 import java.util.Optional;
 import java.util.Set;
-import org.u2sa.core.control.fixedwing.AircraftState;
-import org.u2sa.core.estimation.StateEstimator;
+import org.u2sa.estimation.StateEstimator;
+import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ServiceContext;

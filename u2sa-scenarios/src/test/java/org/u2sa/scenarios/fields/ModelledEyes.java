@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
-import org.u2sa.core.world.WorldModeler;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.RangeScan;
@@ -15,6 +14,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
 import org.u2sa.testkit.ServiceKit;
+import org.u2sa.world.WorldModeler;
 
 /**
  * The World Modeler's grid and tracks of what a laser and perhaps a detector of objects measure ten

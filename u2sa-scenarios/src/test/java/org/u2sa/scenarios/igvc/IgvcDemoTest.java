@@ -7,16 +7,16 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.core.mission.Mission;
-import org.u2sa.core.world.xml.WorldFile;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.PolyLine;
+import org.u2sa.mission.Mission;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.sim.world.LocalPlane;
+import org.u2sa.world.xml.WorldFile;
 
 /** The vehicle goes for the middle of a waypoint; the rules count two metres. */
 class IgvcDemoTest {

@@ -52,8 +52,8 @@ class DescribeBoatTest {
             + service("org.u2sa.device.CompassSensor", " configuration=\"Compass.xml\"")
             + service("org.u2sa.device.ThrusterActuator", " configuration=\"Thruster1.xml\"")
             + service("org.u2sa.device.ThrusterActuator", " configuration=\"Thruster2.xml\"")
-            + service("org.u2sa.core.estimation.PassThroughStateEstimator", "")
-            + service("org.u2sa.core.control.cascade.AllocatingControl", "")
+            + service("org.u2sa.estimation.PassThroughStateEstimator", "")
+            + service("org.u2sa.control.cascade.AllocatingControl", "")
             + "</system>");
     assertThat(run("describe", file.toString())).as(err.toString()).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())

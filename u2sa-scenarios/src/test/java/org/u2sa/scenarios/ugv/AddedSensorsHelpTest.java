@@ -25,7 +25,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
  */
 @Tag("long")
 class AddedSensorsHelpTest {
-  private static final String ESTIMATOR = "  <service class=\"org.u2sa.core.estimation.";
+  private static final String ESTIMATOR = "  <service class=\"org.u2sa.estimation.";
   private static final int SEEDS = 3;
   private static final double RUN_S = 90.0;
   private static final double SETTLED_S = 10.0;

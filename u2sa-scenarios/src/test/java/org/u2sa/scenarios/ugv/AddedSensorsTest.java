@@ -14,10 +14,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.core.mission.Mission;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.mission.Mission;
 import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.sim.ground.Hazards;
 
@@ -26,7 +26,7 @@ import org.u2sa.sim.ground.Hazards;
  * estimator that passes on and with the one that fuses.
  */
 class AddedSensorsTest {
-  private static final String ESTIMATOR = "  <service class=\"org.u2sa.core.estimation.";
+  private static final String ESTIMATOR = "  <service class=\"org.u2sa.estimation.";
 
   @TempDir Path directory;
 

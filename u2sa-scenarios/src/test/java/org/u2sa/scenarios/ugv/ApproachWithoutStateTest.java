@@ -6,9 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.u2sa.core.control.ground.DifferentialPursuitControl;
-import org.u2sa.core.planning.PathPlanner;
-import org.u2sa.core.world.WorldModeler;
+import org.u2sa.control.ground.DifferentialPursuitControl;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.GoalInformation;
@@ -18,11 +16,13 @@ import org.u2sa.messages.ObjectGoal;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Circle;
+import org.u2sa.planning.PathPlanner;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
 import org.u2sa.sim.ground.GroundStart;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.testkit.ServiceKit;
+import org.u2sa.world.WorldModeler;
 
 /**
  * The Mini-Molle without any State Estimator: a camera sees a barrel in the vehicle's own axes,

@@ -11,10 +11,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.core.control.ground.DifferentialPursuitControl;
-import org.u2sa.core.planning.PathPlanner;
-import org.u2sa.core.world.WorldModeler;
-import org.u2sa.core.world.xml.WorldFile;
+import org.u2sa.control.ground.DifferentialPursuitControl;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.GoalInformation;
@@ -24,6 +21,7 @@ import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.planning.PathPlanner;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
 import org.u2sa.sim.ground.GroundStart;
@@ -31,6 +29,8 @@ import org.u2sa.sim.vehicle.ContactWatch;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 import org.u2sa.testkit.ServiceKit;
+import org.u2sa.world.WorldModeler;
+import org.u2sa.world.xml.WorldFile;
 
 /**
  * The Mini-Molle on its way to a barrel, with a building between them. Both are known only from the

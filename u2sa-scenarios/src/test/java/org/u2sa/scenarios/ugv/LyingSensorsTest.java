@@ -44,7 +44,7 @@ class LyingSensorsTest {
   private static final double LIES_FROM_S = 20.0;
   private static final double ENOUGH_S = 200.0;
   private static final int LOOP = 6;
-  private static final String ESTIMATOR = "  <service class=\"org.u2sa.core.estimation.";
+  private static final String ESTIMATOR = "  <service class=\"org.u2sa.estimation.";
 
   /** A sensor added, and what health is to say of it. */
   enum Added {

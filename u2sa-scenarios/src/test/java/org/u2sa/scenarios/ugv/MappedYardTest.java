@@ -15,8 +15,6 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.u2sa.core.world.WorldModeler;
-import org.u2sa.core.world.xml.WorldFile;
 import org.u2sa.device.LidarSensor;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
@@ -30,6 +28,8 @@ import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
 import org.u2sa.testkit.ServiceKit;
+import org.u2sa.world.WorldModeler;
+import org.u2sa.world.xml.WorldFile;
 
 /**
  * A drive round the yard of missions/ugv/yard.xml, past barrels, trees and walls: what lidar,

@@ -138,13 +138,13 @@ class RecordedDriveTest {
             "swapped",
             "--record",
             "--swap",
-            "5:StateEstimator=org.u2sa.core.estimation.ComplementaryStateEstimator",
+            "5:StateEstimator=org.u2sa.estimation.ComplementaryStateEstimator",
             "--swap",
-            "8:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner",
+            "8:PathPlanner=org.u2sa.planning.VectorFieldPlanner",
             "--swap",
-            "12:Control=org.u2sa.core.control.ground.DifferentialDriveControl",
+            "12:Control=org.u2sa.control.ground.DifferentialDriveControl",
             "--swap",
-            "15:StateEstimator=org.u2sa.core.estimation.FusingStateEstimator");
+            "15:StateEstimator=org.u2sa.estimation.FusingStateEstimator");
     assertThat(run.out()).contains("15.0 s: StateEstimator swapped");
     StringWriter out = new StringWriter();
     int exitCode =

@@ -51,17 +51,17 @@ class SameServicesTest {
     assertThat(ugv)
         .containsAll(
             List.of(
-                "org.u2sa.core.estimation." + estimator,
-                "org.u2sa.core.mission.MissionManager",
-                "org.u2sa.core.planning.PathPlanner",
+                "org.u2sa.estimation." + estimator,
+                "org.u2sa.mission.MissionManager",
+                "org.u2sa.planning.PathPlanner",
                 "org.u2sa.core.safety.SafetyManager",
                 "org.u2sa.core.health.HealthMonitor"));
     assertThat(without(cessna, ugv))
         .containsExactlyInAnyOrder(
-            "org.u2sa.flightgear.link.Simulator", "org.u2sa.core.control.fixedwing.CessnaControl");
+            "org.u2sa.flightgear.link.Simulator", "org.u2sa.control.fixedwing.CessnaControl");
     assertThat(without(ugv, cessna))
         .hasSize(2)
         .contains("org.u2sa.drivers.ioio.IoioService")
-        .anyMatch(name -> name.startsWith("org.u2sa.core.control.ground."));
+        .anyMatch(name -> name.startsWith("org.u2sa.control.ground."));
   }
 }

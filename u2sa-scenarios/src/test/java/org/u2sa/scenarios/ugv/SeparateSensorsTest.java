@@ -12,7 +12,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.core.mission.Mission;
 import org.u2sa.device.CompassSensor;
 import org.u2sa.device.GpsSensor;
 import org.u2sa.device.MagneticModel;
@@ -20,6 +19,7 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.mission.Mission;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.sim.device.SimulatedCompass;
@@ -39,7 +39,7 @@ import org.u2sa.sim.world.LocalPlane;
  */
 class SeparateSensorsTest {
   private static final String ESTIMATOR =
-      "  <service class=\"org.u2sa.core.estimation.PassThroughStateEstimator\"";
+      "  <service class=\"org.u2sa.estimation.PassThroughStateEstimator\"";
   private static final String GPS = "  <service class=\"org.u2sa.device.GpsSensor\"/>\n";
   private static final String COMPASS = "  <service class=\"org.u2sa.device.CompassSensor\"/>\n";
 

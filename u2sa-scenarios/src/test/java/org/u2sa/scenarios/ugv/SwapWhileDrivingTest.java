@@ -12,20 +12,20 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.core.estimation.ComplementaryStateEstimator;
-import org.u2sa.core.estimation.FusingStateEstimator;
-import org.u2sa.core.estimation.PassThroughStateEstimator;
 import org.u2sa.core.launch.LaunchOptions;
-import org.u2sa.core.planning.PathPlanner;
-import org.u2sa.core.planning.VectorFieldPlanner;
-import org.u2sa.core.world.WorldModeler;
-import org.u2sa.core.world.xml.WorldFile;
+import org.u2sa.estimation.ComplementaryStateEstimator;
+import org.u2sa.estimation.FusingStateEstimator;
+import org.u2sa.estimation.PassThroughStateEstimator;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.PathPlanner;
+import org.u2sa.planning.VectorFieldPlanner;
 import org.u2sa.sim.ground.Hazards;
+import org.u2sa.world.WorldModeler;
+import org.u2sa.world.xml.WorldFile;
 
 /**
  * State Estimator, World Modeler and planner replaced while the ground vehicle drives (user story

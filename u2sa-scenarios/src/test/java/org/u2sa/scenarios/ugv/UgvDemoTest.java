@@ -72,8 +72,8 @@ class UgvDemoTest {
 
   @Test
   void demo_controlsSwappedWhileDriving_keepsAllBounds() {
-    String pursuit = ":Control=org.u2sa.core.control.ground.DifferentialPursuitControl";
-    String proportional = ":Control=org.u2sa.core.control.ground.DifferentialDriveControl";
+    String pursuit = ":Control=org.u2sa.control.ground.DifferentialPursuitControl";
+    String proportional = ":Control=org.u2sa.control.ground.DifferentialDriveControl";
 
     UgvCommandLine run =
         drive(
@@ -112,8 +112,8 @@ class UgvDemoTest {
           --set  | Contrl:RATE=50 | expected one of
           --set  | UgvPlanner:RATE=50 | lists no service of class
           --set  | IoioService:NOPE=1 | variable "NOPE": no service declares it
-          --swap | 5:x=org.u2sa.core.planning.PathPlanner | no service "x" runs; expected one of
-          --swap | 5:Contrl=org.u2sa.core.planning.PathPlanner | did you mean "Control"?
+          --swap | 5:x=org.u2sa.planning.PathPlanner | no service "x" runs; expected one of
+          --swap | 5:Contrl=org.u2sa.planning.PathPlanner | did you mean "Control"?
           """)
   void demo_whatWouldHaveNoEffect_isRefused(String option, String value, String expected) {
     UgvCommandLine run = drive("out", "--loops", "1", option, value);

@@ -12,6 +12,11 @@ repositories {
 
 dependencies {
     implementation(platform("org.u2sa:u2sa-bom:{{version}}"))
+    implementation("org.u2sa:u2sa-estimation")
+    implementation("org.u2sa:u2sa-world")
+    implementation("org.u2sa:u2sa-mission")
+    implementation("org.u2sa:u2sa-planning")
+    implementation("org.u2sa:u2sa-control")
     implementation("org.u2sa:u2sa-core")
     testImplementation("org.u2sa:u2sa-abstract:{{version}}:test-fixtures")
     testImplementation("org.junit.jupiter:junit-jupiter:5.14.4")

@@ -2,7 +2,7 @@ package {{package}};
 
 import java.util.Map;
 import java.util.Optional;
-import org.u2sa.core.control.ControlSystem;
+import org.u2sa.control.ControlSystem;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;

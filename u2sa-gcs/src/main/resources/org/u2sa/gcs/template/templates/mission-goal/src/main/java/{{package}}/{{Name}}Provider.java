@@ -2,8 +2,8 @@ package {{package}};
 
 import java.util.Collection;
 import java.util.List;
-import org.u2sa.core.planning.PlannerState;
-import org.u2sa.core.planning.PlannerStateProvider;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.PlannerStateProvider;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypeProvider;

@@ -2,9 +2,9 @@ package {{package}};
 
 import java.util.List;
 import java.util.OptionalLong;
-import org.u2sa.core.planning.Plan;
-import org.u2sa.core.planning.PlannerState;
-import org.u2sa.core.planning.Pursuit;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.Pursuit;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.NavigationPoint;

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.core.planning.PathPlanner;
+import org.u2sa.planning.PathPlanner;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.StateInformation;

@@ -1,0 +1,313 @@
+package org.u2sa.control;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Turns navigation points into actuator commands (thesis 3.2.3.5). In: navigation, state. Out:
+ * actuation.
+ *
+ * <p>{@link #control} is called once per new state, on the service's thread. A navigation point
+ * older than STALE AFTER counts as absent. When states stop, nothing is commanded, and the last
+ * commands expire after COMMAND EXPIRY; when the service ends, actuators are left {@linkplain
+ * #neutral() neutral}.
+ *
+ * <p>A control system that {@linkplain #obeysWithoutState() needs no state} obeys each navigation
+ * point on arrival if no state has arrived for STALE AFTER (thesis 4.3.2).
+ */
+public abstract class ControlSystem extends EventDrivenService {
+  /** The subsystem of navigation points for the vehicle as a whole. */
+  protected static final String VEHICLE = "VEHICLE";
+
+  private static final double FULL_PERCENT = 100.0;
+
+  private record Limits(
+      @Variable(
+              unit = "s",
+              min = 0.02,
+              max = 60,
+              ifAbsent = 0.5,
+              text = "How long an actuator obeys a command that is not renewed.")
+          double commandExpiry,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 10,
+              ifAbsent = 0.5,
+              text =
+                  "Time over which commands blend from those of a control system that this one replaces.")
+          double blendTime,
+      @Variable(
+              unit = "s",
+              min = 0.02,
+              max = 60,
+              ifAbsent = 1,
+              text = "Age at which a navigation point counts as absent.")
+          double staleAfter) {}
+
+  private final Settings<Limits> limits = settings(Limits.class);
+  private final CommandBlend blend = new CommandBlend();
+  private StateHistory states = new StateHistory();
+  private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
+  private final Map<String, NavigationPoint> placed =
+      new HashMap<>(); // newest point whose state is remembered
+  private double stepS;
+  private long heardStateMicros = Long.MIN_VALUE; // by the run's clock
+  private boolean isStateless; // if so, states are origins, one per navigation point
+
+  /**
+   * @param serviceName default name, overridden by the variable SERVICE NAME
+   */
+  protected ControlSystem(ServiceContext context, String serviceName) {
+    super(context, ServiceRole.CONTROL_SYSTEM, serviceName);
+    states.span(Clock.micros(limits.get().staleAfter()));
+    subscribe(Channels.NAVIGATION, this::onNavigation);
+    subscribe(Channels.STATE, this::onState);
+    registerPublisher(Channels.ACTUATION);
+  }
+
+  /**
+   * Commands the actuators, by {@link #command}. Called for each state newer than the previous one.
+   *
+   * @param state the newest estimate
+   * @param point target, in the vehicle's own frame (BODY) at the point's timestamp; empty if
+   *     absent or stale
+   */
+  protected abstract void control(StateInformation state, Optional<NavigationPoint> point);
+
+  /** Safe commands of this control system's actuators, by actuator name [%, −100…100]. */
+  protected abstract Map<String, Double> neutral();
+
+  /**
+   * Whether a navigation point alone suffices. Without states, such a control system is called with
+   * the origin of LOCAL_NED, heading north, in place of a state, without speed or attitude.
+   */
+  protected boolean obeysWithoutState() {
+    return false;
+  }
+
+  /**
+   * Whether {@link #control} is currently called for navigation points because no states arrive.
+   */
+  public final boolean isStateless() {
+    return isStateless;
+  }
+
+  private void onNavigation(NavigationPoint point) {
+    points.put(point.subsystem(), point);
+    if (obeysWithoutState() && point.subsystem().equals(VEHICLE) && isAllThereIs(point)) {
+      begin(true);
+      points.put(VEHICLE, point);
+      StateInformation origin =
+          new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).psi(0.0);
+      origin.timestamp(point.timestamp().getAsLong());
+      take(origin);
+    }
+  }
+
+  /** Whether the navigation point is fresh but no state is. */
+  private boolean isAllThereIs(NavigationPoint point) {
+    long now = clock().micros();
+    long span = Clock.micros(limits.get().staleAfter());
+    boolean hasState = heardStateMicros != Long.MIN_VALUE && now - heardStateMicros <= span;
+    return !hasState
+        && point.timestamp().isPresent()
+        && Math.abs(now - point.timestamp().getAsLong()) <= span;
+  }
+
+  /** Discards results computed from states of the other kind, which have a different origin. */
+  private void begin(boolean stateless) {
+    if (stateless != isStateless) {
+      isStateless = stateless;
+      log(stateless ? "no state: obeys navigation points alone" : "a state again");
+      states = new StateHistory();
+      points.clear();
+      placed.clear();
+    }
+  }
+
+  private void onState(StateInformation state) {
+    if (state.timestamp().isEmpty()) {
+      log(LogLevelEnum.WARN, "ignored a state without a timestamp: " + state);
+      return;
+    }
+    heardStateMicros = clock().micros();
+    begin(false);
+    take(state);
+  }
+
+  private void take(StateInformation state) {
+    states.span(Clock.micros(limits.get().staleAfter()));
+    if (!states.add(state)) {
+      log(LogLevelEnum.DEBUG, "ignored a state that is not newer than the last: " + state);
+      return;
+    }
+    stepS = Clock.seconds(states.lastStepMicros());
+    points.values().stream()
+        .filter(point -> stateOf(point).isPresent())
+        .forEach(point -> placed.put(point.subsystem(), point));
+    control(state, navigationPoint(VEHICLE));
+  }
+
+  /**
+   * Time between the previous and the current state [s], by timestamps; 0 for the first state and
+   * after a gap longer than STALE AFTER, so that integrators neither start nor resume with a jump.
+   */
+  protected final double stepS() {
+    return stepS;
+  }
+
+  /**
+   * The newest navigation point of a subsystem, unless it is stale by the newest state's time. If
+   * its state was not seen, because it has not arrived yet or was replaced by a newer one in the
+   * inbox, the last point whose state was seen is used.
+   */
+  protected final Optional<NavigationPoint> navigationPoint(String subsystem) {
+    Optional<NavigationPoint> newest =
+        Optional.ofNullable(points.get(subsystem)).filter(states::isFresh);
+    if (newest.flatMap(this::stateOf).isPresent()) {
+      return newest;
+    }
+    Optional<NavigationPoint> before =
+        Optional.ofNullable(placed.get(subsystem)).filter(states::isFresh);
+    return newest.isPresent() && before.isPresent() ? before : newest;
+  }
+
+  /**
+   * State from which a navigation point was computed, that is the one with the same timestamp;
+   * empty if no longer remembered.
+   */
+  protected final Optional<StateInformation> stateOf(NavigationPoint point) {
+    return point.timestamp().isEmpty()
+        ? Optional.empty()
+        : states.at(point.timestamp().getAsLong());
+  }
+
+  /**
+   * Rotates a navigation point from BODY to north, east, down relative to the vehicle [m], by the
+   * attitude from which it was computed; empty if that state is no longer remembered.
+   */
+  protected final Optional<Point> nedOf(NavigationPoint point) {
+    return stateOf(point).map(state -> ned(point.point(), state));
+  }
+
+  private static Point ned(Point body, StateInformation state) {
+    boolean local = state.referenceFrame().isLocal();
+    StateInformation ned = state.in(local ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL);
+    return new Attitude(ned.phi().orElse(0.0), ned.theta().orElse(0.0), ned.psi().orElse(0.0))
+        .nedOf(body);
+  }
+
+  /**
+   * Commands an actuator until the next command or until COMMAND EXPIRY.
+   *
+   * @param percentage bounded to −100…100 [%]
+   * @throws IllegalArgumentException if the percentage is not a number
+   */
+  protected final void command(String actuator, double percentage) {
+    command(actuator, percentage, limits.get().commandExpiry());
+  }
+
+  /**
+   * Commands an actuator until the next command or the given expiry.
+   *
+   * @param percentage bounded to −100…100 [%]
+   * @param expiryS how long the command stays valid [s]
+   * @throws IllegalArgumentException if a value is not a number
+   */
+  protected final void command(String actuator, double percentage, double expiryS) {
+    double wanted = Math.max(-100.0, Math.min(100.0, percentage));
+    double bounded = blend.command(actuator, wanted, clock().micros(), limits.get().blendTime());
+    publish(Channels.ACTUATION, PercentageCommand.of(actuator, bounded).expiry(expiryS));
+  }
+
+  /**
+   * Commands an actuator by angle, speed or force, if it announced support for it; by a percentage
+   * while blending from another control system's commands.
+   *
+   * @param typed command addressed to the actuator
+   * @param percentage equivalent percentage [%]
+   */
+  protected final void command(ActuatorCommand typed, double percentage) {
+    String actuator = typed.actuatorName();
+    double blended =
+        blend.command(actuator, percentage, clock().micros(), limits.get().blendTime());
+    double expiryS = limits.get().commandExpiry();
+    publish(
+        Channels.ACTUATION,
+        blended == percentage
+            ? typed.expiry(expiryS)
+            : PercentageCommand.of(actuator, blended).expiry(expiryS));
+  }
+
+  /** Commands an actuator by a share of full command [−1…1]. */
+  protected final void commandShare(String actuator, double share) {
+    command(actuator, FULL_PERCENT * share);
+  }
+
+  /** Last command of an actuator, by this or the previous control system [−1…1]; 0 if none. */
+  protected final double lastShare(String actuator) {
+    return lastCommand(actuator).orElse(0.0) / FULL_PERCENT;
+  }
+
+  /** Last command of an actuator, by this or the previous control system [%]. */
+  protected final OptionalDouble lastCommand(String actuator) {
+    return blend.last(actuator);
+  }
+
+  /** Whether a control system of the same class hands over, so that its state is complete. */
+  protected final boolean isOfMyClass(HandOver state) {
+    return state.className().equals(getClass().getName());
+  }
+
+  /** {@inheritDoc} Overrides must call super. */
+  @Override
+  protected void handOver(HandOver state) {
+    if (!isStateless) {
+      state.messages("STATES", states.all());
+      state.messages("POINTS", points.values());
+      state.messages("PLACED", placed.values());
+    }
+    blend.handOver(state);
+  }
+
+  /** {@inheritDoc} Overrides must call super first. */
+  @Override
+  protected void takeOver(HandOver state) {
+    state.messages("STATES", StateInformation.class).forEach(states::add);
+    if (!states.all().isEmpty()) {
+      heardStateMicros = clock().micros();
+    }
+    state
+        .messages("POINTS", NavigationPoint.class)
+        .forEach(point -> points.put(point.subsystem(), point));
+    state
+        .messages("PLACED", NavigationPoint.class)
+        .forEach(point -> placed.put(point.subsystem(), point));
+    blend.takeOver(state, isOfMyClass(state));
+  }
+
+  /** Leaves the actuators neutral; overrides must call super. */
+  @Override
+  protected void release() {
+    neutral().forEach(this::command);
+  }
+}

@@ -1,0 +1,145 @@
+package org.u2sa.control;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Controls a vehicle that regulates its own velocity, such as one with an ArduPilot or PX4
+ * autopilot: converts the vector to the navigation point to speeds along the vehicle's axes and a
+ * turn rate. In: navigation, state. Out: actuation of FORWARD SPEED, LEFT SPEED, CLIMB SPEED and
+ * TURN RATE.
+ *
+ * <p>Without fresh navigation all four are 0 and the vehicle stops.
+ */
+public final class VelocityControl extends ControlSystem {
+  static final String FORWARD = "FORWARD SPEED";
+  static final String LEFT = "LEFT SPEED";
+  static final String CLIMB = "CLIMB SPEED";
+  static final String TURN = "TURN RATE";
+
+  private static final double FULL_PERCENT = 100.0;
+
+  private record Tuning(
+      @Variable(
+              unit = "m/s",
+              min = 0.01,
+              max = 100,
+              ifAbsent = 5,
+              text = "Forward and sideways speed at 100 %, as set for the actuators.")
+          double fullSpeed,
+      @Variable(
+              unit = "m/s",
+              min = 0.01,
+              max = 50,
+              ifAbsent = 2,
+              text = "Climb speed at 100 %, as set for the actuators.")
+          double fullClimb,
+      @Variable(
+              unit = "rad/s",
+              min = 0.01,
+              max = 10,
+              ifAbsent = 1,
+              text = "Turn rate at 100 %, as set for the actuators.")
+          double fullTurn,
+      @Variable(
+              unit = "m/s",
+              min = 0.01,
+              max = 100,
+              ifAbsent = 2,
+              text = "Speed to a navigation point that sets none.")
+          double cruiseSpeed,
+      @Variable(
+              unit = "1/s",
+              min = 0.01,
+              max = 10,
+              ifAbsent = 0.8,
+              text = "Maximum speed per remaining distance.")
+          double approachGain,
+      @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 1, text = "Turn rate per bearing.")
+          double turnGain,
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 100,
+              ifAbsent = 1,
+              text =
+                  "Minimum distance of a point to turn to: the bearing of nearer ones is mostly error.")
+          double facingDistance,
+      @Variable(
+              ifAbsentText = "true",
+              text = "Whether the vehicle can move sideways and backwards, like a multicopter.")
+          boolean sideways) {}
+
+  private final Settings<Tuning> tuning = settings(Tuning.class);
+
+  /** Called by the launcher. */
+  public VelocityControl(ServiceContext context) {
+    super(context, "VelocityControl");
+  }
+
+  @Override
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<Point> way = point.flatMap(this::nedOf).flatMap(ned -> ahead(ned, state));
+    if (way.isEmpty()) {
+      neutral().forEach(this::command);
+      return;
+    }
+    Tuning now = tuning.get();
+    Point toGo = way.get(); // forward, left, up
+    double distance = toGo.distance();
+    double wanted = point.get().speed().orElse(now.cruiseSpeed());
+    double speed = Math.min(wanted, now.approachGain() * distance);
+    double perMetre = distance > 0.0 ? speed / distance : 0.0;
+    double forward = now.sideways() ? toGo.x() : Math.max(0.0, toGo.x());
+    double left = now.sideways() ? toGo.y() : 0.0;
+    double forwardPercent = percent(forward * perMetre, now.fullSpeed());
+    double leftPercent = percent(left * perMetre, now.fullSpeed());
+    double climbPercent = percent(toGo.z() * perMetre, now.fullClimb());
+    double most = Math.max(Math.abs(forwardPercent), Math.abs(leftPercent));
+    most = Math.max(FULL_PERCENT, Math.max(most, Math.abs(climbPercent)));
+    double share = FULL_PERCENT / most; // slower in the same direction: clamped axes would turn it
+    command(FORWARD, share * forwardPercent);
+    command(LEFT, share * leftPercent);
+    command(CLIMB, share * climbPercent);
+    boolean faces = Math.hypot(toGo.x(), toGo.y()) >= now.facingDistance();
+    double turn = faces ? now.turnGain() * toGo.azimuth() : 0.0;
+    command(TURN, percent(turn, now.fullTurn()));
+  }
+
+  private static double percent(double value, double full) {
+    return FULL_PERCENT * value / full;
+  }
+
+  /**
+   * Rotates north, east, down to forward, left, up of the level vehicle [m]; empty without a
+   * heading.
+   */
+  private static Optional<Point> ahead(Point ned, StateInformation state) {
+    boolean local = state.referenceFrame().isLocal();
+    StateInformation turned = state.in(local ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL);
+    if (turned.psi().isEmpty()) {
+      return Optional.empty();
+    }
+    Point level = new Attitude(0.0, 0.0, turned.psi().getAsDouble()).levelOf(ned);
+    return Optional.of(Point.of(level.x(), level.y(), -level.z()));
+  }
+
+  @Override
+  protected Map<String, Double> neutral() {
+    Map<String, Double> neutral = new LinkedHashMap<>();
+    neutral.put(FORWARD, 0.0);
+    neutral.put(LEFT, 0.0);
+    neutral.put(CLIMB, 0.0);
+    neutral.put(TURN, 0.0);
+    return neutral;
+  }
+}

@@ -1,0 +1,337 @@
+package org.u2sa.control.cascade;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.control.ControlSystem;
+import org.u2sa.control.allocation.ActuatorRoster;
+import org.u2sa.control.allocation.Allocator;
+import org.u2sa.control.allocation.Authority;
+import org.u2sa.control.allocation.DegreeOfFreedom;
+import org.u2sa.control.allocation.Effector;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ForceCommand;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Controls any vehicle using the effects its actuators announce (thesis 3.2.3.5: "discover which
+ * actuators exist, … and how those actuators influence the state"). In: navigation, state,
+ * actuators, health, arming-state. Out: actuation of every actuator that announced a numeric
+ * effect.
+ *
+ * <p>Position → velocity → force and angle → rate → moment, by cascaded PIDs ({@link Cascade}), and
+ * weighted allocation ({@link Allocator}). When an actuator appears, disappears or weakens, the
+ * next state is allocated accordingly, and health reports the remaining authority. Without fresh
+ * navigation the vehicle stops and keeps its heading. Without any state it approaches the point
+ * using motion estimated from the sightings of it ({@link SeenMotion}), and actuators are released
+ * when no point arrives (thesis 4.3.2).
+ */
+public final class AllocatingControl extends ControlSystem {
+  /** Unit of actuator commands. */
+  private enum CommandKind {
+    PERCENT,
+    FORCE
+  }
+
+  private record Choices(
+      @Variable(
+              ifAbsentText = "",
+              text =
+                  "Axes, with spaces between, without which the vehicle is left neutral: of SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
+          String essential,
+      @Variable(
+              ifAbsentText = "",
+              text =
+                  "Actuators that cost more effort, as \"NAME 4, OTHER NAME 2\"; others cost 1, and the dearer one does less.")
+          String costs,
+      @Variable(
+              ifAbsentText = "PERCENT",
+              text =
+                  "FORCE commands actuators that take forces by newtons, others by percent; PERCENT all by percent.")
+          CommandKind commands,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether an actuator that is commanded without effect, or with less than it announces, is found by the vehicle's motion and left out or counted as weak; needs true masses.")
+          boolean watchesResponse,
+      @Variable(
+              unit = "s",
+              min = 1,
+              max = 3600,
+              ifAbsent = 60,
+              text =
+                  "Time after which an actuator that did not respond, or weakly, is tried again.")
+          double retryTime) {
+    Choices {
+      axes(essential);
+      Costs.parse(costs);
+    }
+
+    static Set<DegreeOfFreedom> axes(String text) {
+      Set<DegreeOfFreedom> axes = EnumSet.noneOf(DegreeOfFreedom.class);
+      for (String word : text.trim().isEmpty() ? new String[0] : text.trim().split("[\\s,]+")) {
+        try {
+          axes.add(DegreeOfFreedom.valueOf(word));
+        } catch (IllegalArgumentException e) {
+          throw new IllegalArgumentException(
+              "ESSENTIAL: \"" + word + "\" is none of SURGE, SWAY, HEAVE, ROLL, PITCH, YAW", e);
+        }
+      }
+      return axes;
+    }
+  }
+
+  private final Settings<Choices> choices = settings(Choices.class);
+  private final CascadeSettings tuning = new CascadeSettings(this);
+  private final ActuatorRoster roster = new ActuatorRoster();
+  private final Cascade cascade = new Cascade(tuning);
+  private final SeenMotion seen = new SeenMotion();
+  private final ResponseWatch response = new ResponseWatch();
+  private final Weaknesses weaknesses = new Weaknesses();
+  private final double[] masses = new double[DegreeOfFreedom.COUNT];
+  private final AxisTuner tuner = new AxisTuner(settings(AxisTuner.Order.class));
+  private Allocator allocator = new Allocator(tuning.weights());
+  private Authority sound = new Authority(Map.of());
+  private Authority left = new Authority(Map.of());
+  private List<DegreeOfFreedom> lost = List.of();
+  private long revision = -1;
+  private String said = "";
+  private boolean armed = true; // without an arming service, actuators obey at once
+  private boolean isArmedBySomebody; // required for tuning
+  private boolean isBlind;
+  private boolean wentBySight; // at the previous step
+  private boolean takesOver;
+  private OptionalDouble headingBefore = OptionalDouble.empty();
+
+  /** Called by the launcher. */
+  public AllocatingControl(ServiceContext context) {
+    super(context, "Control");
+    subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
+    subscribe(Channels.HEALTH, roster::see);
+    subscribe(Channels.ARMING_STATE, this::heed);
+  }
+
+  private void heed(ArmingState state) {
+    armed = state.armed();
+    isArmedBySomebody = armed;
+  }
+
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    cascade.retune();
+    allocator = new Allocator(tuning.weights());
+    revision = -1;
+  }
+
+  @Override
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    lookAtActuators();
+    Optional<BodyMotion> motion = motion(state, point);
+    if (motion.isEmpty() != isBlind) {
+      isBlind = motion.isEmpty();
+      if (isBlind) {
+        trouble("the state lacks heading or velocity: actuators are neutral");
+      } else {
+        log("heading and velocity are known");
+      }
+    }
+    if (isBlind || !armed || !lost.isEmpty() && essentialsLost()) {
+      cascade.rest();
+      tuner.abort();
+      response.restart();
+      neutral().forEach(this::command);
+      return;
+    }
+    drive(motion.get(), wayToGo(state, point), point.flatMap(to -> speed(to)));
+  }
+
+  @Override
+  protected boolean obeysWithoutState() {
+    return true;
+  }
+
+  private Optional<BodyMotion> motion(StateInformation state, Optional<NavigationPoint> point) {
+    if (isStateless() != wentBySight) {
+      wentBySight = isStateless();
+      cascade.rest(); // it learnt from other axes
+      seen.rest();
+    }
+    cascade.goBySight(isStateless());
+    if (isStateless()) {
+      Point acceleration =
+          Point.of(
+              cascade.attained(DegreeOfFreedom.SURGE),
+              cascade.attained(DegreeOfFreedom.SWAY),
+              cascade.attained(DegreeOfFreedom.HEAVE));
+      double turning = cascade.attained(DegreeOfFreedom.YAW);
+      return point
+          .flatMap(this::nedOf)
+          .map(place -> seen.step(place, acceleration, turning, stepS()));
+    }
+    Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
+    headingBefore = state.psi();
+    return motion;
+  }
+
+  private static Optional<Double> speed(NavigationPoint point) {
+    return point.speed().isPresent() ? Optional.of(point.speed().getAsDouble()) : Optional.empty();
+  }
+
+  private void drive(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps) {
+    if (takesOver) {
+      cascade.takeOver(motion, way, speedMps, presentWrench(motion));
+      takesOver = false;
+    }
+    double[] wanted = cascade.step(motion, way, speedMps, stepS());
+    double mass = tuning.of(tuner.axis()).mass();
+    tuner
+        .step(isArmedBySomebody && !wentBySight, left, wanted, cascade.measured(), mass, stepS())
+        .ifPresent(words -> log(words));
+    allocator.allocate(wanted, stepS(), motion.velocity().distance());
+    cascade.attained(allocator, stepS());
+    tuner.tuned().ifPresent(cascade::rest);
+    if (wentBySight) {
+      response.restart();
+    } else if (choices.get().watchesResponse() && tuner.tuned().isEmpty()) {
+      watchResponse();
+    }
+    List<Effector> effectors = allocator.effectors();
+    for (int i = 0; i < effectors.size(); i++) {
+      String name = effectors.get(i).name();
+      if (choices.get().commands() == CommandKind.FORCE
+          && roster.commandTypes(name).contains(ForceCommand.TYPE.name())) {
+        command(ForceCommand.of(name, allocator.forceN(i)), allocator.percent(i));
+      } else {
+        command(name, allocator.percent(i));
+      }
+      allocator.commanded(name, lastCommand(name).orElse(0.0));
+    }
+  }
+
+  private void watchResponse() {
+    List<DegreeOfFreedom> axes = new ArrayList<>();
+    for (DegreeOfFreedom axis : left.most().keySet()) {
+      axes.add(axis);
+      masses[axis.ordinal()] = tuning.of(axis).mass();
+    }
+    response
+        .step(allocator, axes, cascade.measured(), masses, stepS())
+        .ifPresent(
+            found -> {
+              log(
+                  LogLevelEnum.WARN,
+                  found.actuator()
+                      + (found.left() > 0.0
+                          ? " responds weakly: counted as weak for a time"
+                          : " does not respond: left out for a time"));
+              weaknesses.add(found, clock().micros() + Clock.micros(choices.get().retryTime()));
+              revision = -1;
+            });
+  }
+
+  /** Wrench of the last commands, including those of another control system. */
+  private double[] presentWrench(BodyMotion motion) {
+    allocator
+        .effectors()
+        .forEach(each -> allocator.commanded(each.name(), lastCommand(each.name()).orElse(0.0)));
+    return allocator.present(motion.velocity().distance());
+  }
+
+  /** Vector to the point: north, east, down [m]. */
+  private Optional<Point> wayToGo(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<StateInformation> then = point.flatMap(this::stateOf);
+    Optional<Point> ned = point.flatMap(this::nedOf);
+    if (then.isEmpty() || ned.isEmpty()) {
+      return Optional.empty();
+    }
+    return BodyMotion.displacement(then.get(), state).map(gone -> ned.get().minus(gone));
+  }
+
+  private void lookAtActuators() {
+    long now = clock().micros();
+    long newest = roster.revision(now);
+    boolean isRetry = weaknesses.forget(now);
+    if (newest == revision && !isRetry) {
+      return;
+    }
+    revision = newest;
+    Map<String, Double> costs = Costs.parse(choices.get().costs());
+    response.restart();
+    allocator.use(
+        weaknesses.of(roster.present(now)),
+        roster.sound(),
+        each -> costs.getOrDefault(each.name(), 1.0));
+    Set<DegreeOfFreedom> controlled = tuning.controlled();
+    sound = Authority.of(roster.sound(), controlled);
+    left = Authority.of(allocator.effectors(), controlled);
+    lost = left.lost(sound);
+    List<String> gone = roster.lost(now);
+    weaknesses.lost().stream().filter(name -> !gone.contains(name)).forEach(gone::add);
+    gone.forEach(name -> command(name, 0.0));
+    say(left.words(sound), gone);
+  }
+
+  private void say(String authority, List<String> gone) {
+    String words =
+        (gone.isEmpty() ? "" : "lost: " + String.join(", ", gone) + "; ")
+            + weaknesses.words()
+            + (authority.isEmpty() && !gone.isEmpty() ? "all authority is left" : authority)
+            + (essentialsLost() ? "; actuators are neutral" : "");
+    if (words.equals(said)) {
+      return;
+    }
+    said = words;
+    remark("authority", words);
+    if (words.isEmpty()) {
+      log(LogLevelEnum.INFO, "all control authority is there");
+    } else {
+      trouble(words);
+    }
+  }
+
+  private boolean essentialsLost() {
+    return Choices.axes(choices.get().essential()).stream().anyMatch(lost::contains);
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    cascade.handOver(state);
+    if (wentBySight) {
+      seen.handOver(state.text("BY SIGHT", "true"));
+    }
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
+    if (isOfMyClass(state)) {
+      cascade.takeOver(state);
+      wentBySight = state.text("BY SIGHT").isPresent();
+      seen.takeOver(state);
+    } else {
+      takesOver = true;
+    }
+  }
+
+  @Override
+  protected Map<String, Double> neutral() {
+    Map<String, Double> neutral = new LinkedHashMap<>();
+    allocator.effectors().forEach(each -> neutral.put(each.name(), 0.0));
+    return neutral;
+  }
+}

@@ -1,0 +1,96 @@
+package org.u2sa.control.cascade;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Motion of the vehicle along and about its forward, right and down axes.
+ *
+ * @param attitude attitude relative to north, east, down; roll and pitch are 0 if unknown
+ * @param velocity velocity over ground: forward, right, down [m/s]; down is 0 if unknown
+ * @param rates p, q, r [rad/s]; 0 if unknown
+ */
+record BodyMotion(Attitude attitude, Point velocity, Point rates) {
+  /**
+   * Creates the motion from a state.
+   *
+   * @param before heading of the previous state [rad], to derive the yaw rate if the state lacks it
+   * @param stepS time since the previous state [s]; 0 if unknown
+   * @return empty without heading or horizontal velocity, and in a frame of the vehicle itself
+   */
+  static Optional<BodyMotion> of(StateInformation state, OptionalDouble before, double stepS) {
+    if (state.referenceFrame().isBody()) {
+      return Optional.empty();
+    }
+    StateInformation ned = ned(state);
+    if (ned.psi().isEmpty() || ned.xDot().isEmpty() || ned.yDot().isEmpty()) {
+      return Optional.empty();
+    }
+    double heading = ned.psi().getAsDouble();
+    Attitude attitude = new Attitude(ned.phi().orElse(0.0), ned.theta().orElse(0.0), heading);
+    double yawRate = 0.0;
+    if (ned.psiDot().isPresent()) {
+      yawRate = ned.psiDot().getAsDouble();
+    } else if (before.isPresent() && stepS > 0.0) {
+      yawRate = Math.IEEEremainder(heading - before.getAsDouble(), 2.0 * Math.PI) / stepS;
+    }
+    Point euler = Point.of(ned.phiDot().orElse(0.0), ned.thetaDot().orElse(0.0), yawRate);
+    return Optional.of(
+        new BodyMotion(attitude, frd(attitude, velocity(ned)), attitude.bodyRates(euler)));
+  }
+
+  private static StateInformation ned(StateInformation state) {
+    boolean local = state.referenceFrame().isLocal();
+    return state.in(local ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL);
+  }
+
+  /** Velocity north, east, down [m/s]; in GLOBAL, states have east, north, up. */
+  private static Point velocity(StateInformation state) {
+    double x = state.xDot().orElseThrow();
+    double y = state.yDot().orElseThrow();
+    double z = state.zDot().orElse(0.0);
+    return state.referenceFrame().isLocal() ? Point.of(x, y, z) : Point.of(y, x, -z);
+  }
+
+  private static Point frd(Attitude attitude, Point ned) {
+    return attitude.nedFromFrd().transposed().times(ned);
+  }
+
+  /** Rotates a vector from north, east, down to forward, right, down. */
+  Point frd(Point ned) {
+    return frd(attitude, ned);
+  }
+
+  /**
+   * Displacement between the positions of two states: north, east, down [m]; empty if one is
+   * absent. A height absent from one of them counts as unchanged.
+   */
+  static Optional<Point> displacement(StateInformation then, StateInformation now) {
+    if (!hasPlace(then) || !hasPlace(now)) {
+      return Optional.empty();
+    }
+    boolean hasHeight = then.z().isPresent() && now.z().isPresent();
+    Point from = place(ned(then), hasHeight);
+    Point to = place(ned(now), hasHeight);
+    return Optional.of(
+        then.referenceFrame().isLocal()
+            ? to.minus(from)
+            : Geodetic.of(from).nedOf(Geodetic.of(to)));
+  }
+
+  private static boolean hasPlace(StateInformation state) {
+    return state.x().isPresent() && state.y().isPresent();
+  }
+
+  private static Point place(StateInformation state, boolean withHeight) {
+    return Point.of(
+        state.x().orElseThrow(),
+        state.y().orElseThrow(),
+        withHeight ? state.z().orElseThrow() : 0.0);
+  }
+}

@@ -1,0 +1,187 @@
+package org.u2sa.control.fixedwing;
+
+import java.util.Optional;
+import org.u2sa.service.HandOver;
+
+/** The airborne phases: climb-out, cruise, holding and go-around. */
+final class AirbornePhases {
+  private static final double NEAR_GROUND_M = 10.0;
+  private static final double HEIGHT_FIRST_BELOW = 0.5; // of the safe height
+
+  private final Tuning tuning;
+  private final GuidanceParameters guidance;
+  private final GroundSteering steering;
+  private final InnerLoops loops;
+  private final LateralGuidance lateral;
+  private final StallGuard stall;
+  private final EnergyLaw energy;
+
+  private final WindEstimate wind;
+  private final TakeOffRotation rotation;
+
+  private double holdAltitudeM;
+  private double altitudeDemandM;
+  private double speedDemandMps; // calibrated
+
+  AirbornePhases(
+      Tuning tuning,
+      GroundSteering steering,
+      InnerLoops loops,
+      WindEstimate wind,
+      TakeOffRotation rotation) {
+    this.tuning = tuning;
+    guidance = tuning.guidance();
+    this.steering = steering;
+    this.loops = loops;
+    this.wind = wind;
+    this.rotation = rotation;
+    lateral = new LateralGuidance(guidance.shortestLookAhead());
+    stall = new StallGuard(guidance);
+    energy = new EnergyLaw(tuning.energy());
+    speedDemandMps = guidance.cruiseSpeed();
+  }
+
+  /** Sets the altitude to hold without navigation to the current one, or to a safe one above it. */
+  void holdHere(FlightState state) {
+    holdAltitudeM = Math.max(state.altitudeM(), safeAltitudeM(state));
+  }
+
+  private double safeAltitudeM(FlightState state) {
+    return state.altitudeM() - state.heightM() + tuning.takeOff().safeHeight();
+  }
+
+  /** Restarts the energy law at a pitch, with the current throttle. */
+  void restartEnergy(FlightState state, double pitchRad) {
+    energy.restart(state, pitchRad, loops.throttle());
+  }
+
+  Surfaces climbOut(FlightState state, double dtS) {
+    Tuning.ClimbOut climb = tuning.climbOut();
+    double look = climb.climbOutLookAhead();
+    double bank =
+        lateral.bankRad(state, steering.aheadNorthM(state, look), steering.aheadEastM(state, look));
+    altitudeDemandM = safeAltitudeM(state);
+    speedDemandMps = Tuning.KNOT_MPS * climb.climbOutSpeed();
+    // Near the ground the nose keeps its take-off pitch, whatever the airspeed demands.
+    double low = Limit.within(0.0, 2.0 - state.heightM() / NEAR_GROUND_M, 1.0);
+    double lower = Math.toRadians(climb.climbOutPitchLowerLimit());
+    double least = lower + low * Math.max(0.0, rotation.pitchRad() - lower);
+    return surfaces(
+        state,
+        bank,
+        Math.toRadians(climb.climbOutBankLimit()),
+        EnergyLaw.Priority.SPEED,
+        least,
+        dtS);
+  }
+
+  /**
+   * @param circles whether to circle without navigation
+   */
+  Surfaces fly(FlightState state, Optional<GuidanceTarget> target, boolean circles, double dtS) {
+    double bank = circles ? Math.toRadians(tuning.hold().holdBank()) : 0.0;
+    altitudeDemandM = holdAltitudeM;
+    speedDemandMps = guidance.cruiseSpeed();
+    if (target.isPresent()) {
+      GuidanceTarget ahead = target.get();
+      bank = lateral.bankRad(state, ahead.northM(), ahead.eastM());
+      altitudeDemandM = ahead.altitudeM();
+      speedDemandMps =
+          ahead.speedMps().orElse(speedDemandMps * state.trueOverCalibrated())
+              / state.trueOverCalibrated();
+      holdAltitudeM = altitudeDemandM;
+    }
+    return surfaces(
+        state,
+        bank,
+        Math.toRadians(guidance.bankLimit()),
+        EnergyLaw.Priority.BOTH,
+        Math.toRadians(guidance.pitchLowerLimit()),
+        dtS);
+  }
+
+  /**
+   * Climbs to the safe height and follows navigation laterally there. Near the ground bank is
+   * limited, whatever navigation demands, and the speed is above approach speed, because landings
+   * are refused in strong wind, whose gusts cost airspeed. Down there height comes before speed.
+   */
+  Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
+    altitudeDemandM = Math.max(target.altitudeM(), safeAltitudeM(state));
+    holdAltitudeM = altitudeDemandM;
+    double calibratedMps = target.speedMps().orElse(0.0) / state.trueOverCalibrated();
+    speedDemandMps =
+        Math.max(calibratedMps, guidance.cruiseSpeed()) + guidance.gustShare() * wind.speedMps();
+    if (state.climbMps() < 0.0) {
+      energy.levelOff();
+    }
+    double share = Limit.within(0.0, state.heightM() / tuning.takeOff().safeHeight(), 1.0);
+    return surfaces(
+        state,
+        lateral.bankRad(state, target.northM(), target.eastM()),
+        share * share * Math.toRadians(guidance.bankLimit()),
+        share < HEIGHT_FIRST_BELOW ? EnergyLaw.Priority.HEIGHT : EnergyLaw.Priority.BOTH,
+        Math.toRadians(guidance.pitchLowerLimit()),
+        dtS);
+  }
+
+  private Surfaces surfaces(
+      FlightState state,
+      double bank,
+      double bankLimit,
+      EnergyLaw.Priority priority,
+      double leastPitch,
+      double dtS) {
+    double limit = Math.min(bankLimit, stall.bankLimitRad(state));
+    loops.bankTowards(Limit.symmetric(bank, limit), dtS);
+    double slowest =
+        stall.leastSpeedMps(loops.bankRad())
+            + 0.5 * guidance.stallBand()
+            + guidance.gustShare() * wind.speedMps();
+    speedDemandMps = Limit.within(slowest, speedDemandMps, guidance.fastestSpeed());
+    double most = Math.min(Math.toRadians(guidance.pitchUpperLimit()), stall.pitchLimitRad(state));
+    EnergyLaw.Command command =
+        energy.step(
+            state,
+            new EnergyLaw.Demand(
+                altitudeDemandM,
+                speedDemandMps * state.trueOverCalibrated(),
+                priority,
+                Math.min(leastPitch, most),
+                most),
+            stall.urgency(state),
+            dtS);
+    loops.throttle(command.throttle());
+    double load = 1.0 / Math.max(0.5, StrictMath.cos(state.rollRad()));
+    loops.pitch(
+        Math.min(most, command.pitchRad() + Math.toRadians(guidance.turnPitch()) * (load - 1.0)));
+    double aileron = loops.aileron(state, dtS);
+    double elevator = loops.elevator(state, dtS);
+    loops.coordinate(state, aileron, dtS);
+    return new Surfaces(aileron, elevator, loops.rudder(), loops.throttle(), 1.0, 0.0, 0.0);
+  }
+
+  /** Altitude demanded, above mean sea level [m]. */
+  double altitudeDemandM() {
+    return altitudeDemandM;
+  }
+
+  /** Calibrated airspeed demanded [m/s]. */
+  double speedDemandMps() {
+    return speedDemandMps;
+  }
+
+  void handOver(HandOver state) {
+    state
+        .number("HOLD ALTITUDE", holdAltitudeM)
+        .number("ALTITUDE DEMAND", altitudeDemandM)
+        .number("SPEED DEMAND", speedDemandMps);
+    energy.handOver(state);
+  }
+
+  void takeOver(HandOver state) {
+    holdAltitudeM = state.number("HOLD ALTITUDE").orElse(0.0);
+    altitudeDemandM = state.number("ALTITUDE DEMAND").orElse(0.0);
+    speedDemandMps = state.number("SPEED DEMAND").orElse(guidance.cruiseSpeed());
+    energy.takeOver(state);
+  }
+}

@@ -1,0 +1,193 @@
+package org.u2sa.control.fixedwing;
+
+import java.util.Optional;
+import org.u2sa.service.HandOver;
+
+/**
+ * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure
+ * computation: time comes with the state. Not thread-safe.
+ */
+final class Autopilot {
+  private static final double LONGEST_STEP_S = 0.2; // a longer gap is a lost link, not a step
+  private static final double SHORTEST_STEP_S = 1e-3;
+  private static final double GLIDE_SINK_MPS = 3.0; // above this sink rate the flare starts earlier
+  private static final double SOONER_S = 1.0;
+
+  private final Tuning tuning;
+  private final TakeOffSequence sequence;
+  private final GroundSteering steering;
+  private final InnerLoops loops;
+  private final GroundPhases ground;
+  private final AirbornePhases air;
+  private final TouchDown touchDown;
+  private final WindEstimate wind = new WindEstimate();
+  private final TakeOffRotation rotation;
+  private final FinalApproach approach = new FinalApproach();
+  private final LandingRefusal refusal;
+
+  private FlightPhase phase = FlightPhase.RUN_UP;
+  private boolean takenOver; // from another law, so the throttle must not jump
+  private double lastTimeS = Double.NaN;
+  private double navigatedS; // when navigation was last present
+
+  Autopilot(Tuning tuning) {
+    this.tuning = tuning;
+    sequence = new TakeOffSequence(tuning.takeOff());
+    steering = new GroundSteering(tuning.ground());
+    loops = new InnerLoops(tuning);
+    rotation = new TakeOffRotation(tuning, wind);
+    ground = new GroundPhases(tuning, sequence, steering, loops, rotation);
+    air = new AirbornePhases(tuning, steering, loops, wind, rotation);
+    touchDown = new TouchDown(tuning.touchDown(), tuning.flare(), steering, loops);
+    refusal =
+        new LandingRefusal(
+            tuning.touchDown().maxCrosswind(), tuning.takeOff().safeHeight(), touchDown.heightM());
+  }
+
+  /**
+   * Computes one step.
+   *
+   * @param target empty if navigation is absent or stale
+   */
+  Surfaces step(FlightState state, Optional<GuidanceTarget> target) {
+    boolean first = Double.isNaN(lastTimeS);
+    double dtS =
+        first
+            ? SHORTEST_STEP_S
+            : Limit.within(SHORTEST_STEP_S, state.timeS() - lastTimeS, LONGEST_STEP_S);
+    lastTimeS = state.timeS();
+    FlightPhase before = phase;
+    if (first || target.isPresent()) {
+      navigatedS = state.timeS();
+    }
+    wind.step(state, dtS);
+    if (phase != FlightPhase.FLARE && phase != FlightPhase.STOPPED) {
+      target.ifPresent(ahead -> approach.see(state, ahead, dtS));
+    }
+    phase =
+        sequence.step(
+            state,
+            target.isPresent(),
+            isLanding(state, target),
+            refusal.step(state, target, wind, approach),
+            rotation.speedMps(),
+            loops.throttle());
+    if (first || phase != before) {
+      enter(state, before, first);
+    }
+    return switch (phase) {
+      case RUN_UP -> ground.runUp(state, target.isPresent(), dtS);
+      case ROLL, ROTATE -> ground.run(state, phase == FlightPhase.ROTATE, dtS);
+      case CLIMB_OUT -> air.climbOut(state, dtS);
+      case CRUISE, HOLD -> air.fly(state, target, isLost(state), dtS);
+      case GO_AROUND -> air.goAround(state, target.orElseThrow(), dtS);
+      case FLARE -> touchDown.flare(state, dtS);
+      case STOPPED -> touchDown.rollOut(state, dtS);
+    };
+  }
+
+  private boolean isLost(FlightState state) {
+    return state.timeS() - navigatedS > tuning.hold().holdLevelTime();
+  }
+
+  private boolean isLanding(FlightState state, Optional<GuidanceTarget> target) {
+    double groundM = state.altitudeM() - state.heightM();
+    double sooner = SOONER_S * Math.max(0.0, -state.climbMps() - GLIDE_SINK_MPS);
+    return state.heightM() < touchDown.heightM() + sooner
+        && target
+            .filter(point -> point.altitudeM() - groundM < LandingRefusal.LEADS_DOWN_M)
+            .isPresent();
+  }
+
+  private void enter(FlightState state, FlightPhase before, boolean first) {
+    if (first || phase == FlightPhase.HOLD) {
+      air.holdHere(state);
+    }
+    boolean airborne =
+        phase == FlightPhase.CRUISE || phase == FlightPhase.HOLD || phase == FlightPhase.GO_AROUND;
+    if (airborne && (first || before == FlightPhase.RUN_UP || before == FlightPhase.STOPPED)) {
+      loops.throttle(takenOver ? loops.throttle() : tuning.energy().throttleTrim());
+      takenOver = false;
+      loops.hold(state.rollRad());
+      air.restartEnergy(state, state.pitchRad());
+    }
+    switch (phase) {
+      case ROTATE -> loops.pitch(state.pitchRad());
+      case CLIMB_OUT -> {
+        loops.hold(0.0);
+        loops.restartYaw();
+        air.restartEnergy(state, loops.pitchRad());
+      }
+      case FLARE -> touchDown.begin(state, approach);
+      case ROLL -> loops.restart();
+      default -> {
+        // nothing begins there
+      }
+    }
+  }
+
+  /** Saves the complete state for the successor. */
+  void handOver(HandOver state) {
+    state.number("LAST TIME", lastTimeS).number("NAVIGATED", navigatedS);
+    sequence.handOver(state);
+    steering.handOver(state);
+    loops.handOver(state);
+    air.handOver(state);
+    touchDown.handOver(state);
+    wind.handOver(state);
+    approach.handOver(state);
+    refusal.handOver(state);
+  }
+
+  /** Continues exactly where its predecessor stopped. */
+  void takeOver(HandOver state) {
+    sequence.takeOver(state);
+    phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(phase);
+    lastTimeS = state.number("LAST TIME").orElse(Double.NaN);
+    navigatedS = state.number("NAVIGATED").orElse(lastTimeS);
+    steering.takeOver(state);
+    loops.takeOver(state);
+    air.takeOver(state);
+    touchDown.takeOver(state);
+    wind.takeOver(state);
+    approach.takeOver(state);
+    refusal.takeOver(state);
+  }
+
+  /**
+   * Starts in the air from another control law's commands, shares of full as in {@link Surfaces}.
+   */
+  void takeOver(double aileron, double elevator, double lastRudder, double lastThrottle) {
+    loops.takeOver(aileron, elevator, lastRudder, lastThrottle);
+    takenOver = true;
+  }
+
+  /** Reason for the go-around. */
+  String refusalWords() {
+    return refusal.words();
+  }
+
+  FlightPhase phase() {
+    return phase;
+  }
+
+  /** Bank demanded [rad]. */
+  double bankDemandRad() {
+    return loops.bankRad();
+  }
+
+  /** Pitch demanded [rad]. */
+  double pitchDemandRad() {
+    return loops.pitchRad();
+  }
+
+  /** Altitude demanded, above mean sea level [m]. */
+  double altitudeDemandM() {
+    return air.altitudeDemandM();
+  }
+
+  /** Calibrated airspeed demanded [m/s]. */
+  double speedDemandMps() {
+    return air.speedDemandMps();
+  }
+}

@@ -1,0 +1,205 @@
+package org.u2sa.control.fixedwing;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.u2sa.control.ControlSystem;
+import org.u2sa.control.allocation.ActuatorRoster;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Flies a Cessna 172 autonomously from the runway along its mission. In: state, navigation. Out:
+ * actuation (aileron, elevator, rudder, throttle, mixture, flaps, brakes, once per state),
+ * control-status. Without fresh navigation it holds wings level and altitude, then circles; on the
+ * ground it holds the brakes. If navigation leads to the ground, it lands.
+ */
+public final class CessnaControl extends ControlSystem {
+  private static final double STATUS_INTERVAL_S = 1.0;
+  private static final double FULL_PERCENT = 100.0;
+
+  private record Power(
+      @Variable(
+              unit = "s",
+              min = 0.02,
+              max = 60,
+              ifAbsent = 10,
+              text = "How long throttle, mixture and flaps obey a command that is not renewed.")
+          double powerExpiry) {}
+
+  private final Settings<Power> power = settings(Power.class);
+  private final Supplier<Tuning> tuning = Tuning.in(this);
+  private final FlightStateReader reader = new FlightStateReader();
+  private final ActuatorRoster roster = new ActuatorRoster();
+  private SurfaceMixing mixing = SurfaceMixing.SOUND;
+  private Autopilot autopilot;
+  private FlightPhase loggedPhase;
+  private boolean loggedNavigating;
+  private double statusDueS = Double.NEGATIVE_INFINITY;
+  private List<String> loggedMissing = List.of();
+
+  /** Called by the launcher. */
+  public CessnaControl(ServiceContext context) {
+    super(context, "Control");
+    autopilot = new Autopilot(tuning.get());
+    subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
+    registerPublisher(ControlStatus.CHANNEL);
+  }
+
+  /** Applies new gains and limits in flight. */
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    HandOver state = new HandOver(getClass().getName());
+    autopilot.handOver(state);
+    autopilot = new Autopilot(tuning.get());
+    autopilot.takeOver(state);
+  }
+
+  @Override
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<FlightState> seen = reader.read(state);
+    if (seen.isEmpty()) {
+      lacking(reader.missing(state));
+      return;
+    }
+    loggedMissing = List.of();
+    FlightState now = seen.get();
+    Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
+    lookAtSurfaces();
+    Surfaces surfaces = mixing.of(autopilot.step(now, target));
+    for (AircraftActuator actuator : AircraftActuator.values()) {
+      double percentage = FULL_PERCENT * actuator.of(surfaces);
+      if (actuator.holdsThroughSilence()) {
+        command(actuator.actuatorName(), percentage, power.get().powerExpiry());
+      } else {
+        command(actuator.actuatorName(), percentage);
+      }
+    }
+    report(now, target.isPresent());
+  }
+
+  private void lookAtSurfaces() {
+    long now = clock().micros();
+    SurfaceMixing newest =
+        new SurfaceMixing(
+            roster.left(AircraftActuator.AILERON.actuatorName(), now),
+            roster.left(AircraftActuator.ELEVATOR.actuatorName(), now),
+            roster.left(AircraftActuator.RUDDER.actuatorName(), now));
+    if (!newest.equals(mixing)) {
+      mixing = newest;
+      remark("authority", newest.equals(SurfaceMixing.SOUND) ? "" : newest.words());
+      if (newest.equals(SurfaceMixing.SOUND)) {
+        log("all surfaces are there");
+      } else {
+        trouble(newest.words());
+      }
+    }
+  }
+
+  /**
+   * Navigation point relative to the aircraft now, rotated by the attitude from which it was
+   * computed.
+   */
+  private Optional<GuidanceTarget> target(NavigationPoint point, FlightState now) {
+    Optional<FlightState> then = stateOf(point).flatMap(reader::read);
+    Optional<Point> ned = nedOf(point);
+    if (then.isEmpty() || ned.isEmpty()) {
+      return Optional.empty();
+    }
+    FlightState from = then.get();
+    return Optional.of(
+        new GuidanceTarget(
+            ned.get().x() + from.northM() - now.northM(),
+            ned.get().y() + from.eastM() - now.eastM(),
+            from.altitudeM() - ned.get().z(),
+            point.speed()));
+  }
+
+  private void report(FlightState state, boolean navigating) {
+    FlightPhase phase = autopilot.phase();
+    boolean news = phase != loggedPhase || navigating != loggedNavigating;
+    if (news) {
+      log(
+          LogLevelEnum.INFO,
+          "phase " + phase + (navigating ? "" : ", no navigation: " + without(phase)));
+      if (phase == FlightPhase.GO_AROUND && phase != loggedPhase) {
+        log(LogLevelEnum.ERROR, autopilot.refusalWords());
+      }
+      loggedPhase = phase;
+      loggedNavigating = navigating;
+    }
+    if (news || state.timeS() >= statusDueS) {
+      publish(ControlStatus.CHANNEL, status(navigating));
+      statusDueS = state.timeS() + STATUS_INTERVAL_S;
+    }
+  }
+
+  private static String without(FlightPhase phase) {
+    return switch (phase) {
+      case RUN_UP -> "waiting on the brakes";
+      case STOPPED -> "stopped on the brakes";
+      case HOLD -> "wings level, later a circle, altitude held";
+      case FLARE -> "touching down";
+      case ROLL, ROTATE, CLIMB_OUT, CRUISE, GO_AROUND -> "climbing to the safe height";
+    };
+  }
+
+  private ControlStatus status(boolean navigating) {
+    ControlStatus status = new ControlStatus().phase(autopilot.phase()).navigating(navigating);
+    boolean flying =
+        switch (autopilot.phase()) {
+          case CLIMB_OUT, CRUISE, HOLD, GO_AROUND -> true;
+          case RUN_UP, ROLL, ROTATE, STOPPED, FLARE -> false;
+        };
+    return flying
+        ? status
+            .bank(autopilot.bankDemandRad())
+            .pitch(autopilot.pitchDemandRad())
+            .altitude(autopilot.altitudeDemandM())
+            .airspeed(autopilot.speedDemandMps())
+        : status;
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    reader.handOver(state);
+    autopilot.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
+    if (isOfMyClass(state)) {
+      reader.takeOver(state);
+      autopilot.takeOver(state);
+    } else if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isPresent()) {
+      autopilot.takeOver(
+          lastShare(AircraftActuator.AILERON.actuatorName()),
+          lastShare(AircraftActuator.ELEVATOR.actuatorName()),
+          lastShare(AircraftActuator.RUDDER.actuatorName()),
+          lastShare(AircraftActuator.THROTTLE.actuatorName()));
+    }
+  }
+
+  private void lacking(List<String> missing) {
+    if (!missing.equals(loggedMissing)) {
+      loggedMissing = missing;
+      log(LogLevelEnum.WARN, "state lacks " + missing + ": no commands until it has them");
+    }
+  }
+
+  @Override
+  protected Map<String, Double> neutral() {
+    return AircraftActuator.neutral();
+  }
+}

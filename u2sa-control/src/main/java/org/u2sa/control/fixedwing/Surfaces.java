@@ -1,0 +1,21 @@
+package org.u2sa.control.fixedwing;
+
+/**
+ * Actuator commands of the control laws.
+ *
+ * @param aileron −1…1, positive rolls right
+ * @param elevator −1…1, positive lowers the nose
+ * @param rudder −1…1, positive yaws right and steers the nose wheel to the right
+ * @param throttle 0…1
+ * @param mixture 0…1, 1 is rich
+ * @param flaps 0…1
+ * @param brakes 0…1, both wheels
+ */
+record Surfaces(
+    double aileron,
+    double elevator,
+    double rudder,
+    double throttle,
+    double mixture,
+    double flaps,
+    double brakes) {}

@@ -1,0 +1,163 @@
+package org.u2sa.control.fixedwing;
+
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.service.HandOver;
+
+/** State machine of {@link FlightPhase}s. */
+final class TakeOffSequence {
+  /** Transition thresholds of the phases. */
+  record Parameters(
+      @Variable(
+              unit = "rpm",
+              min = 0,
+              max = 2000,
+              ifAbsent = 600,
+              text = "Engine speed above which the engine counts as running.")
+          double readyRpm,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 60,
+              ifAbsent = 1,
+              text = "Time that engine and navigation must be ready before the throttle opens.")
+          double readyTime,
+      @Variable(min = 0.1, max = 1, ifAbsent = 0.5, text = "Throttle that releases the brakes.")
+          double releaseThrottle,
+      @Variable(unit = "kt", min = 40, max = 80, ifAbsent = 55, text = "Calibrated rotation speed.")
+          double rotationSpeed,
+      @Variable(
+              unit = "m",
+              min = 20,
+              max = 500,
+              ifAbsent = 100,
+              text = "Height above ground at which the climb-out ends.")
+          double safeHeight) {}
+
+  private static final double FLYING_HEIGHT_M = 15.0; // wheels this high mean flying
+  private static final double LIFTED_FOR_S = 0.3; // shorter lift-offs are hops
+  private static final double LANDED_FOR_S = 1.0;
+
+  private final Parameters parameters;
+  private final double rotationMps; // without wind
+  private FlightPhase phase;
+  private double readySinceS = Double.NaN;
+  private double liftedSinceS = Double.NaN;
+  private double landedSinceS = Double.NaN;
+
+  TakeOffSequence(Parameters parameters) {
+    this.parameters = parameters;
+    rotationMps = Tuning.KNOT_MPS * parameters.rotationSpeed();
+  }
+
+  void handOver(HandOver state) {
+    state
+        .number("READY SINCE", readySinceS)
+        .number("LIFTED SINCE", liftedSinceS)
+        .number("LANDED SINCE", landedSinceS);
+    if (phase != null) {
+      state.text("PHASE", phase.name());
+    }
+  }
+
+  void takeOver(HandOver state) {
+    phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(null);
+    readySinceS = state.number("READY SINCE").orElse(Double.NaN);
+    liftedSinceS = state.number("LIFTED SINCE").orElse(Double.NaN);
+    landedSinceS = state.number("LANDED SINCE").orElse(Double.NaN);
+  }
+
+  /**
+   * @param navigating whether navigation is present and fresh
+   * @param landing whether it leads to the ground, and the ground is near
+   * @param refused whether landing is refused
+   * @param rotateMps calibrated airspeed at which the nose is raised
+   * @param throttle last throttle command, 0…1
+   */
+  FlightPhase step(
+      FlightState state,
+      boolean navigating,
+      boolean landing,
+      boolean refused,
+      double rotateMps,
+      double throttle) {
+    liftedSinceS = since(liftedSinceS, !state.onGround(), state.timeS());
+    landedSinceS = since(landedSinceS, state.onGround(), state.timeS());
+    readySinceS = since(readySinceS, engineReady(state) && navigating, state.timeS());
+    FlightPhase flying =
+        !navigating ? FlightPhase.HOLD : refused ? FlightPhase.GO_AROUND : FlightPhase.CRUISE;
+    phase = next(state, flying, landing && !refused, rotateMps, throttle);
+    return phase;
+  }
+
+  private FlightPhase next(
+      FlightState state, FlightPhase flying, boolean landing, double rotateMps, double throttle) {
+    boolean high = !state.onGround() && state.heightM() > FLYING_HEIGHT_M;
+    if (phase == null) {
+      return high ? flying : first(state, landing);
+    }
+    return switch (phase) {
+      case RUN_UP -> {
+        boolean open = cleared(state) && throttle >= parameters.releaseThrottle();
+        yield high ? flying : open ? FlightPhase.ROLL : FlightPhase.RUN_UP;
+      }
+      case ROLL -> {
+        if (state.calibratedAirspeedMps() >= rotateMps) {
+          yield FlightPhase.ROTATE;
+        }
+        // Without navigation or power, reject the take-off while braking is possible.
+        yield flying != FlightPhase.HOLD && state.engineRpm() >= parameters.readyRpm()
+            ? FlightPhase.ROLL
+            : FlightPhase.STOPPED;
+      }
+      case ROTATE ->
+          lasting(liftedSinceS, state, LIFTED_FOR_S) ? FlightPhase.CLIMB_OUT : FlightPhase.ROTATE;
+      case CLIMB_OUT -> state.heightM() >= parameters.safeHeight() ? flying : FlightPhase.CLIMB_OUT;
+      case CRUISE, HOLD, GO_AROUND -> {
+        boolean landed =
+            lasting(landedSinceS, state, LANDED_FOR_S)
+                && state.calibratedAirspeedMps() < rotationMps;
+        yield landed ? FlightPhase.STOPPED : landing ? FlightPhase.FLARE : flying;
+      }
+      case FLARE -> {
+        boolean landed = lasting(landedSinceS, state, LANDED_FOR_S);
+        yield landed ? FlightPhase.STOPPED : high ? flying : FlightPhase.FLARE;
+      }
+      case STOPPED -> high ? flying : FlightPhase.STOPPED;
+    };
+  }
+
+  /**
+   * Initial phase of a control started near the ground: brakes and an idling engine suit an
+   * aircraft that stands or is too slow to fly.
+   */
+  private FlightPhase first(FlightState state, boolean landing) {
+    if (state.calibratedAirspeedMps() < rotationMps) {
+      return FlightPhase.RUN_UP;
+    }
+    if (landing) {
+      return state.onGround() ? FlightPhase.STOPPED : FlightPhase.FLARE;
+    }
+    return state.onGround() ? FlightPhase.ROTATE : FlightPhase.CLIMB_OUT;
+  }
+
+  /** Whether the engine runs on its own. */
+  boolean engineReady(FlightState state) {
+    return state.engineRpm() >= parameters.readyRpm() && !state.engineStarting();
+  }
+
+  /** Whether engine and navigation have been ready long enough to open the throttle. */
+  boolean cleared(FlightState state) {
+    return lasting(readySinceS, state, parameters.readyTime());
+  }
+
+  private static boolean lasting(double sinceS, FlightState state, double forS) {
+    return state.timeS() - sinceS >= forS; // false for NaN
+  }
+
+  private static double since(double sinceS, boolean now, double timeS) {
+    if (!now) {
+      return Double.NaN;
+    }
+    return Double.isNaN(sinceS) ? timeS : sinceS;
+  }
+}

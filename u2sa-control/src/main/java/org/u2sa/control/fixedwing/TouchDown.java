@@ -1,0 +1,189 @@
+package org.u2sa.control.fixedwing;
+
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.service.HandOver;
+
+/**
+ * The last metres of a landing, and the roll-out. In the air it holds the runway's centreline by
+ * bank, reduces sink rate and power, and near the ground aligns the nose with the runway, windward
+ * wing low. On its wheels it holds the wings level by aileron, into the wind as speed falls, lowers
+ * the nose, then pulls the elevator back, and brakes harder as speed falls (Cessna 172P handbook,
+ * section 4: crosswind and short-field landing; FAA Airplane Flying Handbook, chapter 9).
+ */
+final class TouchDown {
+  /** Parameters of the last metres, and the crosswind limit. */
+  record Parameters(
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 10,
+              ifAbsent = 1.5,
+              text = "Height above ground at which the nose is aligned with the runway.")
+          double alignHeight,
+      @Variable(unit = "deg", min = 0, max = 12, ifAbsent = 8, text = "Maximum bank in the flare.")
+          double flareBankLimit,
+      @Variable(
+              unit = "m",
+              min = 50,
+              max = 500,
+              ifAbsent = 120,
+              text = "Distance to the aim point on the runway centreline in the flare.")
+          double flareLookAhead,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 1.6,
+              text =
+                  "Aileron that holds the wings level in a sideslip: dihedral effect over aileron effect.")
+          double aileronPerSideslip,
+      @Variable(
+              unit = "m/s",
+              min = 10,
+              max = 40,
+              ifAbsent = 28,
+              text =
+                  "Ground speed above which the brakes are hardly used; below it they come on gradually.")
+          double brakeSpeed,
+      @Variable(
+              unit = "m/s",
+              min = 0,
+              max = 20,
+              ifAbsent = 13,
+              text =
+                  "Maximum crosswind for landing, as felt by the aircraft; in more it stays at SAFE HEIGHT.")
+          double maxCrosswind) {}
+
+  private static final double LEVEL_MPS = 10.0; // below this, ailerons cannot level the wings
+  private static final double LIGHT_BRAKES = 0.15;
+  private static final double FULL_BRAKES_MPS = 8.0;
+  private static final double NOSE_UP_RAD = Math.toRadians(4.5);
+  private static final double ROLLING_MPS = 2.0;
+  private static final double ELEVATOR_BACK = -0.6; // full could strike the tail
+  private static final double ELEVATOR_BACK_FAST = -0.1; // takes load off the nose wheel
+  private static final double NO_LIFT_MPS = 22.0; // below this airspeed it does not lift off
+  private static final double THROTTLE_PER_SINK = 0.25; // [s/m]
+  private static final double SPARE_SINK_MPS = 0.8; // excess sink rate without power
+  private static final double MOST_THROTTLE = 0.6;
+
+  private final Parameters parameters;
+  private final GroundSteering steering;
+  private final InnerLoops loops;
+  private final FlareLaw flare;
+  private final LateralGuidance lateral;
+  private boolean nosewheel; // is down and steers
+
+  TouchDown(
+      Parameters parameters, FlareLaw.Parameters flare, GroundSteering steering, InnerLoops loops) {
+    this.parameters = parameters;
+    this.steering = steering;
+    this.loops = loops;
+    this.flare = new FlareLaw(flare);
+    lateral = new LateralGuidance(parameters.flareLookAhead());
+  }
+
+  /** Height above ground at which the flare starts [m]. */
+  double heightM() {
+    return flare.heightM();
+  }
+
+  /** Starts the flare: the centreline is the line of navigation, or else the ground track. */
+  void begin(FlightState state, FinalApproach approach) {
+    flare.restart(loops.pitchRad());
+    nosewheel = false;
+    if (approach.isKnown()) {
+      steering.lineUpAlong(approach.northM(), approach.eastM(), approach.courseRad());
+    } else {
+      steering.lineUpAlongTrack(state);
+    }
+  }
+
+  /** Flares until the wheels have carried load for a while. */
+  Surfaces flare(FlightState state, double dtS) {
+    double look = parameters.flareLookAhead();
+    double bank =
+        lateral.bankRad(state, steering.aheadNorthM(state, look), steering.aheadEastM(state, look));
+    boolean wheels = state.onGround();
+    double excess = flare.excessSinkMps(state);
+    double power =
+        wheels
+            ? 0.0
+            : Limit.within(0.0, THROTTLE_PER_SINK * (excess - SPARE_SINK_MPS), MOST_THROTTLE);
+    loops.throttleTowards(power, dtS);
+    loops.pitch(flare.pitchRad(state, dtS));
+    double elevator = loops.elevator(state, dtS);
+    if (wheels) {
+      return new Surfaces(
+          ailerons(state, dtS), elevator, steer(state, dtS), loops.throttle(), 1.0, 0.0, 0.0);
+    }
+    loops.bankTowards(Limit.symmetric(bank, Math.toRadians(parameters.flareBankLimit())), dtS);
+    double aileron = loops.aileron(state, dtS);
+    if (state.heightM() < parameters.alignHeight()) {
+      aileron = Limit.symmetric(aileron + intoWind(state), 1.0);
+      loops.rudder(steering.align(state, dtS));
+    } else {
+      loops.coordinate(state, aileron, dtS);
+      steering.holds(loops.rudder());
+    }
+    return new Surfaces(aileron, elevator, loops.rudder(), loops.throttle(), 1.0, 0.0, 0.0);
+  }
+
+  /** Rolls out on the wheels, to a stop on the brakes. */
+  Surfaces rollOut(FlightState state, double dtS) {
+    loops.throttle(0.0);
+    double speed = state.groundSpeedMps();
+    if (!steering.lined() || speed < ROLLING_MPS) {
+      loops.rudder(0.0);
+      return new Surfaces(intoWind(state), 0.0, 0.0, 0.0, 1.0, 0.0, 1.0);
+    }
+    double slow = Limit.within(0.0, 1.0 - state.calibratedAirspeedMps() / NO_LIFT_MPS, 1.0);
+    double elevator = ELEVATOR_BACK_FAST + ELEVATOR_BACK * slow;
+    if (isNoseUp(state)) {
+      loops.pitch(flare.pitchRad(state, dtS));
+      elevator = loops.elevator(state, dtS);
+    }
+    double share =
+        Limit.within(
+            0.0,
+            (parameters.brakeSpeed() - speed) / (parameters.brakeSpeed() - FULL_BRAKES_MPS),
+            1.0);
+    double brakes = state.onGround() ? LIGHT_BRAKES + (1.0 - LIGHT_BRAKES) * share : 0.0;
+    return new Surfaces(ailerons(state, dtS), elevator, steer(state, dtS), 0.0, 1.0, 0.0, brakes);
+  }
+
+  /** Aileron into the wind; holds the wings level while the ailerons are effective. */
+  private double ailerons(FlightState state, double dtS) {
+    double level = state.calibratedAirspeedMps() > LEVEL_MPS ? loops.levelAileron(state, dtS) : 0.0;
+    loops.hold(0.0);
+    return Limit.symmetric(intoWind(state) + level, 1.0);
+  }
+
+  /** Aileron that keeps the wind from lifting the upwind wing: full for wind abeam. */
+  private double intoWind(FlightState state) {
+    return Limit.symmetric(parameters.aileronPerSideslip() * StrictMath.sin(state.betaRad()), 1.0);
+  }
+
+  private double steer(FlightState state, double dtS) {
+    boolean steers = !isNoseUp(state);
+    if (steers && !nosewheel) {
+      steering.holds(0.0); // the crab rudder would steer off the runway
+    }
+    nosewheel = steers;
+    loops.rudder(steering.gentleRudder(state, steers, dtS));
+    return loops.rudder();
+  }
+
+  private static boolean isNoseUp(FlightState state) {
+    return state.pitchRad() > NOSE_UP_RAD;
+  }
+
+  void handOver(HandOver state) {
+    flare.handOver(state);
+    state.flag("NOSEWHEEL STEERS", nosewheel);
+  }
+
+  void takeOver(HandOver state) {
+    flare.takeOver(state);
+    nosewheel = state.flag("NOSEWHEEL STEERS");
+  }
+}

@@ -1,0 +1,187 @@
+package org.u2sa.control.ground;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.control.ControlSystem;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.AngleCommand;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Follows the navigation points of a ground vehicle with steered front wheels by regulated pure
+ * pursuit. In: navigation, state. Out: actuation of throttle (forwards positive) and steering (to
+ * the right positive), once per state. Without fresh navigation or without a position, the vehicle
+ * brakes to a stop.
+ */
+public final class AckermannPursuitControl extends ControlSystem {
+  /** Steering settings. */
+  private record Steering(
+      @Variable(
+              unit = "m",
+              min = 0.05,
+              max = 20,
+              ifAbsent = 0.33,
+              text = "Distance between the front and rear axles.")
+          double wheelbase,
+      @Variable(
+              unit = "deg",
+              min = 1,
+              max = 70,
+              ifAbsent = 24,
+              text =
+                  "Mean angle of the front wheels at 100 %; with WHEELBASE it sets the tightest curve.")
+          double steeringAngle,
+      @Variable(ifAbsentText = "THROTTLE", text = "Drive actuator, forward positive.")
+          String throttleActuator,
+      @Variable(ifAbsentText = "STEERING", text = "Steering actuator, right positive.")
+          String steeringActuator,
+      @Variable(
+              ifAbsentText = "PURSUIT",
+              text =
+                  "PURSUIT steers to the navigation point, STANLEY along the path that navigation points describe.")
+          SteeringLaw steeringLaw,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether the steering is commanded by angles, which its actuator must announce to take, instead of percentages.")
+          boolean steersByAngle) {
+    double angleRad() {
+      return Math.toRadians(steeringAngle);
+    }
+
+    /** Curvature at full steering [1/m]. */
+    double tightest() {
+      return Math.tan(angleRad()) / wheelbase;
+    }
+  }
+
+  /** How the front wheels are steered. */
+  private enum SteeringLaw {
+    PURSUIT,
+    STANLEY
+  }
+
+  private static final double FULL_PERCENT = 100.0;
+  private static final double SLOWEST_MPS = 0.1; // below this the steering is held
+
+  private double misalignment; // learnt steering offset as curvature [1/m]; held at standstill
+
+  private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
+  private final Settings<Steering> steering = settings(Steering.class);
+  private final Settings<StanleyLaw.Tuning> stanley = settings(StanleyLaw.Tuning.class);
+  private final PathSteering path = new PathSteering();
+  private final GroundControl ground =
+      new GroundControl(
+          this,
+          clock(),
+          () -> List.of(steering.get().throttleActuator(), steering.get().steeringActuator()));
+  private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
+
+  /** Called by the launcher. */
+  public AckermannPursuitControl(ServiceContext context) {
+    super(context, "Control");
+  }
+
+  private PursuitSettings pursuitSettings() {
+    return new PursuitSettings(
+        tuning.get(), steering.get().tightest(), PursuitSettings.SpotTurn.NONE);
+  }
+
+  /** Applies new gains and limits while driving. */
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    pursuit.settings(pursuitSettings());
+  }
+
+  /** Only Stanley's law needs the position: it follows a path, not a point. */
+  @Override
+  protected boolean obeysWithoutState() {
+    return steering.get().steeringLaw() != SteeringLaw.STANLEY;
+  }
+
+  @Override
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<GroundTarget> target =
+        ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
+    GroundControl.Measured measured = ground.measured(state, stepS());
+    PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
+    OptionalDouble alongPath =
+        steering.get().steeringLaw() == SteeringLaw.STANLEY
+            ? path.steeringRad(stanley.get(), state, target, steering.get().wheelbase(), measured)
+            : OptionalDouble.empty();
+    pursuit.commanded(demand, drive(demand, alongPath), measured, stepS()).ifPresent(this::trouble);
+  }
+
+  /**
+   * Commands the motors; returns the demanded share of the drive's capability.
+   *
+   * @param alongPath angle of the front wheels, left positive [rad]; if empty, derived from the
+   *     demand
+   */
+  private double drive(PursuitControl.Demand demand, OptionalDouble alongPath) {
+    Drive drive = demand.drive();
+    Steering now = steering.get();
+    double share = lastShare(now.steeringActuator());
+    if (drive.speedMps() > SLOWEST_MPS && alongPath.isPresent()) {
+      share = -alongPath.getAsDouble() / now.angleRad();
+      share = Math.max(-1.0, Math.min(1.0, share));
+    } else if (Math.abs(drive.speedMps()) > SLOWEST_MPS) {
+      if (demand.yawErrorRadPerS().isPresent()) {
+        double error = demand.yawErrorRadPerS().getAsDouble() / drive.speedMps();
+        double more = tuning.get().turnGain() * stepS() * error;
+        misalignment = Math.max(-now.tightest(), Math.min(now.tightest(), misalignment + more));
+      }
+      double curvature = drive.yawRateRadPerS() / drive.speedMps() + misalignment;
+      // tan δ = L / R, a bicycle without slip (Rajamani: Vehicle Dynamics and Control, eq. 2.10)
+      share = -Math.atan(now.wheelbase() * curvature) / now.angleRad();
+    }
+    double throttle = tuning.get().calibration().share(drive.speedMps() + demand.moreMps());
+    commandShare(now.throttleActuator(), throttle);
+    if (now.steersByAngle()) {
+      double bounded = Math.max(-1.0, Math.min(1.0, share));
+      double angle = bounded * now.angleRad();
+      command(AngleCommand.of(now.steeringActuator(), angle), FULL_PERCENT * bounded);
+    } else {
+      commandShare(now.steeringActuator(), share);
+    }
+    return Math.abs(throttle);
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    pursuit.handOver(state);
+    state.number("MISALIGNMENT", misalignment);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
+    misalignment = state.number("MISALIGNMENT").orElse(0.0);
+    pursuit.takeOver(state, isOfMyClass(state), lastDrive());
+  }
+
+  /** Motion last commanded to the motors, by any control system. */
+  private Drive lastDrive() {
+    Steering now = steering.get();
+    double speed = tuning.get().calibration().speedMps(lastShare(now.throttleActuator()));
+    double angle = -now.angleRad() * lastShare(now.steeringActuator());
+    return new Drive(speed, speed * Math.tan(angle) / now.wheelbase());
+  }
+
+  @Override
+  protected Map<String, Double> neutral() {
+    Map<String, Double> all = new LinkedHashMap<>(); // Map.of's order varies by process
+    all.put(steering.get().throttleActuator(), 0.0);
+    all.put(steering.get().steeringActuator(), 0.0);
+    return all;
+  }
+}

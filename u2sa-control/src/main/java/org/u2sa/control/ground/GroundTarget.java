@@ -1,0 +1,72 @@
+package org.u2sa.control.ground;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Target of a ground vehicle relative to its current pose, in the horizontal plane.
+ *
+ * @param forwardM distance ahead of the vehicle [m]; negative behind
+ * @param leftM distance to the left [m]; negative to the right
+ * @param speedMps speed toward the target [m/s]; empty if control chooses it
+ * @param backwards whether to go there with the rear first
+ */
+record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, boolean backwards) {
+
+  /** Distance [m]. */
+  double distanceM() {
+    return Math.hypot(forwardM, leftM);
+  }
+
+  /** Bearing [rad, −π…π], left positive; 0 straight ahead. */
+  double bearingRad() {
+    return Math.atan2(leftM, forwardM);
+  }
+
+  /**
+   * Transforms a point from the pose of one state to that of a newer one. Empty if either state
+   * lacks position or heading.
+   *
+   * @param ned point relative to the older state: north, east, down [m]
+   * @param backwards whether to go there with the rear first
+   */
+  static Optional<GroundTarget> seenFrom(
+      StateInformation then,
+      Point ned,
+      StateInformation now,
+      OptionalDouble speedMps,
+      boolean backwards) {
+    if (now.psi().isEmpty() || !hasPlace(then) || !hasPlace(now)) {
+      return Optional.empty();
+    }
+    Point left = ned.minus(displacement(then, now)); // of the way
+    Point level = new Attitude(0.0, 0.0, now.psi().getAsDouble()).levelOf(left);
+    return Optional.of(new GroundTarget(level.x(), level.y(), speedMps, backwards));
+  }
+
+  static boolean hasPlace(StateInformation state) {
+    return state.x().isPresent() && state.y().isPresent();
+  }
+
+  /** Displacement between two states: north and east [m]. */
+  static Point displacement(StateInformation then, StateInformation now) {
+    if (then.referenceFrame().isLocal()) {
+      Point from = place(then.in(ReferenceFrame.LOCAL_NED));
+      return place(now.in(ReferenceFrame.LOCAL_NED)).minus(from);
+    }
+    return onEarth(then).nedOf(onEarth(now));
+  }
+
+  private static Geodetic onEarth(StateInformation state) {
+    return Geodetic.of(place(state.in(ReferenceFrame.GLOBAL)));
+  }
+
+  private static Point place(StateInformation state) {
+    return Point.of(state.x().orElseThrow(), state.y().orElseThrow(), 0.0);
+  }
+}

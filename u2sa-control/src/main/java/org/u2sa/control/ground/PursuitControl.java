@@ -1,0 +1,111 @@
+package org.u2sa.control.ground;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
+import org.u2sa.service.HandOver;
+
+/**
+ * Regulated pure pursuit independent of the drive: computes the motion command with feedback from
+ * the measured motion, and rests stalled motors. Not thread-safe.
+ */
+final class PursuitControl {
+  private final Supplier<PursuitTuning> tuning;
+  private final PursuitLaw law;
+  private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
+  private final PickUp pickUp = new PickUp();
+  private final MotionWatch watch = new MotionWatch();
+  private Drive due = Drive.STANDING; // expected motion by now, after the response lag
+  private boolean atFullPower;
+
+  PursuitControl(Supplier<PursuitTuning> tuning, PursuitSettings settings) {
+    this.tuning = tuning;
+    law = new PursuitLaw(settings);
+  }
+
+  /** Replaces the gains and limits. */
+  void settings(PursuitSettings settings) {
+    law.settings(settings);
+  }
+
+  /**
+   * Demand on the motors.
+   *
+   * @param drive motion command
+   * @param moreMps addition for trim and inertia [m/s]
+   * @param yawErrorRadPerS wanted minus measured yaw rate; empty if unknown
+   */
+  record Demand(Drive drive, double moreMps, OptionalDouble yawErrorRadPerS) {}
+
+  /** Computes the demand after a state. */
+  Demand step(Optional<GroundTarget> target, GroundControl.Measured measured, double stepS) {
+    Drive drive = law.step(watch.rests(measured, stepS) ? Optional.empty() : target, stepS);
+    follow(drive, tuning.get().responseTime(), stepS);
+    double trim =
+        speedTrim.step(
+            drive,
+            error(due.speedMps(), measured.forwardMps()),
+            atFullPower,
+            tuning.get().speedGain(),
+            tuning.get().maxSpeed(),
+            stepS);
+    double more = pickUp.step(drive.speedMps(), tuning.get().pickUpTime(), stepS);
+    double told = drive.isStanding() ? 0.0 : trim + more;
+    return new Demand(drive, told, error(due.yawRateRadPerS(), measured.yawRateRadPerS()));
+  }
+
+  /**
+   * Models the lag of motors, tyres and sensors as first order, so that feedback does not take it
+   * for an error.
+   */
+  private void follow(Drive demanded, double responseS, double stepS) {
+    double share = stepS / (responseS + stepS);
+    due =
+        new Drive(
+            due.speedMps() + share * (demanded.speedMps() - due.speedMps()),
+            due.yawRateRadPerS() + share * (demanded.yawRateRadPerS() - due.yawRateRadPerS()));
+  }
+
+  private static OptionalDouble error(double wanted, OptionalDouble measured) {
+    return measured.isPresent()
+        ? OptionalDouble.of(wanted - measured.getAsDouble())
+        : OptionalDouble.empty();
+  }
+
+  /**
+   * Reports the demanded share of the motors' capability in this step: more than 1 if saturated.
+   *
+   * @return warning for the user if they do not move the vehicle
+   */
+  Optional<String> commanded(
+      Demand demand, double effort, GroundControl.Measured measured, double stepS) {
+    atFullPower = effort > 1.0;
+    return watch.see(
+        demand.drive(),
+        measured,
+        effort,
+        tuning.get().stallTime(),
+        tuning.get().stallPause(),
+        stepS);
+  }
+
+  void handOver(HandOver state) {
+    law.handOver(state);
+    speedTrim.handOver(state);
+  }
+
+  /**
+   * Continues from another control system.
+   *
+   * @param alike whether it was of the same class
+   * @param last motion last commanded to the motors
+   */
+  void takeOver(HandOver state, boolean alike, Drive last) {
+    if (alike) {
+      law.takeOver(state);
+      speedTrim.takeOver(state);
+    } else {
+      law.startFrom(last);
+    }
+  }
+}

@@ -1,0 +1,137 @@
+package org.u2sa.control.ground;
+
+import java.util.Optional;
+import org.u2sa.service.HandOver;
+
+/**
+ * Regulated pure pursuit: drives the arc to the point, slower in tight curves and near the goal,
+ * within the vehicle's acceleration; turns in place toward a point well off to the side, if the
+ * vehicle can.
+ *
+ * <p>After Macenski, Singh, Martin, Ginés: Regulated Pure Pursuit for Robot Path Tracking,
+ * Autonomous Robots 47 (2023), sections 3.2 and 3.3, as in ROS 2's Nav2. Not thread-safe.
+ */
+final class PursuitLaw {
+  /**
+   * Hysteresis: stays stopped until the point is this many tolerances away, because positions are
+   * noisy.
+   */
+  private static final double LEAVES_AFTER = 2.0;
+
+  private PursuitSettings settings;
+  private Drive drive = Drive.STANDING;
+  private boolean turning;
+  private boolean arrived;
+
+  PursuitLaw(PursuitSettings settings) {
+    this.settings = settings;
+  }
+
+  /** Replaces the gains and limits. */
+  void settings(PursuitSettings newSettings) {
+    settings = newSettings;
+  }
+
+  /** Starts from the motion another law last commanded (bumpless transfer). */
+  void startFrom(Drive moving) {
+    drive = moving;
+  }
+
+  void handOver(HandOver state) {
+    state
+        .number("SPEED", drive.speedMps())
+        .number("YAW RATE", drive.yawRateRadPerS())
+        .flag("TURNING", turning)
+        .flag("ARRIVED", arrived);
+  }
+
+  void takeOver(HandOver state) {
+    drive = new Drive(state.number("SPEED").orElse(0.0), state.number("YAW RATE").orElse(0.0));
+    turning = state.flag("TURNING");
+    arrived = state.flag("ARRIVED");
+  }
+
+  /**
+   * Computes the motion command.
+   *
+   * @param target target, or empty to stop
+   * @param stepS time since the previous call [s]
+   */
+  Drive step(Optional<GroundTarget> target, double stepS) {
+    Drive wanted = target.map(this::towards).orElseGet(this::stand);
+    boolean slower = Math.abs(wanted.speedMps()) < Math.abs(drive.speedMps());
+    double speed =
+        approach(
+            drive.speedMps(),
+            wanted.speedMps(),
+            stepS * (slower ? settings.tuning().braking() : settings.tuning().acceleration()));
+    double yawRate = wanted.yawRateRadPerS();
+    if (!turning && wanted.speedMps() != 0.0) {
+      yawRate *= speed / wanted.speedMps(); // same curvature at the actual speed
+    }
+    drive =
+        new Drive(
+            speed,
+            approach(
+                drive.yawRateRadPerS(),
+                bounded(yawRate, settings.tuning().turnRateRadPerS()),
+                stepS * settings.tuning().turnAccelerationRadPerS2()));
+    return drive;
+  }
+
+  private Drive stand() {
+    turning = false;
+    return Drive.STANDING;
+  }
+
+  private Drive towards(GroundTarget target) {
+    arrived = target.distanceM() <= settings.tuning().tolerance() * (arrived ? LEAVES_AFTER : 1.0);
+    if (arrived) {
+      return stand();
+    }
+    PursuitSettings.SpotTurn spot = settings.spotTurn();
+    double bearing = target.bearingRad();
+    turning =
+        spot.possible()
+            && !target.backwards()
+            && Math.abs(bearing) > (turning ? spot.belowRad() : spot.aboveRad());
+    if (turning) {
+      return new Drive(0.0, bounded(spot.gain() * bearing, settings.tuning().turnRateRadPerS()));
+    }
+    double curvature = curvature(target);
+    double speed = speed(target, curvature);
+    double along = target.backwards() ? -speed : speed; // same arc, in reverse
+    return new Drive(along, along * curvature);
+  }
+
+  /** Curvature of the arc through the point, tangent to the heading: 2 y / L² (eq. 2). */
+  private double curvature(GroundTarget target) {
+    double distance = target.distanceM();
+    double ahead = target.backwards() ? -target.forwardM() : target.forwardM();
+    if (ahead <= 0.0) { // point is behind: turn as tightly as possible
+      return Math.copySign(settings.largestCurvature(), target.leftM());
+    }
+    return bounded(2.0 * target.leftM() / (distance * distance), settings.largestCurvature());
+  }
+
+  private double speed(GroundTarget target, double curvature) {
+    double cruise = target.speedMps().orElse(settings.tuning().cruiseSpeed());
+    double tightness = Math.abs(curvature) * settings.tuning().regulatedRadius();
+    double inCurve = tightness > 1.0 ? cruise / tightness : cruise; // eq. 5
+    double nearGoal =
+        cruise * Math.min(1.0, target.distanceM() / settings.tuning().approachDistance()); // eq. 7
+    double wanted =
+        Math.max(Math.min(inCurve, nearGoal), Math.min(settings.tuning().approachSpeed(), cruise));
+    double steerable = settings.tuning().turnRateRadPerS() / Math.abs(curvature); // holds the arc
+    return Math.min(wanted, steerable);
+  }
+
+  /** Moves from one value toward another by at most one step. */
+  private static double approach(double from, double to, double step) {
+    return from + bounded(to - from, step);
+  }
+
+  private static double bounded(double value, double bound) {
+    return Math.max(-bound, Math.min(bound, value));
+  }
+}

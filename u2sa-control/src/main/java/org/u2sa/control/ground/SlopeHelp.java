@@ -1,0 +1,33 @@
+package org.u2sa.control.ground;
+
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Feed-forward of motor power on slopes, from the vehicle's pitch: feedback alone takes seconds, so
+ * the vehicle would stop before a ramp and run away after it.
+ */
+record SlopeHelp(
+    @Variable(
+            unit = "%",
+            min = 0,
+            max = 5000,
+            ifAbsent = 0,
+            text =
+                "Percentage that holds the vehicle on a slope, by the sine of the slope: its weight"
+                    + " by the motors' force at full percentage and standstill; 0: left to SPEED"
+                    + " GAIN.")
+        double slopeHelp) {
+  private static final double FULL_PERCENT = 100.0;
+  private static final double LEVEL_RAD = 0.026; // dead band for uneven ground and sensor error
+  private static final double SLOPE_RAD = 0.052; // full effect from here on
+
+  /** Share of full power to add to both sides, forward positive. */
+  double share(StateInformation state) {
+    boolean isNoseDown = state.referenceFrame().equals(ReferenceFrame.LOCAL_ENU);
+    double pitch = (isNoseDown ? -1.0 : 1.0) * state.theta().orElse(0.0);
+    double counts = (Math.abs(pitch) - LEVEL_RAD) / (SLOPE_RAD - LEVEL_RAD);
+    return slopeHelp / FULL_PERCENT * Math.max(0.0, Math.min(1.0, counts)) * Math.sin(pitch);
+  }
+}

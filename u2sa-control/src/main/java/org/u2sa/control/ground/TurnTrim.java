@@ -1,0 +1,61 @@
+package org.u2sa.control.ground;
+
+import java.util.OptionalDouble;
+import org.u2sa.service.HandOver;
+
+/**
+ * Integral trim of steady speed errors from slopes, soft ground, load or a discharging battery. It
+ * is bounded by the motors' capability, is zero while the vehicle stands, so that it never creeps,
+ * and resets with each drive and each turn.
+ */
+final class TurnTrim {
+  private final String name;
+  private double trim;
+  private boolean drove;
+
+  /**
+   * @param name name for the hand-over
+   */
+  TurnTrim(String name) {
+    this.name = name;
+  }
+
+  void handOver(HandOver state) {
+    state.number(name, trim).flag(name + " DROVE", drove);
+  }
+
+  void takeOver(HandOver state) {
+    trim = state.number(name).orElse(0.0);
+    drove = state.flag(name + " DROVE");
+  }
+
+  /**
+   * Computes the addition to the demand.
+   *
+   * @param demanded demand on the motors
+   * @param error of the same quantity, demanded minus measured; empty if unknown
+   * @param atFullPower whether the motors are saturated (anti-windup)
+   * @param gain share of an error corrected per second [1/s]; 0: no feedback
+   * @param most limit of the magnitude of demand plus trim
+   */
+  double step(
+      Drive demanded,
+      OptionalDouble error,
+      boolean atFullPower,
+      double gain,
+      double most,
+      double stepS) {
+    boolean drives = demanded.speedMps() > 0.0;
+    if (demanded.isStanding() || drives != drove || gain == 0.0) {
+      trim = 0.0;
+    }
+    drove = drives;
+    if (!demanded.isStanding() && error.isPresent()) {
+      double speed = demanded.speedMps();
+      double more = gain * stepS * error.getAsDouble();
+      trim += atFullPower ? Math.min(0.0, more) : more;
+      trim = Math.max(-most - speed, Math.min(most - speed, trim));
+    }
+    return trim;
+  }
+}

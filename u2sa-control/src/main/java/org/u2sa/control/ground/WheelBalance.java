@@ -1,0 +1,122 @@
+package org.u2sa.control.ground;
+
+import java.util.OptionalDouble;
+import org.u2sa.service.HandOver;
+
+/**
+ * Makes two motors attain the wanted yaw rate despite motor mismatch and load, by three integrals
+ * of the yaw-rate error; the integral is the heading error, so that a noisy compass does no harm.
+ *
+ * <ul>
+ *   <li>Mismatch: by how much one motor is weaker, in proportion to its command. Kept at standstill
+ *       and in turns, because motors do not change.
+ *   <li>Bias: turning independent of speed, such as on a side slope. Only while driving.
+ *   <li>Push: extra effort to turn in place, where wheels scrub under load. Kept from turn to turn,
+ *       for both directions.
+ * </ul>
+ *
+ * None of them moves a vehicle commanded to stand.
+ */
+final class WheelBalance {
+  /** Share of command at which mismatch and bias absorb equal parts of an error. */
+  private static final double EQUAL_PARTS = 0.15;
+
+  private double mismatch;
+  private double bias;
+  private double push;
+  private double smoothRadPerS; // low-pass filtered yaw-rate error
+
+  /**
+   * Gains and limits.
+   *
+   * @param proportional extra yaw rate commanded per rad/s of error
+   * @param smoothingS filter time of the error for that [s]
+   * @param driving share of an error corrected per second [1/s]; 0: no feedback
+   * @param turning the same for turns in place [1/s]
+   * @param mostMismatch limit of the mismatch, 0…1
+   * @param sharePerRadPerS extra share of command of each motor per yaw rate
+   */
+  record Settings(
+      double proportional,
+      double smoothingS,
+      double driving,
+      double turning,
+      double mostMismatch,
+      double sharePerRadPerS) {}
+
+  void handOver(HandOver state) {
+    state.number("MISMATCH", mismatch).number("BIAS", bias).number("PUSH", push);
+  }
+
+  /** Takes over the learnt values, which hold for every control system. */
+  void takeOver(HandOver state) {
+    mismatch = state.number("MISMATCH").orElse(0.0);
+    bias = state.number("BIAS").orElse(0.0);
+    push = state.number("PUSH").orElse(0.0);
+  }
+
+  /** Resets the push for the next attempt to turn. */
+  void relax() {
+    push = 0.0;
+  }
+
+  /**
+   * Computes the wheel commands.
+   *
+   * @param wanted shares by calibration alone
+   * @param ahead common share of both motors; 0 for a turn in place or standstill
+   * @param errorRadPerS wanted minus actual yaw rate, left positive; empty if unknown, or if the
+   *     motors do not obey
+   */
+  WheelShares step(
+      WheelShares wanted,
+      double ahead,
+      OptionalDouble errorRadPerS,
+      Settings settings,
+      double stepS) {
+    if (wanted.effort() == 0.0) {
+      bias = 0.0;
+      smoothRadPerS = 0.0;
+      return wanted;
+    }
+    forgetSwitchedOff(settings);
+    if (errorRadPerS.isPresent()) {
+      double newer = stepS / (settings.smoothingS() + stepS);
+      smoothRadPerS += newer * (errorRadPerS.getAsDouble() - smoothRadPerS);
+    }
+    double atOnce = settings.proportional() * settings.sharePerRadPerS() * smoothRadPerS;
+    double error = errorRadPerS.orElse(0.0) * settings.sharePerRadPerS() * stepS;
+    if (ahead == 0.0) {
+      bias = 0.0;
+      double direction = Math.signum(wanted.right() - wanted.left());
+      double room = 1.0 - wanted.effort(); // anti-windup
+      push = bounded(push + settings.turning() * direction * error, -wanted.effort(), room);
+      return balanced(wanted, direction * push + atOnce);
+    }
+    double both = ahead * ahead + EQUAL_PARTS * EQUAL_PARTS;
+    mismatch -= settings.driving() * error * Math.abs(ahead) / both;
+    mismatch = bounded(mismatch, -settings.mostMismatch(), settings.mostMismatch());
+    bias += settings.driving() * error * EQUAL_PARTS * EQUAL_PARTS / both;
+    bias = bounded(bias, -1.0, 1.0);
+    return balanced(wanted, bias + atOnce);
+  }
+
+  private void forgetSwitchedOff(Settings settings) {
+    if (settings.driving() == 0.0) {
+      mismatch = 0.0;
+      bias = 0.0;
+    }
+    if (settings.turning() == 0.0) {
+      push = 0.0;
+    }
+  }
+
+  private WheelShares balanced(WheelShares wanted, double turn) {
+    return new WheelShares(
+        wanted.left() * (1.0 + mismatch) - turn, wanted.right() * (1.0 - mismatch) + turn);
+  }
+
+  private static double bounded(double value, double least, double most) {
+    return Math.max(least, Math.min(most, value));
+  }
+}

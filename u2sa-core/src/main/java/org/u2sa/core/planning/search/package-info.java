@@ -1,5 +1,0 @@
-/**
- * Paths through grids: distances to obstacles, costs of cells, and searches over them. Plain arrays
- * and metres; messages, services and vehicles' dynamics do not belong here.
- */
-package org.u2sa.core.planning.search;

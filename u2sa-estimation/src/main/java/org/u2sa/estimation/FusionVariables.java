@@ -1,0 +1,297 @@
+package org.u2sa.estimation;
+
+import org.u2sa.estimation.fusion.FilterTuning;
+import org.u2sa.estimation.fusion.MotionDomain;
+import org.u2sa.estimation.fusion.UsualSigmas;
+import org.u2sa.interfaces.configuration.Variable;
+
+/**
+ * The fusing State Estimator's variables. Where 0 means the domain's value, the domain knows best.
+ */
+record FusionVariables(
+    @Variable(
+            ifAbsentText = "GROUND",
+            text = "Where the vehicle moves; gives the defaults for motion that nothing measures.")
+        MotionDomain domain,
+    @Variable(
+            unit = "Hz",
+            min = 0.1,
+            max = 1000,
+            ifAbsent = 50,
+            text = "Maximum rate of published states; each measurement may cause one.")
+        double outputRate,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 30,
+            ifAbsent = 1,
+            text = "Age at which a late measurement is still fused where it belongs in time.")
+        double horizon,
+    @Variable(
+            min = 8,
+            max = 20000,
+            ifAbsent = 512,
+            text = "Number of measurements kept for late ones; about 7 kB each.")
+        int history,
+    @Variable(
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Random walk of the horizontal velocity without an accelerometer, in m/s per √s; 0: the domain's (GROUND 0.7, AIR 2, WATER and UNDERWATER 0.3).")
+        double accelerationNoise,
+    @Variable(
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Random walk of the vertical velocity without an accelerometer, in m/s per √s; 0: the domain's (GROUND and WATER 0.1, AIR 1, UNDERWATER 0.2).")
+        double verticalNoise,
+    @Variable(
+            unit = "rad/s",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Turn rate, 1 sigma, without a gyroscope; 0: the domain's (GROUND 0.5, AIR 0.3, WATER and UNDERWATER 0.2).")
+        double turnSigma,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Speed sideways, 1 sigma, over ground (GROUND) or through air or water; 0: the domain's (0.1, AIR 2, WATER 0.3, UNDERWATER 0.2).")
+        double sideSlipSigma,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 0.2,
+            text =
+                "Time between statements that the vehicle does not slip sideways; 0: none, for vehicles that move in all directions.")
+        double constraintInterval,
+    @Variable(
+            unit = "rad/s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.02,
+            text = "Bias of gyroscopes at the start, 1 sigma.")
+        double gyroBiasSigma,
+    @Variable(
+            min = 0,
+            ifAbsent = 1e-4,
+            text = "Random walk of the bias of gyroscopes, in rad/s per √s.")
+        double gyroBiasNoise,
+    @Variable(
+            unit = "m/s^2",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.2,
+            text = "Bias of accelerometers at the start, 1 sigma.")
+        double accelerometerBiasSigma,
+    @Variable(
+            min = 0,
+            ifAbsent = 1e-3,
+            text = "Random walk of the bias of accelerometers, in m/s² per √s.")
+        double accelerometerBiasNoise,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 5,
+            text = "Wind or current when its estimation begins, 1 sigma of each component.")
+        double flowSigma,
+    @Variable(
+            min = -1,
+            max = 0.5,
+            ifAbsent = -1,
+            text =
+                "Error of speeds along the vehicle as a share of them, 1 sigma, which the filter estimates; 0: none; -1: 0.03 for GROUND, otherwise none.")
+        double wheelScaleSigma,
+    @Variable(
+            min = 2,
+            max = 20,
+            ifAbsent = 4,
+            text = "Normal deviations beyond which a measurement is gated.")
+        double gate,
+    @Variable(
+            min = 10,
+            max = 10000,
+            ifAbsent = 100,
+            text = "Number of measurements over which a source's true sigma is learnt.")
+        int trustWindow,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 30,
+            text =
+                "Time for which errors of position sources persist: a receiver's error wanders over many seconds and does not average out. 0: each error is new.")
+        double positionCorrelation,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 60,
+            text =
+                "Time for which errors of heading sources persist: a compass's deviation stays while the vehicle keeps its direction. 0: each error is new.")
+        double headingCorrelation,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 1,
+            ifAbsent = 0.1,
+            text =
+                "How well the delays of position sources are known, 1 sigma: the filter estimates what their services' DELAY lacks. 0: exactly.")
+        double delaySigma,
+    @Variable(
+            unit = "deg",
+            min = -180,
+            max = 180,
+            ifAbsent = 0,
+            text = "Longitude of the surveyed place where the vehicle is put before each start.")
+        double startX,
+    @Variable(
+            unit = "deg",
+            min = -90,
+            max = 90,
+            ifAbsent = 0,
+            text = "Latitude of the surveyed place where the vehicle is put before each start.")
+        double startY,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 1000,
+            ifAbsent = 0,
+            text =
+                "How well it is put there, 1 sigma; 0: nobody knows where it starts. A receiver that contradicts the place by more than the gate is believed instead.")
+        double startSigma,
+    @Variable(
+            unit = "deg",
+            min = -360,
+            max = 360,
+            ifAbsent = 0,
+            text = "Heading in which the vehicle is put there, clockwise from true north.")
+        double startPsi,
+    @Variable(
+            unit = "deg",
+            min = 0,
+            max = 90,
+            ifAbsent = 0,
+            text =
+                "How well that is known, 1 sigma; 0: not at all, and without a compass the first way tells it.")
+        double startPsiSigma,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Places of sensors that do not sit at the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, as MOUNTED X, Y, Z of other sensors.")
+        String leverArms,
+    @Variable(
+            unit = "s",
+            min = 0.1,
+            ifAbsent = 5,
+            text = "Time after which a quantity begins anew if all its sources contradict it.")
+        double resetAfter,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 25,
+            text = "Standard deviation beyond which a position is not published.")
+        double lostSigma,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 3,
+            text = "Sigma of positions that come without one.")
+        double positionSigma,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.3,
+            text = "Sigma of velocities that come without one.")
+        double velocitySigma,
+    @Variable(
+            unit = "rad",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.05,
+            text = "Sigma of roll, pitch and heading that come without one.")
+        double attitudeSigma,
+    @Variable(
+            unit = "rad/s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.015,
+            text = "Sigma of angular rates that come without one.")
+        double rateSigma,
+    @Variable(
+            unit = "m/s^2",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.35,
+            text = "Sigma of specific forces that come without one.")
+        double forceSigma,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 1,
+            text = "Sigma of speeds through air or water that come without one.")
+        double fluidSigma,
+    @Variable(
+            ifAbsentText = "x, y, psi",
+            text =
+                "Numbers that the vehicle needs; health reports those absent for longer than COMPLETE WITHIN.")
+        String needed,
+    @Variable(
+            unit = "s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 5,
+            text = "Time for which a needed number may be absent before health reports it.")
+        double completeWithin) {
+  FusionVariables {
+    try {
+      Completeness.fields(needed);
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("NEEDED: " + e.getMessage(), e);
+    }
+    try {
+      new LeverArms(leverArms);
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("LEVER ARMS: " + e.getMessage(), e);
+    }
+  }
+
+  FilterTuning tuning() {
+    FilterTuning usual = FilterTuning.of(domain);
+    return new FilterTuning(
+        domain,
+        or(accelerationNoise, usual.accelerationNoise()),
+        or(verticalNoise, usual.verticalNoise()),
+        or(turnSigma, usual.turnSigma()),
+        or(sideSlipSigma, usual.sideSlipSigma()),
+        constraintInterval,
+        gyroBiasSigma,
+        gyroBiasNoise,
+        accelerometerBiasSigma,
+        accelerometerBiasNoise,
+        flowSigma,
+        wheelScaleSigma < 0.0 ? usual.wheelScaleSigma() : wheelScaleSigma,
+        gate,
+        trustWindow,
+        positionCorrelation,
+        headingCorrelation,
+        delaySigma,
+        resetAfter,
+        lostSigma,
+        horizon,
+        history);
+  }
+
+  private static double or(double set, double usual) {
+    return set > 0.0 ? set : usual;
+  }
+
+  UsualSigmas sigmas() {
+    return new UsualSigmas(
+        positionSigma, velocitySigma, attitudeSigma, rateSigma, forceSigma, fluidSigma);
+  }
+}

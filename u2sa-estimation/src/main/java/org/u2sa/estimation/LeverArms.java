@@ -1,0 +1,62 @@
+package org.u2sa.estimation;
+
+import java.util.Map;
+import java.util.TreeMap;
+import org.u2sa.estimation.fusion.Measurement;
+
+/** Where on the vehicle sensors sit, by their names, as a text of the configuration has it. */
+final class LeverArms {
+  private static final String FORM = "expected \"SENSOR = FORWARD LEFT DOWN; …\" in metres";
+  private static final double FARTHEST_M = 100.0;
+
+  private final Map<String, double[]> arms = new TreeMap<>(); // forward, left, down [m]
+
+  /**
+   * @param text "IoioService GPS = 0.4 0 -0.6; WaterSpeedSensor = -0.2 0 0.1"; empty: none
+   * @throws IllegalArgumentException naming the part that cannot be read
+   */
+  LeverArms(String text) {
+    for (String part : text.split(";")) {
+      if (!part.trim().isEmpty()) {
+        read(part.trim());
+      }
+    }
+  }
+
+  private void read(String part) {
+    int equals = part.indexOf('=');
+    String sensor = part.substring(0, Math.max(0, equals)).trim();
+    String[] numbers = part.substring(equals + 1).trim().split("\\s+");
+    if (sensor.isEmpty() || numbers.length != 3) {
+      throw new IllegalArgumentException("\"" + part + "\": " + FORM);
+    }
+    double[] arm = new double[3];
+    for (int i = 0; i < 3; i++) {
+      arm[i] = metres(part, numbers[i]);
+    }
+    if (arms.put(sensor, arm) != null) {
+      throw new IllegalArgumentException("\"" + part + "\": " + sensor + " is there already");
+    }
+  }
+
+  private static double metres(String part, String number) {
+    double metres;
+    try {
+      metres = Double.parseDouble(number);
+    } catch (NumberFormatException e) {
+      throw new IllegalArgumentException(
+          "\"" + part + "\": \"" + number + "\" is no number; " + FORM, e);
+    }
+    if (!(Math.abs(metres) <= FARTHEST_M)) {
+      throw new IllegalArgumentException(
+          "\"" + part + "\": " + number + " m is outside -" + FARTHEST_M + "…" + FARTHEST_M);
+    }
+    return metres;
+  }
+
+  /** Puts a measurement to where its sensor sits. */
+  Measurement place(Measurement m) {
+    double[] arm = arms.get(m.source());
+    return arm == null ? m : m.mounted(arm[0], -arm[1], arm[2]); // the filter's y is to the right
+  }
+}

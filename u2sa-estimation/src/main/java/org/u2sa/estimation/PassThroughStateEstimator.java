@@ -1,0 +1,108 @@
+package org.u2sa.estimation;
+
+import java.util.Optional;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Takes what sensors measured for the state (thesis 4.5.2.2, 4.6.2.2): each field that a
+ * measurement's presence vector names is copied to a new message, each field that a subclass of the
+ * message adds too. In: sensed-state. Out: state, at the time of the newest measurement.
+ *
+ * <p>With several sensors, such as a GPS and a compass (thesis 4.6.3), what one does not measure is
+ * taken from the newest measurement of another in the same frame: position and attitude are carried
+ * ahead to the state's time by the rates measured with them, their standard deviations grow with
+ * age, and what is older than STALE AFTER drops out. It does not fuse: of two that measure the
+ * same, the newest counts.
+ */
+public final class PassThroughStateEstimator extends StateEstimator {
+  private record Limits(
+      @Variable(
+              unit = "m/s",
+              min = 0,
+              ifAbsent = 0.1,
+              text =
+                  "Standard deviation assumed for a measured velocity without one; position uncertainty grows with it over time.")
+          double velocitySigma,
+      @Variable(
+              unit = "m/s^2",
+              min = 0,
+              ifAbsent = 1,
+              text =
+                  "Unmeasured acceleration, 1 sigma: position uncertainty grows by half of it times age squared.")
+          double acceleration,
+      @Variable(unit = "m/s", min = 0, ifAbsent = 1, text = "Speed, 1 sigma, if unmeasured.")
+          double unknownSpeed,
+      @Variable(
+              unit = "rad/s",
+              min = 0,
+              ifAbsent = 0.5,
+              text = "Assumed turn rate, 1 sigma, where none is measured.")
+          double unknownTurnRate,
+      @Variable(
+              unit = "s",
+              min = 0.01,
+              max = 60,
+              ifAbsent = 2,
+              text = "Maximum age of one sensor's measurement to complete another's.")
+          double staleAfter,
+      @Variable(
+              ifAbsentText = "x, y, psi",
+              text =
+                  "Numbers that the vehicle needs; health reports those absent for longer than COMPLETE WITHIN.")
+          String needed,
+      @Variable(
+              unit = "s",
+              min = 0,
+              minExcluded = true,
+              ifAbsent = 5,
+              text = "Time for which a needed number may be absent before health reports it.")
+          double completeWithin) {
+    Limits {
+      try {
+        Completeness.fields(needed);
+      } catch (IllegalArgumentException e) {
+        throw new IllegalArgumentException("NEEDED: " + e.getMessage(), e);
+      }
+    }
+  }
+
+  private final NewestMeasurements measurements;
+  private final Completeness completeness;
+
+  /** Called by the launcher. */
+  public PassThroughStateEstimator(ServiceContext context) {
+    super(context, "StateEstimator");
+    Limits limits = settings(Limits.class).get(); // another one counts from the next start
+    DeadReckoning reckoning =
+        new DeadReckoning(
+            limits.velocitySigma(),
+            limits.acceleration(),
+            limits.unknownSpeed(),
+            limits.unknownTurnRate());
+    measurements = new NewestMeasurements(Clock.micros(limits.staleAfter()), reckoning);
+    completeness =
+        new Completeness(
+            this, Completeness.fields(limits.needed()), Clock.micros(limits.completeWithin()));
+  }
+
+  @Override
+  protected Optional<StateInformation> estimate(StateInformation sensed) {
+    Optional<StateInformation> state = measurements.with(sensed);
+    state.ifPresent(each -> completeness.look(each, measurements.all()));
+    return state;
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    state.messages("MEASUREMENTS", measurements.all());
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    measurements.takeOver(state.messages("MEASUREMENTS", StateInformation.class));
+  }
+}

@@ -1,0 +1,84 @@
+package org.u2sa.estimation.fusion;
+
+/** Sets parts of the state that were unknown or have proved wrong, with their uncertainty. */
+final class Alignment {
+  private Alignment() {}
+
+  /** A state that knows nothing yet. */
+  static void start(FilterState s, long micros, FilterTuning tuning) {
+    double speed = tuning.domain().speedSigmaMps();
+    s.micros = micros;
+    s.startedMicros = micros;
+    s.isStarted = true;
+    for (int i = 0; i < 3; i++) {
+      s.isolate(FilterState.VELOCITY + i, square(i == 2 ? Math.min(speed, 3.0) : speed));
+    }
+    s.isolate(FilterState.ATTITUDE + 2, square(Math.PI / Math.sqrt(3.0)));
+    s.isolate(FilterState.RATE + 2, square(tuning.turnSigma()));
+    if (tuning.wheelScaleSigma() > 0.0) {
+      s.isolate(FilterState.SCALE, square(tuning.wheelScaleSigma()));
+    }
+  }
+
+  private static double square(double value) {
+    return value * value;
+  }
+
+  static void place(FilterState s, double latitude, double longitude, double north, double east) {
+    s.x[FilterState.LATITUDE] = latitude;
+    s.x[FilterState.LONGITUDE] = longitude;
+    s.hasPlace = true;
+    HeadingSearch.restart(s);
+    s.isolate(FilterState.POSITION, north);
+    s.isolate(FilterState.POSITION + 1, east);
+  }
+
+  static void altitude(FilterState s, double metres, double variance) {
+    s.x[FilterState.ALTITUDE] = metres;
+    s.hasAltitude = true;
+    s.isolate(FilterState.POSITION + 2, variance);
+  }
+
+  static void local(FilterState s, double north, double east, double northVar, double eastVar) {
+    s.x[FilterState.NORTH] = north;
+    s.x[FilterState.NORTH + 1] = east;
+    s.hasLocal = true;
+    s.isolate(FilterState.POSITION, northVar);
+    s.isolate(FilterState.POSITION + 1, eastVar);
+  }
+
+  static void velocity(FilterState s, int axis, double mps, double variance) {
+    s.x[FilterState.V + axis] = mps;
+    s.isolate(FilterState.VELOCITY + axis, variance);
+  }
+
+  /** Turns the nominal attitude about the vertical to that heading [rad]. */
+  static void heading(FilterState s, double psi, double variance) {
+    double[] r = new double[9];
+    Quaternions.matrix(s.x, FilterState.Q, r);
+    double by = Math.IEEEremainder(psi - Quaternions.psi(r), 2.0 * Math.PI);
+    Quaternions.turnEarth(s.x, FilterState.Q, 0.0, 0.0, by);
+    s.hasHeading = true;
+    s.isolate(FilterState.ATTITUDE + 2, variance);
+  }
+
+  /** Sets roll and pitch [rad] and keeps the heading. */
+  static void tilt(FilterState s, double phi, double theta, double phiSigma, double thetaSigma) {
+    double[] r = new double[9];
+    Quaternions.matrix(s.x, FilterState.Q, r);
+    Quaternions.fromEuler(phi, theta, Quaternions.psi(r), s.x, FilterState.Q);
+    s.hasTilt = true;
+    double variance = square(Math.max(phiSigma, thetaSigma)); // along north and east: either
+    s.isolate(FilterState.ATTITUDE, variance);
+    s.isolate(FilterState.ATTITUDE + 1, variance);
+    for (int i = 0; i < 2; i++) {
+      s.isolate(FilterState.RATE + i, square(0.3));
+    }
+  }
+
+  static void flow(FilterState s, double sigma) {
+    s.hasFlow = true;
+    s.isolate(FilterState.FLOW, square(sigma));
+    s.isolate(FilterState.FLOW + 1, square(sigma));
+  }
+}

@@ -1,0 +1,187 @@
+package org.u2sa.estimation.fusion;
+
+import org.ejml.data.DMatrixRMaj;
+
+/**
+ * Nominal state, covariance of its error, and what the sources have shown of themselves so far, at
+ * one time. Flat arrays, so that a moment is kept and brought back by copying them.
+ *
+ * <p>Error state, 33 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
+ * attitude (a small turn about north, east and down [rad]: Solà 2017, section 7, global angular
+ * errors), gyroscope bias [rad/s], accelerometer bias [m/s²] and angular rate [rad/s] (each along
+ * BODY_FRD), wind or current (north, east [m/s]), wheel-speed scale, {@link PersistentErrors} of
+ * sources (positions, north and east [m]; headings [rad]), {@link DelayErrors} of position sources
+ * [s].
+ *
+ * <p>The nominal position is geodetic, in double precision, as soon as a source says where on earth
+ * the vehicle is: error vectors are along north, east and down at the vehicle itself, so there is
+ * no tangent plane to leave. North, east and down from the start are kept beside it.
+ */
+final class FilterState {
+  static final int N = 21 + PersistentErrors.STATES + DelayErrors.SLOTS;
+  static final int NO_SOURCE = -1;
+  static final int RESUMED = -2; // some source, whose biases are known
+  static final int POSITION = 0;
+  static final int VELOCITY = 3;
+  static final int ATTITUDE = 6;
+  static final int GYRO_BIAS = 9;
+  static final int FORCE_BIAS = 12;
+  static final int RATE = 15;
+  static final int FLOW = 18;
+  static final int SCALE = 20;
+  static final int PERSISTENT = 21;
+  static final int DELAY = PERSISTENT + PersistentErrors.STATES;
+
+  // Nominal state, by index of x.
+  static final int LATITUDE = 0; // rad
+  static final int LONGITUDE = 1; // rad
+  static final int ALTITUDE = 2; // m
+  static final int NORTH = 3; // m from the local origin; then east, down
+  static final int V = 6;
+  static final int Q = 9;
+  static final int BG = 13;
+  static final int BF = 16;
+  static final int W = 19;
+  static final int FLOW_NORTH = 22; // then east
+  static final int WHEEL_SCALE = 24;
+  static final int GYRO = 25; // newest inertial input
+  static final int FORCE = 28;
+  static final int GYRO_DENSITY = 31; // variance times interval [rad²/s]
+  static final int FORCE_DENSITY = 32; // m²/s³
+  static final int INPUT_INTERVAL = 33; // s, running mean
+  static final int LEVELLING = 34; // sum of forces while aligning: three numbers
+  static final int LEVELLED = 37; // how many
+  static final int PERSISTENT_ERRORS = 38; // in the order of the error state
+  static final int PERSISTENT_VARIANCE = PERSISTENT_ERRORS + PersistentErrors.STATES; // of a slot
+  static final int DELAYS = PERSISTENT_VARIANCE + PersistentErrors.SLOTS; // s, by slot
+  private static final int SIZE = DELAYS + DelayErrors.SLOTS;
+
+  private static final double A = 6_378_137.0; // semi-major axis [m], WGS-84 (NIMA TR8350.2)
+  private static final double E2 = 6.694379990141316e-3; // first eccentricity squared
+  private static final double POLE = 1e-6; // cosine of latitude that is not divided by
+
+  final double[] x = new double[SIZE];
+  final DMatrixRMaj p = new DMatrixRMaj(N, N);
+  final double[] search = new double[HeadingSearch.NUMBERS];
+  final double[] sightings = new double[Sightings.NUMBERS];
+  double[] trust = new double[0]; // SourceTrust's numbers
+  long micros;
+  boolean isStarted;
+  boolean hasPlace;
+  boolean hasAltitude;
+  boolean hasLocal;
+  boolean hasHeading;
+  boolean hasTilt;
+  boolean hasFlow;
+  boolean isInertial; // angular rates drive the attitude
+  boolean isStrapdown; // and forces the velocity
+  long startedMicros;
+  long gyroMicros; // of the newest inertial input
+  long forceMicros;
+  int gyroSource = NO_SOURCE;
+  int speedSource = NO_SOURCE; // whose speed drives the prediction, see MotionInput
+  int turnSource = NO_SOURCE;
+  double heldMps; // what it measured last
+  double heldRadPerS;
+  long heldMicros; // when the speed was measured
+  long speedUntilMicros; // unless it is renewed
+  long turnUntilMicros;
+  long positionMicros; // newest measurement of each that was used
+  long velocityMicros;
+  long headingMicros;
+  long fluidMicros;
+  long constraintMicros;
+  long movingMicros; // since when the direction of motion is good enough to stand for a heading
+  long accusedMicros; // when an inertial source was found to lie; 0: never
+  long resets;
+  final int[] persistentSource = PersistentErrors.nobody(); // by slot
+  final int[] delaySource = DelayErrors.nobody(); // by slot
+
+  FilterState() {
+    x[Q] = 1.0;
+  }
+
+  void copyFrom(FilterState o) {
+    System.arraycopy(o.x, 0, x, 0, SIZE);
+    System.arraycopy(o.p.data, 0, p.data, 0, N * N);
+    System.arraycopy(o.search, 0, search, 0, HeadingSearch.NUMBERS);
+    System.arraycopy(o.sightings, 0, sightings, 0, Sightings.NUMBERS);
+    if (trust.length < o.trust.length) {
+      trust = new double[o.trust.length];
+    }
+    System.arraycopy(o.trust, 0, trust, 0, o.trust.length);
+    java.util.Arrays.fill(trust, o.trust.length, trust.length, 0.0);
+    micros = o.micros;
+    isStarted = o.isStarted;
+    hasPlace = o.hasPlace;
+    hasAltitude = o.hasAltitude;
+    hasLocal = o.hasLocal;
+    hasHeading = o.hasHeading;
+    hasTilt = o.hasTilt;
+    hasFlow = o.hasFlow;
+    isInertial = o.isInertial;
+    isStrapdown = o.isStrapdown;
+    startedMicros = o.startedMicros;
+    gyroMicros = o.gyroMicros;
+    forceMicros = o.forceMicros;
+    gyroSource = o.gyroSource;
+    speedSource = o.speedSource;
+    turnSource = o.turnSource;
+    heldMps = o.heldMps;
+    heldRadPerS = o.heldRadPerS;
+    heldMicros = o.heldMicros;
+    speedUntilMicros = o.speedUntilMicros;
+    turnUntilMicros = o.turnUntilMicros;
+    positionMicros = o.positionMicros;
+    velocityMicros = o.velocityMicros;
+    headingMicros = o.headingMicros;
+    fluidMicros = o.fluidMicros;
+    constraintMicros = o.constraintMicros;
+    movingMicros = o.movingMicros;
+    accusedMicros = o.accusedMicros;
+    resets = o.resets;
+    System.arraycopy(o.persistentSource, 0, persistentSource, 0, PersistentErrors.SLOTS);
+    System.arraycopy(o.delaySource, 0, delaySource, 0, DelayErrors.SLOTS);
+  }
+
+  double variance(int i) {
+    return p.data[i * N + i];
+  }
+
+  /** Makes an error independent of all others, with that variance. */
+  void isolate(int i, double variance) {
+    for (int k = 0; k < N; k++) {
+      p.data[i * N + k] = 0.0;
+      p.data[k * N + i] = 0.0;
+    }
+    p.data[i * N + i] = variance;
+  }
+
+  /** Radius of curvature northward, at the altitude [m]. */
+  double northRadiusM() {
+    double sin = StrictMath.sin(x[LATITUDE]);
+    double w2 = 1.0 - E2 * sin * sin;
+    return A * (1.0 - E2) / (w2 * Math.sqrt(w2)) + x[ALTITUDE];
+  }
+
+  /** Distance from the earth's axis [m], which a radian of longitude is multiplied by. */
+  double axisDistanceM() {
+    double sin = StrictMath.sin(x[LATITUDE]);
+    double radius = A / Math.sqrt(1.0 - E2 * sin * sin) + x[ALTITUDE];
+    return radius * Math.max(POLE, StrictMath.cos(x[LATITUDE]));
+  }
+
+  /** Moves the nominal position [m]. */
+  void move(double north, double east, double down) {
+    x[NORTH] += north;
+    x[NORTH + 1] += east;
+    x[NORTH + 2] += down;
+    if (hasPlace) {
+      double northRadius = northRadiusM();
+      double axisDistance = axisDistanceM();
+      x[LATITUDE] += north / northRadius;
+      x[LONGITUDE] = Math.IEEEremainder(x[LONGITUDE] + east / axisDistance, 2.0 * Math.PI);
+    }
+    x[ALTITUDE] -= down;
+  }
+}

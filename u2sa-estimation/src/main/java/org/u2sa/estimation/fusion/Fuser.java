@@ -1,0 +1,287 @@
+package org.u2sa.estimation.fusion;
+
+/**
+ * Fuses one measurement into a state: carries the state ahead, begins what was unknown, and
+ * corrects by each vector that the gate lets through and the source is trusted with.
+ */
+final class Fuser {
+  private static final double MICROS = 1e6;
+  private static final double UNUSED_INERTIAL_SIGMA = 1.0; // m/s²: acceleration taken for gravity
+  private static final double TRACK_SIGMA_RAD = 0.2; // of a direction of motion as heading
+  private static final double TRACK_AFTER_S = 3.0;
+  private static final double FLUID_FRESH_S = 2.0;
+  private static final double SPEED_FRESH_S = 2.0;
+  private static final double STANDING_MPS = 0.1; // by the wheels
+  private static final double READABLE_SIGMAS = 3.0;
+
+  private final FilterTuning tuning;
+  private final SourceTrust trust;
+  private final ProcessModel process;
+  private final InertialVote vote;
+  private final InertialInput inertial;
+  private final MotionInput motion;
+  private final SourceJudge judge;
+  private final SpeedDoubt doubts;
+  private final QuantityStart starts;
+  private final PersistentErrors persistent;
+  private final DelayErrors delays;
+  private final MeasurementModel model = new MeasurementModel();
+  private final KalmanUpdate update = new KalmanUpdate();
+  private final double[] gates = new double[4];
+
+  Fuser(FilterTuning tuning, SourceTrust trust, ProcessModel process) {
+    this.tuning = tuning;
+    this.trust = trust;
+    this.process = process;
+    vote = new InertialVote(tuning, trust);
+    inertial = new InertialInput(tuning);
+    motion = new MotionInput(tuning, trust);
+    judge = new SourceJudge(tuning, trust);
+    doubts = new SpeedDoubt(trust);
+    starts = new QuantityStart(tuning);
+    persistent = new PersistentErrors(tuning);
+    delays = new DelayErrors(tuning);
+    for (int rows = 1; rows < gates.length; rows++) {
+      gates[rows] = threshold(rows, tuning.gate());
+    }
+  }
+
+  /**
+   * χ² of that many degrees of freedom, as far out as z normal deviations (Wilson, Hilferty 1931).
+   */
+  static double threshold(int rows, double z) {
+    double spread = 2.0 / (9.0 * rows);
+    return rows * Math.pow(1.0 - spread + z * Math.sqrt(spread), 3.0);
+  }
+
+  /** Fuses a measurement that is not older than the state. */
+  void fuse(FilterState s, Measurement m, int source) {
+    if (!s.isStarted) {
+      Alignment.start(s, m.micros(), tuning);
+    }
+    trust.heard(s, m, source);
+    boolean isWhole = m.isWhole(SensedQuantity.BODY_RATES);
+    if (isWhole) {
+      vote.heard(s, m, source);
+    }
+    boolean drives =
+        isWhole
+            && inertial.isMain(s, source, m.micros())
+            && !vote.isLeftOut(s, source)
+            && !judge.isStuck(s, source)
+            && vote.isBelieved(s, m, source, judge.isContradicted(s, source));
+    if (drives) {
+      inertial.take(s, m, source, process);
+      count(s, trust.of(s, source, SensedQuantity.BODY_RATES), SourceTrust.USED);
+    } else {
+      motion.meet(s, m, source);
+      process.predict(s, m.micros());
+      if (!isWhole) {
+        vector(s, m, source, SensedQuantity.BODY_RATES);
+      }
+    }
+    if (drives && !s.isStrapdown && s.hasTilt) {
+      vector(s, m, source, SensedQuantity.SPECIFIC_FORCE);
+    }
+    for (int q = SensedQuantity.PLACE.ordinal(); q < SensedQuantity.count(); q++) {
+      vector(s, m, source, SensedQuantity.at(q));
+    }
+    headingOfMotion(s);
+    constrain(s);
+  }
+
+  private static void count(FilterState s, int at, int what) {
+    s.trust[at + what]++;
+    if (what == SourceTrust.USED) {
+      s.trust[at + SourceTrust.LAST_USED] = s.micros;
+      s.trust[at + SourceTrust.STREAK] = 0.0;
+      s.trust[at + SourceTrust.DISTRUST] *= SourceTrust.FORGIVEN;
+    }
+  }
+
+  private void vector(FilterState s, Measurement m, int source, SensedQuantity quantity) {
+    if (!m.has(quantity)) {
+      return;
+    }
+    int at = trust.of(s, source, quantity);
+    int slot = persistent.slot(s, m, quantity, source, at);
+    int delay = delays.slot(s, quantity, source);
+    if (starts.begin(s, m, quantity, at, slot)) {
+      DelayErrors.share(s, delay);
+      count(s, at, SourceTrust.USED);
+      used(s, quantity);
+      return;
+    }
+    boolean isReadable = quantity != SensedQuantity.FLUID_VELOCITY || isReadable(m);
+    boolean isForward =
+        quantity == SensedQuantity.BODY_VELOCITY && m.has(SensedQuantity.BODY_VELOCITY, 0);
+    if (isForward) {
+      HeadingSearch.speed(s, m);
+    }
+    if (!isReadable || !model.look(s, m, quantity) || model.rows == 0) {
+      return;
+    }
+    if (quantity == SensedQuantity.SPECIFIC_FORCE) {
+      for (int i = 0; i < model.rows; i++) {
+        model.variance[i] += UNUSED_INERTIAL_SIGMA * UNUSED_INERTIAL_SIGMA;
+      }
+    }
+    if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
+      QuantityStart.shift(s, model, quantity, at);
+    }
+    if (SpeedDoubt.isOfPosition(quantity)) {
+      searchHeading(s, source);
+    }
+    PersistentErrors.look(s, m, quantity, model, slot);
+    DelayErrors.look(s, m, quantity, model, delay);
+    double factor = SourceTrust.factor(s, at);
+    double nis = update.prepare(s, model, factor);
+    boolean isInput = motion.takes(s, m, source, quantity, factor);
+    if (isInput) {
+      motion.expect(s, source, quantity, model.rows, update.expected);
+      nis = update.weigh(model, factor);
+    }
+    if (judge.isFrozen(s, model, update.expected, source, quantity, at)) {
+      s.trust[at + SourceTrust.GATED]++;
+      return;
+    }
+    trust.learn(s, at, model, update.expected);
+    SourceTrust.notedNis(s, at, nis);
+    if (SpeedDoubt.isOfSpeed(quantity) && doubts.holds(s, model, source, at)) {
+      return;
+    }
+    if (nis > gates[model.rows]) {
+      boolean mustGiveWay = judge.gated(s, model, source, quantity, at);
+      boolean isAlone = !judge.isCorroborated(s, source, quantity);
+      boolean isJump = false;
+      double wanderRate = persistent.wanderRate(s, slot);
+      if (SpeedDoubt.isOfPosition(quantity)
+          && isAlone
+          && doubts.isRaised(s, model, source, at, wanderRate)) {
+        mustGiveWay = true;
+      } else if (mustGiveWay) {
+        QuantityStart.doubt(s, quantity, at);
+        isJump = PersistentErrors.isPosition(slot) && s.hasHeading && MotionInput.drivesSpeed(s);
+      }
+      if (mustGiveWay && isJump) {
+        PersistentErrors.jumped(s, model, slot, at);
+      } else if (mustGiveWay) {
+        starts.reset(s, m, quantity, at, slot);
+        DelayErrors.share(s, delay);
+      }
+    } else if (SourceJudge.passes(s, at)) {
+      if (isInput) {
+        motion.take(s, m, source, quantity, model, factor);
+        count(s, at, SourceTrust.USED);
+        used(s, quantity);
+      } else {
+        correct(s, m, source, quantity, at, slot);
+      }
+    }
+  }
+
+  /** Positions and wheels together tell a heading that nothing measures. */
+  private void searchHeading(FilterState s, int source) {
+    if (!s.hasHeading && model.rows == 2) {
+      double north = model.predicted[0] + model.innovation[0];
+      double east = model.predicted[1] + model.innovation[1];
+      double variance = Math.max(model.variance[0], model.variance[1]);
+      HeadingSearch.position(s, source, north, east, variance, tuning.positionCorrelationS());
+    }
+  }
+
+  /**
+   * A pitot tube reads about nothing in slow air, whether that comes from the front, the side or
+   * behind: near its noise it says nothing of the wind.
+   */
+  private boolean isReadable(Measurement m) {
+    return tuning.domain() != MotionDomain.AIR
+        || !m.has(SensedQuantity.FLUID_VELOCITY, 0)
+        || m.value(SensedQuantity.FLUID_VELOCITY, 0)
+            > READABLE_SIGMAS * m.sigma(SensedQuantity.FLUID_VELOCITY, 0);
+  }
+
+  private void correct(
+      FilterState s, Measurement m, int source, SensedQuantity quantity, int at, int slot) {
+    boolean persists =
+        quantity == SensedQuantity.PLACE && slot == PersistentErrors.NONE
+            || quantity == SensedQuantity.ALTITUDE
+            || quantity == SensedQuantity.LOCAL_PLACE;
+    if (persists && tuning.positionCorrelationS() > 0.0) {
+      // Errors that persist for τ tell as much as independent ones at every 2 τ.
+      double interval = Math.max(1e-3, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
+      double repeats = 1.0 + 2.0 * tuning.positionCorrelationS() / interval;
+      update.weigh(model, SourceTrust.factor(s, at) * repeats);
+    }
+    if (quantity == SensedQuantity.LANDMARK) {
+      update.weigh(model, SourceTrust.factor(s, at) * Sightings.repeats(s, m));
+    }
+    update.apply(s, model);
+    count(s, at, SourceTrust.USED);
+    used(s, quantity);
+  }
+
+  private static void used(FilterState s, SensedQuantity quantity) {
+    switch (quantity) {
+      case PLACE:
+      case LOCAL_PLACE:
+      case LANDMARK:
+        s.positionMicros = s.micros;
+        break;
+      case VELOCITY:
+      case BODY_VELOCITY:
+        s.velocityMicros = s.micros;
+        break;
+      case HEADING:
+        s.headingMicros = s.micros;
+        break;
+      case FLUID_VELOCITY:
+        s.fluidMicros = s.micros;
+        break;
+      default:
+        break;
+    }
+  }
+
+  /**
+   * Where nothing measures the heading, a moving vehicle is taken to look where it goes. Where only
+   * positions tell its velocity, and wheels turn, {@link HeadingSearch} knows better.
+   */
+  private void headingOfMotion(FilterState s) {
+    double vn = s.x[FilterState.V];
+    double ve = s.x[FilterState.V + 1];
+    double speed = Math.sqrt(vn * vn + ve * ve);
+    double sigma =
+        Math.sqrt(Math.max(s.variance(FilterState.VELOCITY), s.variance(FilterState.VELOCITY + 1)));
+    boolean isMeasured = (s.micros - s.velocityMicros) / MICROS < SPEED_FRESH_S;
+    boolean isSearched = !isMeasured && Math.abs(HeadingSearch.forwardMps(s)) > STANDING_MPS;
+    boolean isSlow = speed < tuning.domain().trackSpeedMps();
+    if (s.hasHeading || isSearched || isSlow || sigma > 0.3 * speed) {
+      s.movingMicros = s.micros;
+    } else if ((s.micros - s.movingMicros) / MICROS >= TRACK_AFTER_S) {
+      double of = Math.max(TRACK_SIGMA_RAD, sigma / speed);
+      boolean isInReverse = HeadingSearch.forwardMps(s) < 0.0;
+      Alignment.heading(s, StrictMath.atan2(ve, vn) + (isInReverse ? Math.PI : 0.0), of * of);
+    }
+  }
+
+  /**
+   * Says at times that the vehicle does not slip: over ground, or through the fluid it flies in.
+   */
+  private void constrain(FilterState s) {
+    boolean isDue = (s.micros - s.constraintMicros) / MICROS >= tuning.constraintS();
+    if (tuning.constraintS() <= 0.0 || !isDue || !s.hasHeading || MotionInput.drivesSpeed(s)) {
+      return;
+    }
+    boolean isGround = tuning.domain() == MotionDomain.GROUND;
+    boolean isInFlow = s.hasFlow && (s.micros - s.fluidMicros) / MICROS < FLUID_FRESH_S;
+    // Where nothing says how fast it goes, "not sideways" by an uncertain heading would seem to.
+    if (isGround && InertialInput.isAided(s, SPEED_FRESH_S) || isInFlow) {
+      s.constraintMicros = s.micros;
+      model.noSlip(s, tuning.sideSlipSigma(), !isGround, isGround);
+      if (update.prepare(s, model, 1.0) <= gates[model.rows]) {
+        update.apply(s, model);
+      }
+    }
+  }
+}

@@ -1,0 +1,150 @@
+package org.u2sa.estimation.fusion;
+
+/**
+ * Finds the heading where nothing measures it. Speed and turn rate of the wheels say which way the
+ * vehicle went by its own axes, positions say which way it went on earth: the angle between the two
+ * is the heading, forward or in reverse. What it went by its own axes is added up along the nominal
+ * heading, whose start is arbitrary until the heading is known.
+ *
+ * <p>A fix is z = c + h w + e, as complex numbers (north, i east): h turns the way w by the heading
+ * that is sought, e is new with each fix, and c wanders as the receiver's error does that persists
+ * (a reflected signal stays for half a minute and more). This is linear, so a Kalman filter of c
+ * and h is exact, however little is known of the heading. Nobody knows which part of the claimed
+ * variance is new and which persists, so each is taken to be all of it.
+ */
+final class HeadingSearch {
+  private static final int FORWARD = 0; // newest speed along the vehicle [m/s]
+  private static final int FORWARD_MICROS = 1;
+  private static final int WAY = 2; // since the first fix, along the nominal heading: north, east
+  private static final int FIRST = 4; // fix: north, east [m]
+  private static final int FIX_MICROS = 6; // of the newest; 0: there is none
+  private static final int SOURCE = 7;
+  private static final int TURN_VARIANCE = 8; // of turns since the first fix that nobody measured
+  private static final int C = 9; // from the first fix [m]
+  private static final int H = 11;
+  private static final int CC = 13; // variances of each axis of c and h
+  private static final int HH = 14;
+  private static final int CH = 15; // covariance E(c h*)
+  static final int NUMBERS = 17;
+
+  private static final double FRESH_S = 1.0;
+  private static final double SILENT_S = 5.0; // then another source may tell the heading
+  private static final double UNKNOWN = 100.0; // variance of each axis of h, whose length is 1
+  private static final double MAX_SIGMA_RAD = 0.15; // a way of some ten sigmas of the positions
+  private static final double UNLIKELY =
+      3.0; // standard deviations of a way that is not the wheels'
+  private static final double SLIP = 0.1; // share of the way
+  private static final double UNMEASURED = 0.01; // rad² per second of turns that nobody measures
+  private static final double USUAL = 4.0; // normalised squared innovation; more is not believed
+
+  private HeadingSearch() {}
+
+  private static double psi(FilterState s) {
+    double[] r = new double[9];
+    Quaternions.matrix(s.x, FilterState.Q, r);
+    return Quaternions.psi(r);
+  }
+
+  /** Forgets the fixes: from the next on it begins anew. */
+  static void restart(FilterState s) {
+    s.search[FIX_MICROS] = 0.0;
+  }
+
+  /** Takes note of a speed along the vehicle. */
+  static void speed(FilterState s, Measurement m) {
+    double[] h = s.search;
+    double forward = m.value(SensedQuantity.BODY_VELOCITY, 0);
+    double seconds = (s.micros - h[FORWARD_MICROS]) * 1e-6;
+    if (!s.hasHeading && seconds < FRESH_S) {
+      double psi = psi(s);
+      double way = seconds * 0.5 * (h[FORWARD] + forward);
+      h[WAY] += way * StrictMath.cos(psi);
+      h[WAY + 1] += way * StrictMath.sin(psi);
+      boolean isMeasured = s.isInertial || MotionInput.drivesTurn(s);
+      h[TURN_VARIANCE] += isMeasured ? 0.0 : UNMEASURED * seconds;
+    } else {
+      restart(s);
+    }
+    h[FORWARD] = forward;
+    h[FORWARD_MICROS] = s.micros;
+  }
+
+  /** Newest speed along the vehicle [m/s]; NaN if none is fresh. */
+  static double forwardMps(FilterState s) {
+    boolean isFresh =
+        s.search[FORWARD_MICROS] > 0.0 && (s.micros - s.search[FORWARD_MICROS]) * 1e-6 < FRESH_S;
+    return isFresh ? s.search[FORWARD] : Double.NaN;
+  }
+
+  /**
+   * Takes note of a position, where the heading is not known, and sets the heading if the positions
+   * of this source tell it.
+   *
+   * @param north of the position [m]
+   * @param variance of it, of each axis [m²]
+   * @param persistsS time for which its error persists [s]; 0: each is new
+   */
+  static void position(
+      FilterState s, int source, double north, double east, double variance, double persistsS) {
+    double[] h = s.search;
+    if (s.hasHeading || Double.isNaN(forwardMps(s))) {
+      return;
+    }
+    double seconds = (s.micros - h[FIX_MICROS]) * 1e-6;
+    boolean isLost = h[TURN_VARIANCE] > MAX_SIGMA_RAD * MAX_SIGMA_RAD;
+    boolean isOther = source != (int) h[SOURCE];
+    if (h[FIX_MICROS] == 0.0 || isLost || isOther && seconds > SILENT_S) {
+      java.util.Arrays.fill(h, WAY, NUMBERS, 0.0);
+      h[FIRST] = north;
+      h[FIRST + 1] = east;
+      h[FIX_MICROS] = s.micros;
+      h[SOURCE] = source;
+      h[CC] = variance;
+      h[HH] = UNKNOWN;
+    } else if (!isOther) {
+      h[FIX_MICROS] = s.micros;
+      h[CC] += persistsS > 0.0 ? 2.0 * variance * seconds / persistsS : 0.0;
+      update(h, north - h[FIRST], east - h[FIRST + 1], variance);
+      tell(s);
+    }
+  }
+
+  /** Corrects c and h by a fix. */
+  private static void update(double[] h, double north, double east, double fixVariance) {
+    double wn = h[WAY];
+    double we = h[WAY + 1];
+    double dn = north - h[C] - (h[H] * wn - h[H + 1] * we);
+    double de = east - h[C + 1] - (h[H] * we + h[H + 1] * wn);
+    double cross = h[CH] * wn + h[CH + 1] * we;
+    double variance = h[CC] + 2.0 * cross + (wn * wn + we * we) * h[HH] + fixVariance;
+    variance = Math.max(variance, (dn * dn + de * de) / USUAL);
+    double kcn = (h[CC] + cross) / variance;
+    double kce = (h[CH + 1] * wn - h[CH] * we) / variance;
+    double khn = (h[CH] + wn * h[HH]) / variance;
+    double khe = -(h[CH + 1] + we * h[HH]) / variance;
+    h[C] += kcn * dn - kce * de;
+    h[C + 1] += kcn * de + kce * dn;
+    h[H] += khn * dn - khe * de;
+    h[H + 1] += khn * de + khe * dn;
+    h[CC] -= (kcn * kcn + kce * kce) * variance;
+    h[HH] -= (khn * khn + khe * khe) * variance;
+    h[CH] -= (kcn * khn + kce * khe) * variance;
+    h[CH + 1] -= (kce * khn - kcn * khe) * variance;
+  }
+
+  /** Sets the heading, if it is known well enough. */
+  private static void tell(FilterState s) {
+    double[] h = s.search;
+    double sigma = Math.sqrt(h[HH] + h[TURN_VARIANCE]);
+    if (sigma > MAX_SIGMA_RAD) {
+      return;
+    }
+    double apart = Math.hypot(h[H], h[H + 1]) - 1.0;
+    if (apart * apart > UNLIKELY * UNLIKELY * (h[HH] + SLIP * SLIP)) {
+      restart(s); // it slipped, or turned unseen: from here anew
+      return;
+    }
+    double of = Math.max(SLIP, sigma);
+    Alignment.heading(s, psi(s) + StrictMath.atan2(h[H + 1], h[H]), of * of);
+  }
+}

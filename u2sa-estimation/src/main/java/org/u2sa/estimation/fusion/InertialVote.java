@@ -1,0 +1,187 @@
+package org.u2sa.estimation.fusion;
+
+/**
+ * Compares the inertial sensor that drives the prediction with those that stand by. Any that
+ * differs from it by more than biases and noise allow is left out and named. The driving one is
+ * itself left out, and another takes its place, if no other supports it and either two others agree
+ * against it for some time, or one differs from it while other kinds of sensors contradict the
+ * estimate. Of three that all differ from each other, none can be told from the others by what they
+ * say: the one that drives goes on until other sensors contradict it.
+ *
+ * <p>Their mean is not taken: a sample of another sensor is up to an interval old, and on a turning
+ * vehicle that is a larger error than the noise that would average out. The comparison is of means
+ * over some ten samples, in which the delay averages out.
+ */
+final class InertialVote {
+  private static final int AXES = 6; // rates, then forces
+  private static final double FRESH_INTERVALS = 3.0;
+  private static final double MEAN_SHARE = 0.1; // of a new difference in the mean difference
+  private static final double UNLIKELY = 4.0; // standard deviations
+  private static final double AGREED = 25.0; // samples in a row: two liars meet by chance
+  private static final double LEFT_OUT_S = 30.0; // a turn shows a lie that a straight line hides
+  private static final double SHORTEST_S = 1e-3; // between samples
+  private static final double LONGEST_S = 0.6; // over which a rate's change is known
+  private static final double MISLED_RAD = 0.5; // by a lie, until it is noticed
+  private static final double MISLED_MPS = 3.0;
+
+  private final FilterTuning tuning;
+  private final SourceTrust trust;
+  private final double[] limits = new double[AXES];
+  private final double[] rate = new double[3];
+  private final double[] change = new double[3];
+
+  InertialVote(FilterTuning tuning, SourceTrust trust) {
+    this.tuning = tuning;
+    this.trust = trust;
+  }
+
+  /** Takes note that a source measures all rates; the numbers are those that it is heard with. */
+  void heard(FilterState s, Measurement m, int source) {
+    int at = trust.of(s, source, SensedQuantity.BODY_RATES);
+    boolean hasForce = m.isWhole(SensedQuantity.SPECIFIC_FORCE);
+    s.trust[trust.of(s, source) + SourceTrust.INERTIAL] = hasForce ? AXES : AXES / 2;
+    release(s, m, trust.of(s, source));
+    if (isLeftOut(s, source)) {
+      s.trust[at + SourceTrust.GATED]++;
+    }
+  }
+
+  /**
+   * Sensors in different places feel different forces where the vehicle turns, and all are right.
+   */
+  private void release(FilterState s, Measurement m, int own) {
+    double[] t = s.trust;
+    double seconds = (m.micros() - t[own + SourceTrust.RATES_MICROS]) * 1e-6;
+    boolean continues = seconds < LONGEST_S && t[own + SourceTrust.MESSAGES] > 1.0;
+    for (int i = 0; i < 3; i++) {
+      rate[i] = m.value(SensedQuantity.BODY_RATES, i);
+      double turned = rate[i] - t[own + SourceTrust.RATES + i];
+      change[i] = continues ? turned / Math.max(SHORTEST_S, seconds) : 0.0;
+      t[own + SourceTrust.RATES + i] = rate[i];
+      t[own + SourceTrust.RELEASED + i] = m.value(SensedQuantity.SPECIFIC_FORCE, i);
+    }
+    t[own + SourceTrust.RATES_MICROS] = m.micros();
+    LeverArm.release(m, rate, change, t, own + SourceTrust.RELEASED);
+  }
+
+  /** Whether a source has lately differed from one that is believed. */
+  boolean isLeftOut(FilterState s, int source) {
+    int at = trust.of(s, source, SensedQuantity.BODY_RATES);
+    double since = s.trust[at + SourceTrust.STREAK_SINCE];
+    boolean isLeftOut = since > 0.0 && (s.micros - since) * 1e-6 < LEFT_OUT_S;
+    s.trust[at + SourceTrust.IS_BIASED] = isLeftOut ? 1.0 : 0.0;
+    return isLeftOut;
+  }
+
+  /**
+   * Whether the source that drives the prediction may go on.
+   *
+   * @param m what it measured
+   * @param isDoubted whether other sensors contradict the estimate
+   */
+  boolean isBelieved(FilterState s, Measurement m, int main, boolean isDoubted) {
+    boolean hasSupport = false;
+    int against = FilterState.NO_SOURCE;
+    int accuser = FilterState.NO_SOURCE;
+    for (int source = 0; source < trust.sources(); source++) {
+      if (source != main && isFresh(s, source, m.micros())) {
+        if (!differs(s, m, main, source)) {
+          hasSupport = true;
+        } else if (against != FilterState.NO_SOURCE && agree(s, against, source)) {
+          accuser = source;
+        } else {
+          against = source;
+        }
+      }
+    }
+    int agreed = trust.of(s, main, SensedQuantity.BODY_RATES) + SourceTrust.PASSED;
+    boolean isOutnumbered = accuser != FilterState.NO_SOURCE && !hasSupport;
+    s.trust[agreed] = isOutnumbered ? s.trust[agreed] + 1.0 : 0.0;
+    if (s.trust[agreed] < AGREED) {
+      accuser = isDoubted && !hasSupport ? against : FilterState.NO_SOURCE;
+    }
+    boolean isOutvoted = accuser != FilterState.NO_SOURCE && mayAccuse(s) && !hasSupport;
+    if (isOutvoted) {
+      accuse(s, main);
+    }
+    return !isOutvoted;
+  }
+
+  private boolean isFresh(FilterState s, int source, long micros) {
+    int at = trust.of(s, source);
+    double age = (micros - s.trust[at + SourceTrust.LAST_MICROS]) * 1e-6;
+    return s.trust[at + SourceTrust.INERTIAL] > 0.0
+        && s.trust[at + SourceTrust.MESSAGES] > 1.0
+        && age <= FRESH_INTERVALS * s.trust[at + SourceTrust.INTERVAL];
+  }
+
+  /** Where the mean difference of an axis from the main source is kept. */
+  private int mean(FilterState s, int source, int axis) {
+    int at = trust.of(s, source, SensedQuantity.BODY_RATES);
+    return at + (axis < 3 ? SourceTrust.STREAK_MEAN : SourceTrust.RUN_START) + axis % 3;
+  }
+
+  private boolean differs(FilterState s, Measurement m, int main, int source) {
+    double[] t = s.trust;
+    int at = trust.of(s, source, SensedQuantity.BODY_RATES);
+    int own = trust.of(s, source);
+    boolean hasForce = m.isWhole(SensedQuantity.SPECIFIC_FORCE);
+    int axes = Math.min((int) t[own + SourceTrust.INERTIAL], hasForce ? AXES : AXES / 2);
+    boolean differs = false;
+    for (int axis = 0; axis < axes; axis++) {
+      boolean isRate = axis < 3;
+      SensedQuantity quantity = isRate ? SensedQuantity.BODY_RATES : SensedQuantity.SPECIFIC_FORCE;
+      double bias = isRate ? tuning.gyroBiasSigma() : tuning.forceBiasSigma();
+      double noise = m.sigma(quantity, axis % 3);
+      limits[axis] = UNLIKELY * Math.sqrt(2.0 * (bias * bias + MEAN_SHARE * noise * noise));
+      int numbers = isRate ? SourceTrust.RATES : SourceTrust.RELEASED;
+      double apart = t[own + numbers + axis % 3] - t[trust.of(s, main) + numbers + axis % 3];
+      int mean = mean(s, source, axis);
+      t[mean] += MEAN_SHARE * (apart - t[mean]);
+      differs |= Math.abs(t[mean]) > limits[axis];
+    }
+    if (differs) {
+      t[at + SourceTrust.STREAK_SINCE] = s.micros;
+    } else if (!isLeftOut(s, source)) {
+      t[at + SourceTrust.USED]++;
+      t[at + SourceTrust.LAST_USED] = s.micros;
+    }
+    return differs;
+  }
+
+  /** Whether two that differ from the main source do so alike. */
+  private boolean agree(FilterState s, int one, int other) {
+    for (int axis = 0; axis < AXES; axis++) {
+      double apart = s.trust[mean(s, one, axis)] - s.trust[mean(s, other, axis)];
+      if (Math.abs(apart) > limits[axis]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** The estimate needs time to come back: until then both would be doubted in turns. */
+  private static boolean mayAccuse(FilterState s) {
+    return s.accusedMicros == 0 || (s.micros - s.accusedMicros) * 1e-6 > LEFT_OUT_S;
+  }
+
+  /** The main source is left out, and those that it was compared with are as good as new. */
+  private void accuse(FilterState s, int main) {
+    for (int source = 0; source < trust.sources(); source++) {
+      if (s.trust[trust.of(s, source) + SourceTrust.INERTIAL] > 0.0) {
+        int at = trust.of(s, source, SensedQuantity.BODY_RATES);
+        s.trust[at + SourceTrust.STREAK_SINCE] = source == main ? s.micros : 0.0;
+        for (int axis = 0; axis < AXES; axis++) {
+          s.trust[mean(s, source, axis)] = 0.0;
+        }
+      }
+    }
+    s.accusedMicros = s.micros;
+    s.isInertial = false;
+    s.isStrapdown = false;
+    for (int i = 0; i < 3; i++) {
+      s.p.data[(FilterState.ATTITUDE + i) * (FilterState.N + 1)] += MISLED_RAD * MISLED_RAD;
+      s.p.data[(FilterState.VELOCITY + i) * (FilterState.N + 1)] += MISLED_MPS * MISLED_MPS;
+    }
+  }
+}

@@ -1,0 +1,209 @@
+package org.u2sa.estimation.fusion;
+
+import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+
+/**
+ * Corrects state and covariance by one measurement vector. The covariance is updated in Joseph's
+ * form, written out for a gain K and G = P Hᵀ: P - K Gᵀ - G Kᵀ + K S Kᵀ, which stays positive
+ * whatever the rounding of K (Bucy and Joseph 1968). Only errors that the measurement tells of are
+ * looked at, and of the covariance one half: the other one is the same.
+ */
+final class KalmanUpdate {
+  private static final int N = FilterState.N;
+
+  private final double[][] g = new double[3][N]; // columns of G
+  private final double[][] k = new double[3][N]; // columns of K
+  private final double[][] excess = new double[3][N]; // columns of K S - G: rounding of K
+  private final DMatrixRMaj s = new DMatrixRMaj(3, 3);
+  private final DMatrixRMaj inverse = new DMatrixRMaj(3, 3);
+  private final double[] dx = new double[N];
+  private final int[] used = new int[N]; // columns of H that are not 0, rising
+  private final int[] touched = new int[N]; // rows of G that are not 0, rising
+  private int uses;
+  private int touches;
+  private int rows;
+
+  /** Variance of each component by the state's own uncertainty: diagonal of H P Hᵀ. */
+  final double[] expected = new double[3];
+
+  /**
+   * Prepares for a measurement.
+   *
+   * @param factor by which the claimed variances are multiplied
+   * @return normalised innovation squared, χ² distributed with as many degrees of freedom as rows
+   */
+  double prepare(FilterState state, MeasurementModel m, double factor) {
+    rows = m.rows;
+    s.reshape(rows, rows);
+    inverse.reshape(rows, rows);
+    findUsed(m.h.data);
+    project(state.p.data, m.h.data);
+    for (int i = 0; i < rows; i++) {
+      for (int j = 0; j < rows; j++) {
+        double sum = 0.0;
+        for (int c = 0; c < uses; c++) {
+          sum += m.h.data[i * N + used[c]] * g[j][used[c]];
+        }
+        s.data[i * rows + j] = sum;
+      }
+      expected[i] = s.data[i * rows + i];
+    }
+    return weigh(m, factor);
+  }
+
+  private void findUsed(double[] h) {
+    uses = 0;
+    for (int column = 0; column < N; column++) {
+      for (int row = 0; row < rows; row++) {
+        if (h[row * N + column] != 0.0) {
+          used[uses++] = column;
+          break;
+        }
+      }
+    }
+  }
+
+  /** G = P Hᵀ. */
+  private void project(double[] p, double[] h) {
+    for (int row = 0; row < rows; row++) {
+      double[] column = g[row];
+      Arrays.fill(column, 0.0);
+      for (int c = 0; c < uses; c++) {
+        double factor = h[row * N + used[c]];
+        int from = used[c] * N; // P is symmetric, and its rows lie together
+        for (int i = 0; i < N; i++) {
+          column[i] += factor * p[from + i];
+        }
+      }
+    }
+    findTouched();
+  }
+
+  private void findTouched() {
+    touches = 0;
+    for (int i = 0; i < N; i++) {
+      boolean isTouched = false;
+      for (int row = 0; row < rows; row++) {
+        isTouched |= g[row][i] != 0.0;
+      }
+      if (isTouched) {
+        touched[touches++] = i;
+      }
+    }
+  }
+
+  /** {@link #prepare} with another factor, for the same measurement. */
+  double weigh(MeasurementModel m, double factor) {
+    for (int i = 0; i < rows; i++) {
+      s.data[i * rows + i] = expected[i] + factor * m.variance[i];
+    }
+    CommonOps_DDRM.invert(s, inverse);
+    double nis = 0.0;
+    for (int i = 0; i < rows; i++) {
+      for (int j = 0; j < rows; j++) {
+        nis += m.innovation[i] * inverse.data[i * rows + j] * m.innovation[j];
+      }
+    }
+    return nis;
+  }
+
+  /** Corrects the state by what was prepared. */
+  void apply(FilterState state, MeasurementModel m) {
+    Arrays.fill(dx, 0.0);
+    for (int a = 0; a < touches; a++) {
+      int i = touched[a];
+      for (int c = 0; c < rows; c++) {
+        k[c][i] = product(g, i, inverse.data, c);
+        dx[i] += k[c][i] * m.innovation[c];
+      }
+      for (int c = 0; c < rows; c++) {
+        excess[c][i] = product(k, i, s.data, c) - g[c][i];
+      }
+    }
+    double[] p = state.p.data;
+    for (int c = 0; c < rows; c++) {
+      change(p, g[c], k[c], excess[c]);
+    }
+    for (int a = 1; a < touches; a++) {
+      int i = touched[a];
+      for (int b = 0; b < a; b++) {
+        p[touched[b] * N + i] = p[i * N + touched[b]];
+      }
+    }
+    constrain(state);
+    correct(state);
+  }
+
+  /**
+   * Moves the correction to the most likely one whose delays are possible, along the covariance
+   * (projection of the estimate, Simon 2010): to cut only the delay would leave its share of the
+   * innovation to other states.
+   */
+  private void constrain(FilterState state) {
+    for (int slot = 0; slot < DelayErrors.SLOTS; slot++) {
+      int delay = FilterState.DELAY + slot;
+      double seconds = state.x[FilterState.DELAYS + slot] + dx[delay];
+      double over = seconds - DelayErrors.possible(seconds);
+      if (over != 0.0 && state.delaySource[slot] != FilterState.NO_SOURCE) {
+        double by = over / state.variance(delay);
+        for (int i = 0; i < N; i++) {
+          dx[i] -= by * state.p.data[delay * N + i];
+        }
+      }
+    }
+  }
+
+  /** A number of the product of a matrix of columns and a square one. */
+  private double product(double[][] columns, int row, double[] square, int column) {
+    double sum = 0.0;
+    for (int c = 0; c < rows; c++) {
+      sum += columns[c][row] * square[c * rows + column];
+    }
+    return sum;
+  }
+
+  /** Adds one component's share of (K S - G) Kᵀ - K Gᵀ to the lower half. */
+  private void change(double[] p, double[] of, double[] gain, double[] rounding) {
+    for (int a = 0; a < touches; a++) {
+      int i = touched[a];
+      double ki = gain[i];
+      double ri = rounding[i];
+      for (int b = 0; b <= a; b++) {
+        int j = touched[b];
+        p[i * N + j] += ri * gain[j] - ki * of[j];
+      }
+    }
+  }
+
+  private void correct(FilterState state) {
+    double[] x = state.x;
+    state.move(dx[0], dx[1], dx[2]);
+    for (int i = 0; i < 3; i++) {
+      x[FilterState.V + i] += dx[FilterState.VELOCITY + i];
+      x[FilterState.BG + i] += dx[FilterState.GYRO_BIAS + i];
+      x[FilterState.BF + i] += dx[FilterState.FORCE_BIAS + i];
+      x[FilterState.W + i] += dx[FilterState.RATE + i];
+      if (state.isInertial) {
+        x[FilterState.W + i] -= dx[FilterState.GYRO_BIAS + i];
+      }
+    }
+    Quaternions.turnEarth(
+        x,
+        FilterState.Q,
+        dx[FilterState.ATTITUDE],
+        dx[FilterState.ATTITUDE + 1],
+        dx[FilterState.ATTITUDE + 2]);
+    x[FilterState.FLOW_NORTH] += dx[FilterState.FLOW];
+    x[FilterState.FLOW_NORTH + 1] += dx[FilterState.FLOW + 1];
+    x[FilterState.WHEEL_SCALE] += dx[FilterState.SCALE];
+    for (int i = 0; i < PersistentErrors.STATES; i++) {
+      x[FilterState.PERSISTENT_ERRORS + i] += dx[FilterState.PERSISTENT + i];
+    }
+    for (int i = 0; i < DelayErrors.SLOTS; i++) {
+      double seconds = x[FilterState.DELAYS + i] + dx[FilterState.DELAY + i];
+      x[FilterState.DELAYS + i] = DelayErrors.possible(seconds);
+    }
+  }
+}

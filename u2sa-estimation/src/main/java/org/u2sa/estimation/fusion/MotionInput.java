@@ -1,0 +1,250 @@
+package org.u2sa.estimation.fusion;
+
+/**
+ * Measured speed along the vehicle and measured turn rate as inputs of the prediction where no
+ * inertial sensor drives it (velocity motion model, Thrun, Burgard and Fox 2005, section 5.3): the
+ * vehicle keeps the newest values until the next come, their errors are independent from sample to
+ * sample and along the vehicle's own axes, and on the ground it goes where its wheels point. What
+ * comes too rarely, or is noisier than what the filter supposes without it, stays a measurement.
+ */
+final class MotionInput {
+  private static final double SHORTEST_S = 0.15; // an input is held for so long at least
+  private static final double INTERVALS = 3.0;
+  private static final double LONGEST_INTERVAL_S = 0.5;
+  private static final double KNOWN_AFTER = 3.0; // messages: then the interval is known
+  private static final double UNLIKELY = 4.0; // standard deviations
+  private static final double LEVEL = 0.95; // cos of a tilt at which a turn is one about down
+  private static final double UNIFORM = 12.0; // variance of what lies anywhere in a span of 1
+
+  private static final double SLOW_MPS = 0.1; // below which a vehicle slips hardly at all
+
+  private final FilterTuning tuning;
+  private final SourceTrust trust;
+  private final Transition f = new Transition();
+  private final double[] r = new double[9];
+  private final double[] variance = new double[3];
+
+  MotionInput(FilterTuning tuning, SourceTrust trust) {
+    this.tuning = tuning;
+    this.trust = trust;
+  }
+
+  /** Lets inputs go that have not been renewed. */
+  static void expire(FilterState s) {
+    if (s.micros >= s.speedUntilMicros) {
+      s.speedSource = FilterState.NO_SOURCE;
+    }
+    if (s.micros >= s.turnUntilMicros) {
+      s.turnSource = FilterState.NO_SOURCE;
+    }
+  }
+
+  static boolean drivesSpeed(FilterState s) {
+    return s.speedSource != FilterState.NO_SOURCE && !s.isStrapdown;
+  }
+
+  static boolean drivesTurn(FilterState s) {
+    return s.turnSource != FilterState.NO_SOURCE && !s.isInertial;
+  }
+
+  /**
+   * Between two samples the vehicle went by their mean: sets that for the way to m, and makes up
+   * for what was left out so far. A turn rate needs no such care: what is late when a turn begins
+   * comes back when it ends.
+   */
+  void meet(FilterState s, Measurement m, int source) {
+    boolean isNext = drivesSpeed(s) && s.speedSource == source;
+    if (!isNext || !m.has(SensedQuantity.BODY_VELOCITY, 0)) {
+      return;
+    }
+    double scale = 1.0 + s.x[FilterState.WHEEL_SCALE];
+    double half = (m.value(SensedQuantity.BODY_VELOCITY, 0) / scale - s.heldMps) / 2.0;
+    double sigma = m.sigma(SensedQuantity.BODY_VELOCITY, 0);
+    double usual2 = 2.0 * sigma * sigma + speedChange2(s, source);
+    if (4.0 * half * half > UNLIKELY * UNLIKELY * usual2) {
+      return;
+    }
+    Quaternions.matrix(s.x, FilterState.Q, r);
+    double way = half * (s.micros - s.heldMicros) * 1e-6;
+    s.move(r[0] * way, r[3] * way, r[6] * way);
+    for (int i = 0; i < 3; i++) {
+      s.x[FilterState.V + i] += r[3 * i] * half;
+    }
+  }
+
+  private double forward(FilterState s) {
+    double[] x = s.x;
+    return r[0] * x[FilterState.V] + r[3] * x[FilterState.V + 1] + r[6] * x[FilterState.V + 2];
+  }
+
+  private double intervalS(FilterState s, int source) {
+    return s.trust[trust.of(s, source) + SourceTrust.INTERVAL];
+  }
+
+  /** Variance of what a speed may change by from sample to sample. */
+  private double speedChange2(FilterState s, int source) {
+    return tuning.accelerationNoise() * tuning.accelerationNoise() * intervalS(s, source);
+  }
+
+  /** Variance of what a turn rate may change by from sample to sample. */
+  private double turnChange2(FilterState s, int source) {
+    double share = Math.min(1.0, 2.0 * intervalS(s, source) / ProcessModel.RATE_MEMORY_S);
+    return tuning.turnSigma() * tuning.turnSigma() * share;
+  }
+
+  private boolean isSteady(FilterState s, int source) {
+    double messages = s.trust[trust.of(s, source) + SourceTrust.MESSAGES];
+    double interval = intervalS(s, source);
+    return messages >= KNOWN_AFTER && interval > 0.0 && interval <= LONGEST_INTERVAL_S;
+  }
+
+  /**
+   * Whether a vector is to drive the prediction.
+   *
+   * @param factor by which its claimed variances are multiplied
+   */
+  boolean takes(FilterState s, Measurement m, int source, SensedQuantity quantity, double factor) {
+    if (!isSteady(s, source)) {
+      return false;
+    }
+    switch (quantity) {
+      case BODY_VELOCITY:
+        double speed2 = factor * square(m.sigma(quantity, 0));
+        boolean isGround = tuning.domain() == MotionDomain.GROUND && tuning.constraintS() > 0.0;
+        boolean isKnown = isGround && s.hasHeading && !s.isStrapdown && m.has(quantity, 0);
+        return isKnown
+            && speed2 <= speedChange2(s, source)
+            && (!drivesSpeed(s) || s.speedSource == source);
+      case EULER_RATES:
+      case BODY_RATES:
+        double density = factor * square(m.sigma(quantity, 2)) * intervalS(s, source);
+        double unmeasured = 2.0 * square(tuning.turnSigma()) * ProcessModel.RATE_MEMORY_S;
+        Quaternions.matrix(s.x, FilterState.Q, r);
+        return !s.isInertial
+            && m.has(quantity, 2)
+            && (!s.hasTilt || r[8] > LEVEL)
+            && density <= unmeasured
+            && (!drivesTurn(s) || s.turnSource == source);
+      default:
+        return false;
+    }
+  }
+
+  private static double square(double value) {
+    return value * value;
+  }
+
+  /** By how much the state may have changed unseen since the last sample, for the gate. */
+  void expect(FilterState s, int source, SensedQuantity quantity, int rows, double[] expected) {
+    boolean isSpeed = quantity == SensedQuantity.BODY_VELOCITY;
+    for (int i = 0; i < rows; i++) {
+      expected[i] += isSpeed ? speedChange2(s, source) : turnChange2(s, source);
+    }
+  }
+
+  /** Lets a vector drive the prediction from now on. */
+  void take(
+      FilterState s,
+      Measurement m,
+      int source,
+      SensedQuantity quantity,
+      MeasurementModel model,
+      double factor) {
+    double heldS = Math.max(SHORTEST_S, INTERVALS * intervalS(s, source));
+    long until = s.micros + (long) (heldS * 1e6);
+    if (quantity == SensedQuantity.BODY_VELOCITY) {
+      boolean isRenewed = drivesSpeed(s);
+      s.speedSource = source;
+      s.speedUntilMicros = until;
+      speed(s, m, model, factor, isRenewed);
+    } else {
+      boolean isRenewed = drivesTurn(s);
+      s.turnSource = source;
+      s.turnUntilMicros = until;
+      turn(s, m, quantity, factor, isRenewed);
+    }
+  }
+
+  private void turn(
+      FilterState s, Measurement m, SensedQuantity quantity, double factor, boolean isRenewed) {
+    boolean isGyro = quantity == SensedQuantity.BODY_RATES;
+    if (isGyro && s.variance(FilterState.GYRO_BIAS + 2) == 0.0) {
+      s.isolate(FilterState.GYRO_BIAS + 2, square(tuning.gyroBiasSigma()));
+    }
+    double rate = m.value(quantity, 2);
+    Quaternions.matrix(s.x, FilterState.Q, r);
+    s.x[FilterState.W + 2] = isGyro ? rate - s.x[FilterState.BG + 2] : rate * r[8];
+    double change = isRenewed ? rate - s.heldRadPerS : 0.0;
+    s.heldRadPerS = rate;
+    double sigma2 =
+        factor * square(m.sigma(quantity, 2)) + change * change / 4.0; // held late by half
+    int error = FilterState.RATE + 2;
+    if (isGyro) {
+      f.reset();
+      f.set(error, error, 0.0);
+      f.set(error, FilterState.GYRO_BIAS + 2, -1.0);
+      f.carry(s.p.data);
+      s.p.data[error * (FilterState.N + 1)] += sigma2;
+    } else {
+      s.isolate(error, sigma2);
+    }
+  }
+
+  /**
+   * v = R u: δv = -[v]× δθ + R δu, where the wheels' scale is part of δu (Solà 2017, section 7).
+   */
+  private void speed(
+      FilterState s, Measurement m, MeasurementModel model, double factor, boolean isRenewed) {
+    double[] x = s.x;
+    Quaternions.matrix(x, FilterState.Q, r);
+    double scale = 1.0 + x[FilterState.WHEEL_SCALE];
+    double forward = forward(s) + model.innovation[0] / scale;
+    double measured = m.value(SensedQuantity.BODY_VELOCITY, 0) / scale;
+    double change = isRenewed ? measured - s.heldMps : 0.0;
+    s.heldMps = measured;
+    s.heldMicros = s.micros;
+    double slip = tuning.sideSlipSigma() * Math.min(1.0, SLOW_MPS + Math.abs(forward));
+    for (int axis = 0; axis < 3; axis++) {
+      boolean isMeasured = m.has(SensedQuantity.BODY_VELOCITY, axis);
+      double claim = factor * square(m.sigma(SensedQuantity.BODY_VELOCITY, axis));
+      variance[axis] = isMeasured && axis == 0 ? claim : Math.max(claim, square(slip));
+    }
+    variance[0] += change * change / UNIFORM;
+    f.reset();
+    for (int i = 0; i < 3; i++) {
+      x[FilterState.V + i] = r[3 * i] * forward;
+      f.set(FilterState.VELOCITY + i, FilterState.VELOCITY + i, 0.0);
+      if (s.variance(FilterState.SCALE) > 0.0) {
+        f.set(FilterState.VELOCITY + i, FilterState.SCALE, -r[3 * i] * forward / scale);
+      }
+    }
+    turned(s);
+    f.carry(s.p.data);
+    for (int i = 0; i < 3; i++) {
+      for (int k = 0; k < 3; k++) {
+        double sum = 0.0;
+        for (int axis = 0; axis < 3; axis++) {
+          sum += r[3 * i + axis] * variance[axis] * r[3 * k + axis];
+        }
+        s.p.data[(FilterState.VELOCITY + i) * FilterState.N + FilterState.VELOCITY + k] += sum;
+      }
+    }
+  }
+
+  /** δv by δθ: -[v]×. */
+  private void turned(FilterState s) {
+    double vn = s.x[FilterState.V];
+    double ve = s.x[FilterState.V + 1];
+    double vd = s.x[FilterState.V + 2];
+    int v = FilterState.VELOCITY;
+    int a = FilterState.ATTITUDE;
+    f.set(v, a + 2, -ve);
+    f.set(v + 1, a + 2, vn);
+    if (s.hasTilt) {
+      f.set(v, a + 1, vd);
+      f.set(v + 1, a, -vd);
+      f.set(v + 2, a, ve);
+      f.set(v + 2, a + 1, -vn);
+    }
+  }
+}

@@ -1,0 +1,231 @@
+package org.u2sa.estimation.fusion;
+
+import java.util.Arrays;
+
+/**
+ * The parts of measurement errors that persist from one measurement to the next, as states of the
+ * filter: first-order Gauss-Markov processes (Brown and Hwang, 3rd ed., section 5.3), two for each
+ * of the first {@link #POSITION_SOURCES} position sources, as a receiver's error wanders for
+ * minutes, and one for each of the first {@link #HEADING_SOURCES} heading sources, as a compass's
+ * deviation stays while the vehicle keeps its direction.
+ *
+ * <p>No source alone tells its error from the vehicle's motion, so both stay uncertain by as much
+ * as it claims, however often it says the same. But where other sensors know how the vehicle moved
+ * and turned, a wandering error cannot draw the estimate along, and what was known better, once, is
+ * not forgotten.
+ *
+ * <p>Where wheels know how the vehicle moves, they also show by how much a position source wanders,
+ * and its variance is learnt by expectation maximisation: the mean of b² + P, estimated error and
+ * its variance (Shumway and Stoffer 1982). Only more than the claim is believed. A receiver that
+ * takes reflections for signals is off by several times what it claims.
+ */
+final class PersistentErrors {
+  static final int NONE = -1;
+  static final int POSITION_SOURCES = 3;
+  static final int HEADING_SOURCES = 3;
+  static final int SLOTS = POSITION_SOURCES + HEADING_SOURCES;
+  static final int STATES = 2 * POSITION_SOURCES + HEADING_SOURCES;
+
+  /** Share of a claimed sigma that is new with each measurement. The rest persists. */
+  private static final double NEW_SHARE = 0.2;
+
+  private static final double OUTGROWN = 9.0; // variance over that of the newest claim
+
+  private static final double MEMORY = 4.0; // time constants over which a variance is learnt
+  private static final double LARGEST = 4.0; // multiple of the variance that one error shows
+  private static final double NEW_VARIANCE = NEW_SHARE * NEW_SHARE;
+
+  private final double positionS;
+  private final double headingS;
+
+  PersistentErrors(FilterTuning tuning) {
+    positionS = tuning.positionCorrelationS();
+    headingS = tuning.headingCorrelationS();
+  }
+
+  /** Of a state that has heard nobody. */
+  static int[] nobody() {
+    int[] sources = new int[SLOTS];
+    Arrays.fill(sources, FilterState.NO_SOURCE);
+    return sources;
+  }
+
+  static boolean isPosition(int slot) {
+    return slot != NONE && slot < POSITION_SOURCES;
+  }
+
+  private static int size(int slot) {
+    return isPosition(slot) ? 2 : 1;
+  }
+
+  /** Where a slot's states begin, among those of all slots. */
+  private static int first(int slot) {
+    return isPosition(slot) ? 2 * slot : POSITION_SOURCES + slot;
+  }
+
+  private double timeConstantS(int slot) {
+    return isPosition(slot) ? positionS : headingS;
+  }
+
+  /**
+   * Which slot holds the source's error, from now on if none did.
+   *
+   * @param at where the numbers of the source's quantity begin in {@link SourceTrust}
+   * @return NONE if errors of that quantity do not persist, or all slots are taken
+   */
+  int slot(FilterState s, Measurement m, SensedQuantity quantity, int source, int at) {
+    int from = quantity == SensedQuantity.PLACE ? 0 : POSITION_SOURCES;
+    int to = quantity == SensedQuantity.PLACE ? POSITION_SOURCES : SLOTS;
+    boolean isKind = quantity == SensedQuantity.PLACE || quantity == SensedQuantity.HEADING;
+    if (!isKind || timeConstantS(from) <= 0.0) {
+      return NONE;
+    }
+    for (int slot = from; slot < to; slot++) {
+      boolean isFree = s.persistentSource[slot] == FilterState.NO_SOURCE;
+      if (isFree || s.persistentSource[slot] == source) {
+        if (isPosition(slot) && !isFree) {
+          learn(s, slot, at);
+        }
+        note(s, m, quantity, slot, Math.max(1.0, s.trust[at + SourceTrust.WANDER]));
+        if (isFree || isOutgrown(s, slot)) {
+          s.persistentSource[slot] = source;
+          begin(s, slot);
+        }
+        return slot;
+      }
+    }
+    return NONE;
+  }
+
+  /** E(b² + P) of what the filter knows of the error, as a multiple of the claimed variance. */
+  private void learn(FilterState s, int slot, int at) {
+    double[] t = s.trust;
+    double seconds = (s.micros - t[at + SourceTrust.WANDER_MICROS]) * 1e-6;
+    t[at + SourceTrust.WANDER_MICROS] = s.micros;
+    if (!s.hasHeading || !MotionInput.drivesSpeed(s) || seconds > positionS) {
+      return;
+    }
+    double known = Math.max(1.0, t[at + SourceTrust.WANDER]);
+    double shown = 0.0;
+    for (int i = first(slot); i < first(slot) + size(slot); i++) {
+      double error = s.x[FilterState.PERSISTENT_ERRORS + i];
+      shown += (error * error + s.variance(FilterState.PERSISTENT + i)) / size(slot);
+    }
+    shown *= known / s.x[FilterState.PERSISTENT_VARIANCE + slot];
+    double learnt = Math.min(MEMORY * positionS, t[at + SourceTrust.WANDER_S] + seconds);
+    double share = seconds / (positionS + learnt); // the claim is worth a time constant
+    double before = Math.max(t[at + SourceTrust.WANDER], learnt == seconds ? 1.0 : 0.0);
+    t[at + SourceTrust.WANDER_S] = learnt;
+    t[at + SourceTrust.WANDER] = before + share * (Math.min(shown, LARGEST * known) - before);
+  }
+
+  /**
+   * Positions contradict for good what the wheels say, and stand beside it: the source's error has
+   * jumped by as much, or the estimate is off by as much. Both become as uncertain.
+   */
+  static void jumped(FilterState s, MeasurementModel model, int slot, int at) {
+    double[] n = model.innovation;
+    double by = (n[0] * n[0] + n[1] * n[1]) / 2.0;
+    double known = Math.max(1.0, s.trust[at + SourceTrust.WANDER]);
+    double claimed = s.x[FilterState.PERSISTENT_VARIANCE + slot] / known;
+    s.trust[at + SourceTrust.WANDER] = Math.max(known, by / claimed);
+    s.trust[at + SourceTrust.STREAK] = 0.0;
+    for (int i = 0; i < 2; i++) {
+      s.p.data[(FilterState.POSITION + i) * (FilterState.N + 1)] += by;
+      s.p.data[(FilterState.PERSISTENT + first(slot) + i) * (FilterState.N + 1)] += by;
+    }
+  }
+
+  private static void note(
+      FilterState s, Measurement m, SensedQuantity quantity, int slot, double wander) {
+    double claim = 0.0;
+    for (int i = 0; i < size(slot); i++) {
+      double sigma = m.has(quantity, i) ? m.sigma(quantity, i) : 0.0;
+      claim = Math.max(claim, sigma * sigma);
+    }
+    s.x[FilterState.PERSISTENT_VARIANCE + slot] = (1.0 - NEW_VARIANCE) * claim * wander;
+  }
+
+  /** Whether the source has claimed much more before: that error is over. */
+  private static boolean isOutgrown(FilterState s, int slot) {
+    double known = s.variance(FilterState.PERSISTENT + first(slot));
+    return known > OUTGROWN * s.x[FilterState.PERSISTENT_VARIANCE + slot];
+  }
+
+  private static void begin(FilterState s, int slot) {
+    for (int i = first(slot); i < first(slot) + size(slot); i++) {
+      s.x[FilterState.PERSISTENT_ERRORS + i] = 0.0;
+      s.isolate(FilterState.PERSISTENT + i, s.x[FilterState.PERSISTENT_VARIANCE + slot]);
+    }
+  }
+
+  /** The state has just taken the quantity from this source: its error is the source's. */
+  static void share(FilterState s, int slot) {
+    if (slot == NONE) {
+      return;
+    }
+    begin(s, slot);
+    int state = isPosition(slot) ? FilterState.POSITION : FilterState.ATTITUDE + 2;
+    for (int i = 0; i < size(slot); i++) {
+      int error = FilterState.PERSISTENT + first(slot) + i;
+      double shared = Math.min(s.variance(error), s.variance(state + i));
+      s.p.data[error * FilterState.N + state + i] = -shared;
+      s.p.data[(state + i) * FilterState.N + error] = -shared;
+    }
+  }
+
+  /** The source measures the quantity and its persistent error together; the rest is new. */
+  static void look(
+      FilterState s, Measurement m, SensedQuantity quantity, MeasurementModel model, int slot) {
+    if (slot == NONE) {
+      return;
+    }
+    int row = 0;
+    for (int i = 0; i < size(slot); i++) {
+      if (m.has(quantity, i)) {
+        model.add(row, FilterState.PERSISTENT + first(slot) + i, 1.0);
+        model.innovation[row] -= s.x[FilterState.PERSISTENT_ERRORS + first(slot) + i];
+        model.variance[row] *= NEW_VARIANCE;
+        row++;
+      }
+    }
+  }
+
+  /** What a state of the {@link #STATES} is multiplied by in that time. */
+  private double kept(int slot, double dt) {
+    double timeConstantS = timeConstantS(slot);
+    return timeConstantS > 0.0 ? Math.max(0.0, 1.0 - dt / timeConstantS) : 1.0;
+  }
+
+  /** Lets the errors fade, into F. */
+  void fade(FilterState s, Transition f, double dt) {
+    for (int slot = 0; slot < SLOTS; slot++) {
+      if (s.persistentSource[slot] == FilterState.NO_SOURCE) {
+        continue;
+      }
+      double kept = kept(slot, dt);
+      for (int i = first(slot); i < first(slot) + size(slot); i++) {
+        s.x[FilterState.PERSISTENT_ERRORS + i] *= kept;
+        f.set(FilterState.PERSISTENT + i, FilterState.PERSISTENT + i, kept);
+      }
+    }
+  }
+
+  /** Variance by which a slot's errors change, of each axis and in each second [m²/s]. */
+  double wanderRate(FilterState s, int slot) {
+    boolean persists = slot != NONE && timeConstantS(slot) > 0.0;
+    return persists ? 2.0 * s.x[FilterState.PERSISTENT_VARIANCE + slot] / timeConstantS(slot) : 0.0;
+  }
+
+  /** Lets the errors wander: driven by 2 σ² / τ they keep their σ. */
+  void wander(FilterState s, double dt) {
+    for (int slot = 0; slot < SLOTS; slot++) {
+      if (s.persistentSource[slot] != FilterState.NO_SOURCE) {
+        double q = wanderRate(s, slot);
+        for (int i = first(slot); i < first(slot) + size(slot); i++) {
+          s.p.data[(FilterState.PERSISTENT + i) * (FilterState.N + 1)] += q * dt;
+        }
+      }
+    }
+  }
+}

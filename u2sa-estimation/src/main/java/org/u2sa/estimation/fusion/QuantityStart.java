@@ -1,0 +1,172 @@
+package org.u2sa.estimation.fusion;
+
+/**
+ * Begins a quantity from its first measurement, and anew from one that is to be believed after all.
+ */
+final class QuantityStart {
+  private static final double AGAIN_S = 30.0;
+  private static final double DISTRUST_STEP = 4.0; // of a variance
+  private static final double MAX_DISTRUST = 1e4;
+  private final FilterTuning tuning;
+  private final LeverArm lever = new LeverArm();
+
+  QuantityStart(FilterTuning tuning) {
+    this.tuning = tuning;
+  }
+
+  /** Begins a quantity anew that its source contradicts for good. */
+  void reset(FilterState s, Measurement m, SensedQuantity quantity, int at, int slot) {
+    double factor = SourceTrust.factor(s, at);
+    switch (quantity) {
+      case PLACE:
+        s.hasPlace = false;
+        break;
+      case LOCAL_PLACE:
+        s.trust[at + SourceTrust.HAS_OFFSET] = 0.0;
+        s.hasLocal = s.hasPlace;
+        break;
+      case ALTITUDE:
+        s.hasAltitude = false;
+        break;
+      case HEADING:
+        Alignment.heading(
+            s, m.value(quantity, 0), factor * m.sigma(quantity, 0) * m.sigma(quantity, 0));
+        PersistentErrors.share(s, slot);
+        break;
+      case TILT:
+        s.hasTilt = false;
+        break;
+      case VELOCITY:
+      case BODY_VELOCITY:
+        double speed = tuning.domain().speedSigmaMps();
+        for (int i = 0; i < 3; i++) {
+          s.isolate(FilterState.VELOCITY + i, speed * speed);
+        }
+        break;
+      default:
+        return;
+    }
+    s.resets++;
+    s.trust[at + SourceTrust.STREAK] = 0.0;
+    begin(s, m, quantity, at, slot);
+  }
+
+  /**
+   * The estimate is about to begin anew from this source, again: what is between makes no sense. A
+   * heading that nothing measures may be the reason; else it is that the source claims too much,
+   * and dead reckoning shows it.
+   */
+  static void doubt(FilterState s, SensedQuantity quantity, int at) {
+    double[] t = s.trust;
+    double since = (s.micros - t[at + SourceTrust.RESET_MICROS]) * 1e-6;
+    boolean isAgain = t[at + SourceTrust.RESET_MICROS] > 0.0 && since < AGAIN_S;
+    t[at + SourceTrust.RESET_MICROS] = s.micros;
+    boolean isOfMotion = SpeedDoubt.isOfPosition(quantity) || SpeedDoubt.isOfSpeed(quantity);
+    if (!isAgain || !isOfMotion) {
+      return;
+    }
+    if (SpeedDoubt.isHeadingGuessed(s)) {
+      s.hasHeading = false;
+      s.isolate(FilterState.ATTITUDE + 2, Math.PI * Math.PI / 3.0);
+    } else if (SpeedDoubt.isOfPosition(quantity) && MotionInput.drivesSpeed(s)) {
+      double factor = SourceTrust.factor(s, at);
+      t[at + SourceTrust.DISTRUST] = Math.min(MAX_DISTRUST, DISTRUST_STEP * factor);
+    }
+  }
+
+  /**
+   * Takes a quantity that was unknown from its first measurement.
+   *
+   * @param slot of the source in {@link PersistentErrors}
+   * @return whether the measurement has served its purpose by that
+   */
+  boolean begin(FilterState s, Measurement m, SensedQuantity quantity, int at, int slot) {
+    lever.look(s, m);
+    double factor = SourceTrust.factor(s, at);
+    double v0 = factor * m.sigma(quantity, 0) * m.sigma(quantity, 0);
+    double v1 = factor * m.sigma(quantity, 1) * m.sigma(quantity, 1);
+    switch (quantity) {
+      case PLACE:
+        if (s.hasPlace || !m.isWhole(quantity)) {
+          return false;
+        }
+        Alignment.place(
+            s,
+            m.value(quantity, 0),
+            m.value(quantity, 1),
+            v0 + lever.apartVariance(0),
+            v1 + lever.apartVariance(1));
+        s.x[FilterState.LATITUDE] -= lever.apartM(0) / s.northRadiusM();
+        double longitude = s.x[FilterState.LONGITUDE] - lever.apartM(1) / s.axisDistanceM();
+        s.x[FilterState.LONGITUDE] = Math.IEEEremainder(longitude, 2.0 * Math.PI);
+        PersistentErrors.share(s, slot);
+        return true;
+      case ALTITUDE:
+        if (s.hasAltitude) {
+          return false;
+        }
+        Alignment.altitude(s, m.value(quantity, 0) + lever.apartM(2), v0);
+        return true;
+      case LOCAL_PLACE:
+        if (s.hasLocal || s.hasPlace || !m.isWhole(quantity)) {
+          return false;
+        }
+        Alignment.local(
+            s,
+            m.value(quantity, 0) - lever.apartM(0),
+            m.value(quantity, 1) - lever.apartM(1),
+            v0 + lever.apartVariance(0),
+            v1 + lever.apartVariance(1));
+        s.trust[at + SourceTrust.HAS_OFFSET] = 1.0;
+        return true;
+      case LOCAL_DOWN:
+        if (s.hasAltitude) {
+          return false;
+        }
+        s.x[FilterState.NORTH + 2] = m.value(quantity, 0) - lever.apartM(2);
+        Alignment.altitude(s, -s.x[FilterState.NORTH + 2], v0);
+        s.trust[at + SourceTrust.HAS_OFFSET] = 1.0;
+        return true;
+      case HEADING:
+        if (s.hasHeading) {
+          return false;
+        }
+        Alignment.heading(s, m.value(quantity, 0), v0);
+        PersistentErrors.share(s, slot);
+        return true;
+      case TILT:
+        if (s.hasTilt || !m.isWhole(quantity)) {
+          return false;
+        }
+        Alignment.tilt(
+            s,
+            m.value(quantity, 0),
+            m.value(quantity, 1),
+            m.sigma(quantity, 0),
+            m.sigma(quantity, 1));
+        return true;
+      case FLUID_VELOCITY:
+        if (!s.hasFlow && s.hasHeading) {
+          Alignment.flow(s, tuning.flowSigma());
+        }
+        return false;
+      default:
+        return false;
+    }
+  }
+
+  /** A local frame whose origin is not the filter's is laid so that its first position fits. */
+  static void shift(FilterState s, MeasurementModel model, SensedQuantity quantity, int at) {
+    double[] t = s.trust;
+    if (t[at + SourceTrust.HAS_OFFSET] == 0.0) {
+      boolean isElsewhere = quantity == SensedQuantity.LOCAL_DOWN || s.hasPlace;
+      for (int i = 0; i < model.rows; i++) {
+        t[at + SourceTrust.OFFSET + i] = isElsewhere ? model.innovation[i] : 0.0;
+      }
+      t[at + SourceTrust.HAS_OFFSET] = 1.0;
+    }
+    for (int i = 0; i < model.rows; i++) {
+      model.innovation[i] -= t[at + SourceTrust.OFFSET + i];
+    }
+  }
+}

@@ -1,0 +1,183 @@
+package org.u2sa.estimation.fusion;
+
+/**
+ * Decides which sources are believed: who repeats itself while the vehicle moves on, who
+ * contradicts the others always on one side, and when the estimate itself must give way.
+ */
+final class SourceJudge {
+  private static final double MICROS = 1e6;
+  private static final int BIASED_AFTER = 8;
+  private static final int TRUSTED_AFTER = 5;
+  private static final int RESET_AFTER = 3;
+  private static final double FROZEN_RUN = 3.0;
+  private static final double SILENT_AFTER_S = 1.0;
+  private static final double SILENT_INTERVALS = 5.0;
+
+  private final FilterTuning tuning;
+  private final SourceTrust trust;
+
+  SourceJudge(FilterTuning tuning, SourceTrust trust) {
+    this.tuning = tuning;
+    this.trust = trust;
+  }
+
+  /** An inertial sensor whose noise stands still does not measure, if others say so too. */
+  boolean isStuck(FilterState s, int source) {
+    double[] t = s.trust;
+    int at = trust.of(s, source);
+    boolean isStuck = t[at + SourceTrust.RUN] >= 10.0 * FROZEN_RUN && isContradicted(s, source);
+    if (isStuck) {
+      t[at + SourceTrust.IS_FROZEN] = 1.0;
+      t[trust.of(s, source, SensedQuantity.BODY_RATES) + SourceTrust.GATED]++;
+    }
+    return isStuck;
+  }
+
+  /** Whether a source repeats itself while the vehicle moved on. */
+  boolean isFrozen(
+      FilterState s,
+      MeasurementModel model,
+      double[] expected,
+      int source,
+      SensedQuantity quantity,
+      int at) {
+    double[] t = s.trust;
+    int own = trust.of(s, source);
+    double began = t[own + SourceTrust.MESSAGES] - t[own + SourceTrust.RUN];
+    boolean isFirst = t[at + SourceTrust.RUN_OF] != began;
+    t[at + SourceTrust.RUN_OF] = began;
+    for (int i = 0; i < model.rows; i++) {
+      if (isFirst) {
+        t[at + SourceTrust.RUN_START + i] = model.predicted[i];
+        continue;
+      }
+      double moved = model.predicted[i] - t[at + SourceTrust.RUN_START + i];
+      if (quantity == SensedQuantity.HEADING) {
+        moved = Math.IEEEremainder(moved, 2.0 * Math.PI);
+      }
+      // Positions never repeat on the move. Speeds and angles may, for a while: the estimate must
+      // have moved by more than it is unsure of.
+      double limit2 =
+          quantity == SensedQuantity.PLACE
+              ? model.variance[i]
+              : 4.0 * model.variance[i] + 16.0 * expected[i];
+      boolean isApart =
+          quantity == SensedQuantity.PLACE
+              || model.innovation[i] * model.innovation[i] > limit2; // not drawn there by itself
+      if (t[own + SourceTrust.RUN] >= FROZEN_RUN && isApart && moved * moved > limit2) {
+        t[own + SourceTrust.IS_FROZEN] = 1.0;
+      }
+    }
+    return t[own + SourceTrust.IS_FROZEN] != 0.0;
+  }
+
+  /** A source that was biased must agree some times before it counts again. */
+  static boolean passes(FilterState s, int at) {
+    double[] t = s.trust;
+    t[at + SourceTrust.STREAK] = 0.0;
+    if (t[at + SourceTrust.IS_BIASED] == 0.0) {
+      return true;
+    }
+    t[at + SourceTrust.PASSED]++;
+    if (t[at + SourceTrust.PASSED] < TRUSTED_AFTER) {
+      t[at + SourceTrust.GATED]++;
+      return false;
+    }
+    t[at + SourceTrust.IS_BIASED] = 0.0;
+    return true;
+  }
+
+  /**
+   * Takes note of a vector beyond the gate.
+   *
+   * @return whether the estimate is to begin anew from it, as nobody supports the estimate
+   */
+  boolean gated(
+      FilterState s, MeasurementModel model, int source, SensedQuantity quantity, int at) {
+    double[] t = s.trust;
+    t[at + SourceTrust.GATED]++;
+    t[at + SourceTrust.STREAK]++;
+    t[at + SourceTrust.PASSED] = 0.0;
+    double streak = t[at + SourceTrust.STREAK];
+    if (streak == 1.0) {
+      t[at + SourceTrust.STREAK_SINCE] = s.micros;
+      t[at + SourceTrust.STREAK_FIRST] = model.innovation[0];
+      t[at + SourceTrust.STREAK_FIRST + 1] = model.rows > 1 ? model.innovation[1] : 0.0;
+    }
+    noteJump(t, model, at);
+    double mean2 = 0.0;
+    for (int i = 0; i < model.rows; i++) {
+      double inClaims = model.innovation[i] / Math.sqrt(model.variance[i]);
+      double before = streak == 1.0 ? 0.0 : t[at + SourceTrust.STREAK_MEAN + i];
+      t[at + SourceTrust.STREAK_MEAN + i] = before + (inClaims - before) / streak;
+      mean2 += t[at + SourceTrust.STREAK_MEAN + i] * t[at + SourceTrust.STREAK_MEAN + i];
+    }
+    boolean isOneSided = mean2 > 9.0 * SourceTrust.factor(s, at);
+    boolean isAlone = !isCorroborated(s, source, quantity);
+    if (streak >= BIASED_AFTER && isOneSided && !isAlone) {
+      t[at + SourceTrust.IS_BIASED] = 1.0;
+    }
+    double since = (s.micros - t[at + SourceTrust.STREAK_SINCE]) / MICROS;
+    return streak >= RESET_AFTER && since >= tuning.resetAfterS() && isAlone;
+  }
+
+  private static void noteJump(double[] t, MeasurementModel model, int at) {
+    double first = model.innovation[0];
+    double second = model.rows > 1 ? model.innovation[1] : 0.0;
+    double jump =
+        Math.hypot(
+            first - t[at + SourceTrust.STREAK_NEWEST],
+            second - t[at + SourceTrust.STREAK_NEWEST + 1]);
+    boolean isFirst = t[at + SourceTrust.STREAK] == 1.0;
+    t[at + SourceTrust.STREAK_JUMP] =
+        isFirst ? 0.0 : Math.max(jump, t[at + SourceTrust.STREAK_JUMP]);
+    t[at + SourceTrust.STREAK_NEWEST] = first;
+    t[at + SourceTrust.STREAK_NEWEST + 1] = second;
+  }
+
+  /**
+   * Whether what another source measures is refused, time after time. One that fell silent while it
+   * was refused speaks no longer. Turn rates do not count: they are often of the same gyroscopes as
+   * the rates that they would speak for.
+   */
+  boolean isContradicted(FilterState s, int source) {
+    for (int other = 0; other < trust.sources(); other++) {
+      for (int q = SensedQuantity.PLACE.ordinal(); q < SensedQuantity.count(); q++) {
+        SensedQuantity quantity = SensedQuantity.at(q);
+        if (other != source
+            && isHeard(s, other)
+            && quantity != SensedQuantity.EULER_RATES
+            && trust.isKnown(other, quantity)
+            && s.trust[trust.of(s, other, quantity) + SourceTrust.STREAK] >= RESET_AFTER) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private boolean isHeard(FilterState s, int source) {
+    int at = trust.of(s, source);
+    double since = (s.micros - s.trust[at + SourceTrust.LAST_MICROS]) / MICROS;
+    double interval = s.trust[at + SourceTrust.INTERVAL];
+    return since <= Math.max(SILENT_AFTER_S, SILENT_INTERVALS * interval);
+  }
+
+  /** Whether another source's measurements of the same thing were used lately. */
+  boolean isCorroborated(FilterState s, int source, SensedQuantity quantity) {
+    for (int other = 0; other < trust.sources(); other++) {
+      for (int q = 0; q < SensedQuantity.count(); q++) {
+        SensedQuantity each = SensedQuantity.at(q);
+        if (each.corroborates(quantity)
+            && trust.isKnown(other, each)
+            && !(other == source && each == quantity)) {
+          double last = s.trust[trust.of(s, other, each) + SourceTrust.LAST_USED];
+          if (last > 0.0 && (s.micros - last) / MICROS < tuning.resetAfterS()) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,121 @@
+package org.u2sa.estimation.fusion;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+
+/** What the filter thinks of each of its sources, for people and for health reports. */
+public final class SourceReports {
+  private static final double INTERVALS = 5.0;
+  private static final double SILENT_AFTER_S = 1.0;
+  private static final double GATED_STREAK = 3.0;
+
+  /** A source's standing, the worst that one of its quantities has. */
+  public enum Standing {
+    /** Its measurements are fused. */
+    USED,
+    /** Nothing that it measures can be used, or not yet. */
+    UNUSED,
+    /** Its newest measurements contradict the estimate. */
+    GATED,
+    /** It contradicts other sources, and always on the same side. */
+    BIASED,
+    /** It repeats itself while the vehicle moves. */
+    FROZEN,
+    /** It has not been heard for longer than it uses to pause. */
+    SILENT
+  }
+
+  /**
+   * One source.
+   *
+   * @param used vectors fused
+   * @param gated vectors refused
+   * @param sigmaFactor largest factor by which its claimed standard deviations are multiplied
+   * @param lateS by how much later than it says its positions are measured [s]; 0 if that is not
+   *     sure
+   */
+  public record Report(
+      String source, Standing standing, long used, long gated, double sigmaFactor, double lateS) {
+
+    /** "biased, used 312, gated 40, sigma x2.9, late by 0.20 s". */
+    public String text() {
+      return standing.name().toLowerCase(Locale.ROOT)
+          + ", used "
+          + used
+          + ", gated "
+          + gated
+          + ", sigma x"
+          + Math.round(10.0 * sigmaFactor) / 10.0
+          + (lateS == 0.0 ? "" : ", late by " + Math.round(100.0 * lateS) / 100.0 + " s");
+    }
+  }
+
+  private final FilterState s;
+  private final SourceTrust trust;
+  private final FilterTuning tuning;
+
+  SourceReports(FilterState s, SourceTrust trust, FilterTuning tuning) {
+    this.s = s;
+    this.trust = trust;
+    this.tuning = tuning;
+  }
+
+  /** All sources, by name. */
+  public List<Report> at(long nowMicros) {
+    List<Report> reports = new ArrayList<>();
+    for (int source = 0; source < trust.sources(); source++) {
+      reports.add(report(source, nowMicros));
+    }
+    reports.sort(Comparator.comparing(Report::source));
+    return Collections.unmodifiableList(reports);
+  }
+
+  private Report report(int source, long nowMicros) {
+    int own = trust.of(s, source);
+    double[] t = s.trust;
+    long used = 0;
+    long gated = 0;
+    double factor = 1.0;
+    Standing standing = Standing.UNUSED;
+    for (int q = 0; q < SensedQuantity.count(); q++) {
+      SensedQuantity quantity = SensedQuantity.at(q);
+      if (!trust.isKnown(source, quantity)) {
+        continue;
+      }
+      int at = trust.of(s, source, quantity);
+      used += (long) t[at + SourceTrust.USED];
+      gated += (long) t[at + SourceTrust.GATED];
+      factor = Math.max(factor, Math.sqrt(SourceTrust.factor(s, at)));
+      standing = worse(standing, standing(at));
+    }
+    if (t[own + SourceTrust.IS_FROZEN] != 0.0) {
+      standing = Standing.FROZEN;
+    }
+    double silentS = (nowMicros - t[own + SourceTrust.LAST_MICROS]) * 1e-6;
+    if (silentS > Math.max(SILENT_AFTER_S, INTERVALS * t[own + SourceTrust.INTERVAL])) {
+      standing = Standing.SILENT;
+    }
+    double lateS = DelayErrors.lateS(s, source);
+    return new Report(trust.name(source), standing, used, gated, factor, lateS);
+  }
+
+  private Standing standing(int at) {
+    double[] t = s.trust;
+    if (t[at + SourceTrust.IS_BIASED] != 0.0) {
+      return Standing.BIASED;
+    }
+    if (t[at + SourceTrust.STREAK] >= GATED_STREAK) {
+      return Standing.GATED;
+    }
+    double sinceS = (s.micros - t[at + SourceTrust.LAST_USED]) * 1e-6;
+    boolean isUsed = t[at + SourceTrust.USED] > 0.0 && sinceS < tuning.resetAfterS() * INTERVALS;
+    return isUsed ? Standing.USED : Standing.UNUSED;
+  }
+
+  private static Standing worse(Standing a, Standing b) {
+    return a.compareTo(b) >= 0 && a != Standing.UNUSED ? a : b == Standing.UNUSED ? a : b;
+  }
+}

@@ -1,0 +1,155 @@
+package org.u2sa.estimation.fusion;
+
+/**
+ * What it means that positions walk away from the estimate instead of standing beside it: a
+ * receiver that errs by a jump differs by the same amount each time; a difference that grows by
+ * half the speed and more says that the speed is wrong (wheels that spin, an encoder that is dead),
+ * or that the vehicle goes another way than its heading, if nothing measures that.
+ */
+final class SpeedDoubt {
+  private static final double SHORTEST_S = 1.0; // of a drift
+  private static final double UNLIKELY =
+      2.5; // standard deviations, after several that were refused
+  private static final double MIN_MPS = 0.5; // a receiver's error wanders slower
+  private static final double MIN_SHARE = 0.5; // of the speed
+  private static final double JUMP_SHARE = 0.7; // of a difference: what grows has no such step
+  private static final double SAME_SPEED = 0.4; // share by which two speeds may differ
+  private static final double MEMORY_S = 6.0; // of the mean by which a doubted speed is judged
+  private static final double HEADING_SIGMA_RAD = 0.2;
+  private static final double UNMEASURED_S = 5.0; // heading
+  private static final double LATELY_S = 5.0;
+  private static final double AGREES_MPS = 0.3;
+  private static final double AGREES_SHARE = 0.15; // of what the speed was doubted for
+
+  private final SourceTrust trust;
+
+  SpeedDoubt(SourceTrust trust) {
+    this.trust = trust;
+  }
+
+  static boolean isOfPosition(SensedQuantity quantity) {
+    return quantity == SensedQuantity.PLACE || quantity == SensedQuantity.LOCAL_PLACE;
+  }
+
+  static boolean isOfSpeed(SensedQuantity quantity) {
+    return quantity == SensedQuantity.VELOCITY || quantity == SensedQuantity.BODY_VELOCITY;
+  }
+
+  /** Whether no source has told the heading for long. */
+  static boolean isHeadingGuessed(FilterState s) {
+    return s.hasHeading
+        && (s.headingMicros == 0 || (s.micros - s.headingMicros) * 1e-6 > UNMEASURED_S);
+  }
+
+  /**
+   * Looks at a position that was refused, and that no other supports.
+   *
+   * @param wanderRate variance by which its error changes in each second, of each axis [m²/s]
+   * @return whether speed or heading are now taken for wrong
+   */
+  boolean isRaised(FilterState s, MeasurementModel model, int source, int at, double wanderRate) {
+    double[] t = s.trust;
+    double seconds = (s.micros - t[at + SourceTrust.STREAK_SINCE]) * 1e-6;
+    if (model.rows != 2 || t[at + SourceTrust.STREAK] < 3.0 || seconds < SHORTEST_S) {
+      return false;
+    }
+    double north = (model.innovation[0] - t[at + SourceTrust.STREAK_FIRST]) / seconds;
+    double east = (model.innovation[1] - t[at + SourceTrust.STREAK_FIRST + 1]) / seconds;
+    double drift = Math.hypot(north, east);
+    double variance = SourceTrust.factor(s, at) * (model.variance[0] + model.variance[1]);
+    double sigma = Math.sqrt(variance + 2.0 * wanderRate * seconds) / seconds;
+    double vn = s.x[FilterState.V] + north;
+    double ve = s.x[FilterState.V + 1] + east;
+    double speed = Math.hypot(s.x[FilterState.V], s.x[FilterState.V + 1]);
+    double least = Math.max(MIN_MPS, MIN_SHARE * Math.max(speed, Math.hypot(vn, ve)));
+    double jump = t[at + SourceTrust.STREAK_JUMP];
+    boolean isNoise = jump < UNLIKELY * Math.sqrt(2.0 * variance);
+    boolean isJump = !isNoise && jump > JUMP_SHARE * drift * seconds;
+    if (isJump || drift < least || drift < UNLIKELY * sigma) {
+      return false;
+    }
+    if (isOtherWay(s, vn, ve)) {
+      head(s, vn, ve, sigma);
+    } else if (!doubt(s, source, drift)) {
+      return false;
+    }
+    s.speedSource = FilterState.NO_SOURCE;
+    Alignment.velocity(s, 0, vn, sigma * sigma + least * least);
+    Alignment.velocity(s, 1, ve, sigma * sigma + least * least);
+    return true;
+  }
+
+  /** Whether the wheels are as fast as that, so that only a guessed heading can be wrong. */
+  private static boolean isOtherWay(FilterState s, double vn, double ve) {
+    double forward = HeadingSearch.forwardMps(s);
+    double apart = Math.hypot(vn, ve) - Math.abs(forward);
+    return isHeadingGuessed(s) && Math.abs(apart) < SAME_SPEED * Math.abs(forward);
+  }
+
+  private static void head(FilterState s, double vn, double ve, double sigma) {
+    double of = Math.max(HEADING_SIGMA_RAD, sigma / Math.hypot(vn, ve));
+    boolean isInReverse = HeadingSearch.forwardMps(s) < 0.0;
+    Alignment.heading(s, StrictMath.atan2(ve, vn) + (isInReverse ? Math.PI : 0.0), of * of);
+  }
+
+  private boolean doubt(FilterState s, int accuser, double drift) {
+    boolean isAny = false;
+    for (int source = 0; source < trust.sources(); source++) {
+      for (SensedQuantity each :
+          new SensedQuantity[] {SensedQuantity.VELOCITY, SensedQuantity.BODY_VELOCITY}) {
+        if (source != accuser && trust.isKnown(source, each)) {
+          int at = trust.of(s, source, each);
+          if ((s.micros - s.trust[at + SourceTrust.LAST_USED]) * 1e-6 < LATELY_S) {
+            isAny = true;
+            s.trust[at + SourceTrust.DOUBT_MPS] = drift;
+            s.trust[at + SourceTrust.IS_BIASED] = 1.0;
+            for (int i = 0; i < 3; i++) {
+              s.trust[at + SourceTrust.DOUBT_MEAN + i] = Double.NaN; // none yet
+            }
+          }
+        }
+      }
+    }
+    return isAny;
+  }
+
+  /**
+   * Whether a speed is still doubted: until on average it differs from the estimate by little, or
+   * there are no positions any more that contradict it.
+   */
+  boolean holds(FilterState s, MeasurementModel model, int source, int at) {
+    double[] t = s.trust;
+    double found = t[at + SourceTrust.DOUBT_MPS];
+    if (found == 0.0) {
+      return false;
+    }
+    double interval = t[trust.of(s, source) + SourceTrust.INTERVAL];
+    double share = Math.min(1.0, interval / MEMORY_S);
+    double limit2 = Math.pow(Math.max(AGREES_MPS, AGREES_SHARE * found), 2.0);
+    double mean2 = 0.0;
+    for (int i = 0; i < model.rows; i++) {
+      int mean = at + SourceTrust.DOUBT_MEAN + i;
+      double apart = model.innovation[i];
+      t[mean] = Double.isNaN(t[mean]) ? apart : t[mean] + share * (apart - t[mean]);
+      mean2 += t[mean] * t[mean];
+    }
+    double vn = s.x[FilterState.V];
+    double ve = s.x[FilterState.V + 1];
+    double speed = Math.hypot(vn, ve);
+    double sigma =
+        Math.sqrt(Math.max(s.variance(FilterState.VELOCITY), s.variance(FilterState.VELOCITY + 1)));
+    boolean isKnown = speed > MIN_MPS && sigma < SAME_SPEED * speed;
+    if (isKnown && mean2 >= limit2 && isOtherWay(s, vn, ve)) {
+      head(s, vn, ve, sigma);
+      mean2 = 0.0; // the doubt was of the heading
+    }
+    boolean isUncontradicted = (s.micros - s.positionMicros) * 1e-6 > LATELY_S;
+    if (isUncontradicted || mean2 < limit2) {
+      t[at + SourceTrust.DOUBT_MPS] = 0.0;
+      t[at + SourceTrust.IS_BIASED] = 0.0;
+      return false;
+    }
+    t[at + SourceTrust.GATED]++;
+    return true;
+  }
+}

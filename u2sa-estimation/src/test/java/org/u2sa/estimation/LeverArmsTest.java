@@ -1,0 +1,36 @@
+package org.u2sa.estimation;
+
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The text of LEVER ARMS. */
+class LeverArmsTest {
+  @Test
+  void construct_noneOrSeveral_isRead() {
+    assertThatCode(() -> new LeverArms("")).doesNotThrowAnyException();
+    assertThatCode(() -> new LeverArms("IoioService GPS = 0.4 0 -0.6; DVL=-0.2 0 0.1;"))
+        .doesNotThrowAnyException();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "GPS 1 0 0 | \"GPS 1 0 0\": expected",
+        "GPS = 1 0 | \"GPS = 1 0\": expected",
+        "= 1 0 0 | \"= 1 0 0\": expected",
+        "GPS = 1 x 0 | \"x\" is no number",
+        "GPS = 1 NaN 0 | NaN m is outside -100.0…100.0",
+        "GPS = 1 0 200 | 200 m is outside",
+        "GPS = 1 0 0; GPS = 2 0 0 | GPS is there already"
+      })
+  void construct_unreadable_saysWhere(String text, String why) {
+    assertThatThrownBy(() -> new LeverArms(text))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining(why);
+  }
+}

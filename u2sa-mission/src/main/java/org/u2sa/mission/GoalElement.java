@@ -1,0 +1,169 @@
+package org.u2sa.mission;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.interfaces.configuration.XmlNumbers;
+import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.Kind;
+import org.u2sa.messages.schema.MessageField;
+import org.u2sa.messages.schema.MessageType;
+
+/** A goal with its XML elements, so that errors can name the line. */
+final class GoalElement {
+  /** Message fields that are absent in files or written differently. */
+  static final List<String> NOT_IN_FILES =
+      Arrays.asList(
+          "systemId",
+          "timestamp",
+          "completed",
+          "abandoned",
+          "result",
+          "reason",
+          "arrivedAt",
+          "nextIfDone",
+          "nextIfFailed",
+          "nextIfTimedOut",
+          "repeatFrom",
+          "repeatTimes");
+
+  private static final String FRAME = "referenceFrame";
+
+  private final XmlElement element;
+  private final GoalInformation message;
+  private final Map<String, XmlElement> fields;
+  private final GoalLinks links;
+
+  private GoalElement(
+      XmlElement element,
+      GoalInformation message,
+      Map<String, XmlElement> fields,
+      GoalLinks links) {
+    this.element = element;
+    this.message = message;
+    this.fields = fields;
+    this.links = links;
+  }
+
+  /** Reads the children of a goal's element as fields of its class, converting units. */
+  static <T extends GoalInformation> GoalElement read(XmlElement element, MessageType<T> type) {
+    element.refuseUnknownAttributes();
+    T message = type.create();
+    GoalLinks links = new GoalLinks(element);
+    Map<String, List<XmlElement>> byField = byField(element, type, links);
+    ReferenceFrame frame = ReferenceFrame.GLOBAL;
+    if (byField.containsKey(FRAME)) { // first: the units of the others depend on it
+      fill(message, type.field(FRAME).orElseThrow(), byField.get(FRAME), frame);
+      frame = (ReferenceFrame) type.field(FRAME).orElseThrow().get(message).orElseThrow();
+    }
+    Map<String, XmlElement> fields = new LinkedHashMap<>();
+    for (Map.Entry<String, List<XmlElement>> entry : byField.entrySet()) {
+      fill(message, type.field(entry.getKey()).orElseThrow(), entry.getValue(), frame);
+      fields.put(entry.getKey(), entry.getValue().get(0));
+    }
+    links.readInto(message);
+    return new GoalElement(element, message, fields, links);
+  }
+
+  /** Copy with another goal that extends the elements' content. */
+  GoalElement with(GoalInformation other) {
+    return new GoalElement(element, other, fields, links);
+  }
+
+  private static <T extends GoalInformation> Map<String, List<XmlElement>> byField(
+      XmlElement element, MessageType<T> type, GoalLinks links) {
+    Map<String, List<XmlElement>> byField = new LinkedHashMap<>();
+    for (XmlElement child : element.children()) {
+      if (links.takes(child)) {
+        continue;
+      }
+      MessageField<T> field =
+          type.fieldByElementName(child.name())
+              .filter(known -> !NOT_IN_FILES.contains(known.name()))
+              .orElseThrow(() -> unknownField(child, element, type));
+      byField.computeIfAbsent(field.name(), name -> new ArrayList<>()).add(child);
+    }
+    return byField;
+  }
+
+  private static RuntimeException unknownField(
+      XmlElement child, XmlElement element, MessageType<?> type) {
+    List<String> names = new ArrayList<>();
+    for (MessageField<?> field : type.fields()) {
+      if (!NOT_IN_FILES.contains(field.name())) {
+        names.add(field.name());
+      }
+    }
+    names.addAll(GoalLinks.ELEMENTS);
+    return child.error(
+        "unknown element in <"
+            + element.name()
+            + ">; expected one of "
+            + String.join(", ", names)
+            + NearestNames.didYouMean(child.name(), names));
+  }
+
+  private static <T extends GoalInformation> void fill(
+      T message, MessageField<T> field, List<XmlElement> elements, ReferenceFrame frame) {
+    XmlElement first = elements.get(0);
+    if (elements.size() > 1 && field.kind() != Kind.STRING_LIST) {
+      throw elements
+          .get(1)
+          .error("stands twice; " + field.name() + " stands in line " + first.line() + " already");
+    }
+    List<String> texts = new ArrayList<>();
+    for (XmlElement each : elements) {
+      each.refuseUnknownChildren();
+      each.refuseUnknownAttributes("unit");
+      if (each.text().isEmpty()) {
+        throw each.error("is empty; expected " + expected(field, frame));
+      }
+      texts.add(each.text());
+    }
+    try {
+      if (field.kind() == Kind.DOUBLE) {
+        String unit = field.unitIn(frame);
+        field.set(message, XmlNumbers.converted(first, unit, unit));
+      } else if (first.optionalAttribute("unit").isPresent()) {
+        throw first.error("has a unit, but " + field.name() + " is not a number");
+      } else {
+        field.setTexts(message, texts);
+      }
+    } catch (IllegalArgumentException e) {
+      throw first.error(e.getMessage(), e);
+    }
+  }
+
+  private static String expected(MessageField<?> field, ReferenceFrame frame) {
+    String unit = field.unitIn(frame);
+    return field.kind() == Kind.DOUBLE
+        ? "a number" + (unit.isEmpty() ? "" : " of " + unit)
+        : "a value";
+  }
+
+  /** The goal's element. */
+  XmlElement element() {
+    return element;
+  }
+
+  /** The goal. */
+  GoalInformation message() {
+    return message;
+  }
+
+  /** Its links to following goals. */
+  GoalLinks links() {
+    return links;
+  }
+
+  /** Element of a field, by field name; empty if omitted in the file. */
+  Optional<XmlElement> field(String name) {
+    return Optional.ofNullable(fields.get(name));
+  }
+}

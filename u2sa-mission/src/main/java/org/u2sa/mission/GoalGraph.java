@@ -1,0 +1,110 @@
+package org.u2sa.mission;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.u2sa.messages.GoalInformation;
+
+/** Graph of the goals of a file, with edges for every result. */
+final class GoalGraph {
+  private final Map<String, GoalElement> goals;
+  private final Collection<String> further; // known goals from outside the file
+  private final Followers followers;
+
+  /**
+   * @param further additional names that goals may refer to
+   */
+  GoalGraph(Map<String, GoalElement> goals, Collection<String> further) {
+    this.goals = goals;
+    this.further = further;
+    List<GoalInformation> messages =
+        goals.values().stream().map(GoalElement::message).collect(Collectors.toList());
+    followers = new Followers(new GoalBook(messages), Followers.orderOf(messages));
+  }
+
+  /** Names that a goal may refer to. */
+  Set<String> known() {
+    Set<String> known = new LinkedHashSet<>(goals.keySet());
+    known.addAll(further);
+    return known;
+  }
+
+  /** Rejects references to unknown goals. */
+  void refuseUnknownSuccessors() {
+    Set<String> known = known();
+    goals.values().forEach(goal -> goal.links().refuseOthers(known));
+  }
+
+  /**
+   * Warnings for goals that are unreachable from the first one, and for goals from which no end is
+   * reachable.
+   *
+   * @param also goals that follow when the mission's time limit expires
+   * @param ends whether the time limit ends the mission anyway
+   */
+  List<String> warnings(Collection<String> also, boolean ends) {
+    List<String> from = new ArrayList<>(also);
+    from.retainAll(goals.keySet());
+    from.add(goals.keySet().iterator().next());
+    Set<String> reachable = followers.reachable(from);
+    List<String> warnings = new ArrayList<>();
+    goals.forEach(
+        (name, goal) -> {
+          if (!reachable.contains(name)) {
+            warnings.add(
+                goal.element()
+                    + ": no <next> leads to goal \""
+                    + name
+                    + "\" from the first; it is pursued on command only");
+          }
+        });
+    Set<String> endless = endless(reachable);
+    if (!ends && !endless.isEmpty()) {
+      warnings.add(
+          goals.get(endless.iterator().next()).element()
+              + ": a loop without an exit: no <next> leads from "
+              + String.join(", ", endless)
+              + " to an end of the mission");
+    }
+    return warnings;
+  }
+
+  /** Goals from which no end of the mission is reachable, whatever their results. */
+  private Set<String> endless(Set<String> reachable) {
+    Set<String> ending = new LinkedHashSet<>();
+    boolean grows = true;
+    while (grows) {
+      grows = false;
+      for (String name : reachable) {
+        boolean ends =
+            !ending.contains(name)
+                && followers.possible(name).values().stream()
+                    .anyMatch(next -> next.isEmpty() || !Collections.disjoint(next, ending));
+        if (ends || !ending.contains(name) && leadsFurther(name)) {
+          ending.add(name);
+          grows = true;
+        }
+      }
+    }
+    Set<String> endless = new LinkedHashSet<>(reachable);
+    endless.removeAll(ending);
+    return endless;
+  }
+
+  /** Whether it is followed by the home or a goal of another file. */
+  private boolean leadsFurther(String name) {
+    GoalInformation goal = goals.get(name).message();
+    return !Collections.disjoint(goal.next(), further)
+        || followers.possible(name).keySet().stream()
+            .anyMatch(
+                result ->
+                    goal.nextIf(result)
+                        .filter(next -> !Collections.disjoint(next, further))
+                        .isPresent());
+  }
+}

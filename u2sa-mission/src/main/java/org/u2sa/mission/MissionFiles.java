@@ -1,0 +1,97 @@
+package org.u2sa.mission;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.LoadedFile;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Reads the mission files named by variables of the {@link MissionManager}, and detects when one
+ * has changed since loading.
+ */
+final class MissionFiles {
+  private static final List<String> VARIABLES =
+      List.of(
+          MissionSettings.MISSION, MissionSettings.RETURN_MISSION, MissionSettings.LAND_MISSION);
+
+  private final ServiceContext context;
+  private final Map<String, LoadedFile> loaded = new TreeMap<>(); // by variable
+  private List<String> said = List.of();
+
+  MissionFiles(ServiceContext context) {
+    this.context = context;
+  }
+
+  /**
+   * Reads a mission file and monitors it from now on, instead of the variable's previous file.
+   *
+   * @param path path in the variable
+   * @throws BadInputException naming the variable, the position in the file and the error
+   */
+  Mission load(String variable, String path, double thresholdM) {
+    Path file = context.configuration().resolve(path);
+    LoadedFile watched = new LoadedFile(file, each -> read(variable, each, thresholdM));
+    Mission mission = read(variable, file, thresholdM);
+    loaded.put(variable, watched);
+    return mission;
+  }
+
+  /** Stops monitoring a variable's file. */
+  void forget(String variable) {
+    loaded.remove(variable);
+  }
+
+  private Mission read(String variable, Path file, double thresholdM) {
+    try {
+      return Mission.load(file, context.messageTypes(), thresholdM);
+    } catch (BadInputException e) {
+      if (variable.equals(MissionSettings.MISSION)) {
+        throw e; // the main mission file needs no further context
+      }
+      throw new BadInputException("variable \"" + variable + "\": " + e.getMessage(), e);
+    }
+  }
+
+  /** Current faults of the files; marks them as reported. */
+  List<String> faults() {
+    List<String> faults = new ArrayList<>();
+    loaded.forEach(
+        (variable, file) -> file.fault().ifPresent(fault -> faults.add(variable + ": " + fault)));
+    said = faults;
+    return faults;
+  }
+
+  /** Whether {@link #faults} has changed since the last call. */
+  boolean haveNews() {
+    List<String> before = said;
+    return !faults().equals(before);
+  }
+
+  /**
+   * Why a file named by these values cannot be loaded; empty if all can.
+   *
+   * @param before current values, whose files are not re-read
+   */
+  Optional<String> refusal(Map<String, Object> values, Configurator before) {
+    double thresholdM = (Double) values.get(MissionSettings.DEFAULT_THRESHOLD);
+    boolean others = thresholdM != (Double) before.getVariable(MissionSettings.DEFAULT_THRESHOLD);
+    try {
+      for (String variable : VARIABLES) {
+        String path = (String) values.get(variable);
+        boolean named = variable.equals(MissionSettings.MISSION) || !path.isEmpty();
+        if (named && (others || !path.equals(before.getVariable(variable)))) {
+          read(variable, context.configuration().resolve(path), thresholdM);
+        }
+      }
+    } catch (BadInputException e) {
+      return Optional.of(e.getMessage());
+    }
+    return Optional.empty();
+  }
+}

@@ -1,0 +1,38 @@
+package org.u2sa.mission;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import org.u2sa.interfaces.configuration.XmlNumbers;
+import org.u2sa.interfaces.xml.XmlElement;
+
+/**
+ * Time limit of a mission: {@code <timeLimit unit="min" next="home">20</timeLimit>}.
+ *
+ * @param seconds time limit, above 0
+ * @param next goals to pursue when it has expired; empty: the mission ends
+ */
+record MissionLimit(double seconds, List<String> next) {
+  static final String ELEMENT = "timeLimit";
+
+  MissionLimit {
+    next = List.copyOf(next);
+  }
+
+  static MissionLimit read(XmlElement element, Collection<String> known) {
+    element.refuseUnknownAttributes("unit", "next");
+    element.refuseUnknownChildren();
+    double seconds = XmlNumbers.converted(element, "s", "s");
+    if (!(seconds > 0.0)) {
+      throw element.error(seconds + " s; expected more than 0 s");
+    }
+    List<String> next = new ArrayList<>();
+    for (String name : element.optionalAttribute("next").orElse("").split(",")) {
+      if (!name.trim().isEmpty()) {
+        GoalLinks.refuseUnless(known, element, name.trim());
+        next.add(name.trim());
+      }
+    }
+    return new MissionLimit(seconds, next);
+  }
+}

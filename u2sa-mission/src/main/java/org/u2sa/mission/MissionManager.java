@@ -1,0 +1,396 @@
+package org.u2sa.mission;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.contract.MissionRequest;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
+ * goal-updates, goal-commands, mission, failsafe, arming-state. Out: goals, at the start, on every
+ * change, and in answer to a report on a goal that is not current; mission, in answer to requests
+ * and orders.
+ *
+ * <p>A mission's home is a goal too, named "home". An empty list means that the mission is over.
+ * The failsafes RETURN and LAND have their own goals; afterwards the mission resumes where it was
+ * left. After a restart in the same run it resumes too, unless the mission file has changed.
+ */
+public final class MissionManager extends PeriodicService {
+  /**
+   * Defaults for values omitted in a mission. Required, because an aircraft's tolerance differs
+   * from a rover's.
+   *
+   * @param defaultThreshold default horizontal threshold of waypoints [m]
+   */
+  public record Defaults(
+      @Variable(
+              unit = "m",
+              min = 0,
+              minExcluded = true,
+              text = "Horizontal threshold of waypoints without one.")
+          double defaultThreshold) {}
+
+  /** Name of the goal to which a vehicle returns on command. */
+  static final String HOME = "home";
+
+  private static final String NAME = "MissionManager";
+  private static final double LIMITS_CHECKED_HZ = 5.0;
+  private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
+
+  private final Settings<MissionSettings> settings = settings(MissionSettings.class);
+  private final Settings<Defaults> defaults = settings(Defaults.class);
+  private final FailsafeMissions failsafes;
+  private final MissionFiles files;
+  private final MissionOrders orders;
+  private final TimeLimits limits = new TimeLimits(this);
+  private final RepeatedReports reports = new RepeatedReports();
+  private final Resumable resumable;
+  private Mission mission; // as in its file
+  private MissionProgress progress;
+  private Optional<Waypoint> home = Optional.empty();
+  private boolean beginsAnew = true; // false after a takeover
+  private long repeatDueMicros; // of the current goals, for a planner unaware of them
+
+  /**
+   * Launcher constructor.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if the mission file is wrong
+   */
+  public MissionManager(ServiceContext context) {
+    super(context, ServiceRole.MISSION_MANAGER, NAME, LIMITS_CHECKED_HZ);
+    files = new MissionFiles(context);
+    progress = new MissionProgress(load());
+    failsafes = new FailsafeMissions(this, files, settings);
+    orders = new MissionOrders(this, context.messageTypes());
+    resumable = new Resumable(this, new SavedMission(context, NAME), settings);
+    registerPublisher(Channels.GOALS);
+    registerPublisher(Channels.MISSION);
+    subscribe(Channels.GOAL_REPORTS, this::onReport);
+    subscribe(Channels.GOAL_UPDATES, this::update);
+    subscribe(Channels.GOAL_COMMANDS, command -> changeTo(command.uid()));
+    subscribe(Channels.MISSION, this::onMission);
+    subscribe(Channels.FAILSAFE, this::onFailsafe);
+    subscribe(Channels.ARMING_STATE, this::onArming);
+  }
+
+  /** Rejects an unreadable mission before it replaces a readable one. */
+  @Override
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    return files.refusal(values, this);
+  }
+
+  private GoalSequence load() {
+    mission = files.load(MissionSettings.MISSION, settings.get().mission(), thresholdM());
+    log("mission " + mission.origin() + " with goals " + names(mission.goals()));
+    mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
+    GoalSequence loaded =
+        new GoalSequence(mission.goals(), settings.get().loop(), settings.get().options());
+    home = mission.home().map(place -> place.waypoint(HOME, thresholdM()));
+    if (home.isPresent() && !loaded.knows(HOME)) {
+      loaded.update(home.get());
+    }
+    return loaded;
+  }
+
+  /** The mission as in its file. */
+  Mission mission() {
+    return mission;
+  }
+
+  /** Default horizontal threshold of waypoints [m]. */
+  double thresholdM() {
+    return defaults.get().defaultThreshold();
+  }
+
+  /** Mission progress. */
+  MissionProgress progress() {
+    return progress;
+  }
+
+  /** Current time [µs of the run's clock]. */
+  long micros() {
+    return clock().micros();
+  }
+
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    if (variableNames.contains(MissionSettings.MISSION)
+        || variableNames.contains(MissionSettings.DEFAULT_THRESHOLD)) {
+      beginAnew();
+    }
+    if (FailsafeMissions.areConfiguredBy(variableNames)) {
+      loadFailsafes();
+    }
+    if (variableNames.contains("LOOP") || variableNames.contains("OPTIONS")) {
+      progress.rules(settings.get().loop(), settings.get().options());
+      publishGoals();
+    }
+  }
+
+  private void loadFailsafes() {
+    try {
+      failsafes.load();
+    } catch (BadInputException e) {
+      log(LogLevelEnum.ERROR, e.getMessage() + ": failsafe missions unchanged");
+    }
+  }
+
+  private void beginAnew() {
+    try {
+      progress.begin(load());
+      reports.forget();
+    } catch (BadInputException e) {
+      log(LogLevelEnum.ERROR, e.getMessage() + ": mission unchanged");
+      return;
+    }
+    publishGoals();
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    state.text(MissionSettings.MISSION, settings.get().mission());
+    state.number(MissionSettings.DEFAULT_THRESHOLD, thresholdM());
+    limits.handOver(state);
+    progress.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    boolean same =
+        state.text(MissionSettings.MISSION).filter(settings.get().mission()::equals).isPresent()
+            && state.number(MissionSettings.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
+    if (!same) {
+      log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");
+      return;
+    }
+    Optional<MissionProgress> before =
+        MissionProgress.takenOver(state, settings.get().loop(), settings.get().options());
+    before.ifPresent(
+        taken -> {
+          progress = taken;
+          limits.takeOver(state);
+          beginsAnew = false;
+        });
+  }
+
+  @Override
+  protected void begin() {
+    if (beginsAnew) {
+      resumable.atStart().ifPresent(saved -> progress = saved);
+    }
+    publishGoals();
+  }
+
+  @Override
+  protected void step(double nowS) {
+    passTime();
+  }
+
+  private void onArming(ArmingState state) {
+    passTime(); // first, under the previous conditions
+    if (limits.count(state.armed())) {
+      publish(Channels.GOALS, goalList()); // the mission's time counts again from here
+    }
+  }
+
+  private void passTime() {
+    if (limits.pass()) {
+      publishGoals();
+    }
+  }
+
+  private void onMission(U2SAData message) {
+    passTime();
+    if (message instanceof MissionRequest request) {
+      publish(Channels.MISSION, report(request.requestId()));
+    } else if (message instanceof MissionOrder order) {
+      publish(Channels.MISSION, orders.obey(order));
+    }
+  }
+
+  private MissionReport report(String requestId) {
+    return new MissionReportMaker(this)
+        .report(requestId, resumable.where().or(() -> progress.backTo()));
+  }
+
+  /** Ends a pause, or else returns to where the mission was left. Returns a description. */
+  String resumeMission() {
+    Optional<MissionProgress> saved = resumable.taken();
+    saved.ifPresent(before -> progress = before);
+    boolean wasPaused = progress.isPaused() && !progress.mission().isOver();
+    progress.pause(false);
+    if (saved.isEmpty() && !wasPaused && !progress.goBack()) {
+      throw new BadInputException(
+          progress.isLeft()
+              ? "the failsafe "
+                  + progress.pursuedFor()
+                  + " is pursued; the mission resumes after it"
+              : "there is nothing to resume: the mission was not left");
+    }
+    return "resumed at "
+        + names(progress.mission().current())
+        + (progress.isLeft() ? ", after the failsafe " + progress.pursuedFor() : "");
+  }
+
+  /** Records that an order was carried out. */
+  void ordered(String what) {
+    log(what);
+    publishGoals();
+  }
+
+  /** Records that an order was refused. */
+  void refused(String why) {
+    log(LogLevelEnum.WARN, why);
+  }
+
+  private void onFailsafe(FailsafeState failsafe) {
+    react(failsafe.action());
+    if (files.haveNews()) { // checked at each repetition
+      publishGoals();
+    }
+  }
+
+  /** Switches to a failsafe's own mission, or back to where the mission was left. */
+  private void react(FailsafeAction action) {
+    if (action == progress.pursuedFor()) {
+      return;
+    }
+    passTime();
+    if (progress.turnTo(action, failsafes.sequence(action, home))) {
+      boolean resumes = action == FailsafeAction.CONTINUE;
+      log(
+          resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,
+          resumes ? "resuming the mission" : "leaving the mission: " + action);
+      publishGoals();
+    }
+  }
+
+  private void onReport(GoalInformation goal) {
+    passTime();
+    if (goal.completed() || goal.abandoned()) {
+      finish(goal);
+    } else {
+      unexpected(goal); // already pursued: no consequences
+    }
+  }
+
+  private void finish(GoalInformation goal) {
+    String uid = goal.uid();
+    GoalResult result = goal.completed() ? GoalResult.DONE : GoalResult.FAILED;
+    boolean current = progress.pursued().currentNames().contains(uid);
+    if (reports.repeats(goal)
+        || !progress.finish(uid, result, Optional.of(goal), "given up by the planner", micros())) {
+      boolean known = progress.pursued().knows(uid);
+      String what = current ? "came before" : known ? "is not current" : "is not known";
+      log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" ignored: it " + what);
+      if (known) {
+        repeatGoals();
+      }
+      return;
+    }
+    if (goal.completed()) {
+      log("goal \"" + uid + "\" completed");
+    } else {
+      String why = goal.reason().map(text -> ": " + text).orElse("");
+      log(LogLevelEnum.WARN, "goal \"" + uid + "\" given up by the planner" + why);
+    }
+    publishGoals();
+  }
+
+  private void update(GoalInformation goal) {
+    if (!progress.pursued().book().hasRoomForUpdate(goal)) {
+      log(
+          LogLevelEnum.WARN,
+          "update of goal \"" + goal.uid() + "\" refused: the goals would be too long to publish");
+      return;
+    }
+    if (progress.pursued().update(goal)) {
+      log("goal \"" + goal.uid() + "\" updated");
+    } else {
+      log(
+          LogLevelEnum.WARN,
+          "goal \""
+              + goal.uid()
+              + "\" added; until another goal's next names it, or it is commanded, it is never pursued");
+    }
+    publishGoals();
+  }
+
+  private void changeTo(String uid) {
+    if (!progress.pursued().knows(uid)) {
+      log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" refused: it is not known");
+      return;
+    }
+    passTime();
+    progress.changeTo(uid);
+    log("changing to goal \"" + uid + "\" on command");
+    publishGoals();
+  }
+
+  private void publishGoals() {
+    GoalSequence sequence = progress.pursued();
+    if (sequence.isOver()) {
+      log("mission is over: " + progress.words());
+    } else {
+      log((progress.isHeld() ? "paused at goals " : "current goals ") + names(sequence.current()));
+    }
+    remember();
+    resumable.save(progress);
+    files.faults().forEach(fault -> log(LogLevelEnum.WARN, fault));
+    publish(Channels.GOALS, goalList());
+  }
+
+  private GoalList goalList() {
+    GoalSequence sequence = progress.pursued();
+    GoalList list =
+        new GoalList()
+            .goals(sequence.current())
+            .upcoming(sequence.upcoming())
+            .landGoals(failsafes.landGoals())
+            .elapsed(progress.elapsedS());
+    if (progress.isHeld()) {
+      list.paused(true);
+    }
+    List<String> faults = files.faults();
+    return faults.isEmpty() ? list : list.fileFaults(faults);
+  }
+
+  /**
+   * Repeats the current goals to a planner that pursues another goal and may have missed them.
+   * Rate-limited, so that a permanent disagreement does not cause a flood; planners repeat their
+   * reports.
+   */
+  private void repeatGoals() {
+    long now = micros();
+    if (now >= repeatDueMicros) {
+      repeatDueMicros = now + REPEAT_EVERY_MICROS;
+      publish(Channels.GOALS, goalList());
+    }
+  }
+
+  private static List<String> names(List<GoalInformation> goals) {
+    return goals.stream().map(GoalInformation::uid).collect(Collectors.toList());
+  }
+}

@@ -1,0 +1,214 @@
+package org.u2sa.mission;
+
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.contract.MissionOrderResult;
+import org.u2sa.messages.schema.MessageTypes;
+
+/**
+ * Carries out operators' orders to a {@link MissionManager} and reports the results. Idempotent: a
+ * repeated order is answered again but not executed again.
+ */
+final class MissionOrders {
+  private static final int REMEMBERED = 64;
+
+  private final MissionManager manager;
+  private final MessageTypes types;
+  private final Map<String, MissionOrderResult> answered =
+      new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, MissionOrderResult> eldest) {
+          return size() > REMEMBERED;
+        }
+      };
+
+  MissionOrders(MissionManager manager, MessageTypes types) {
+    this.manager = manager;
+    this.types = types;
+  }
+
+  /** Carries out an order unless already done. Returns the answer. */
+  MissionOrderResult obey(MissionOrder order) {
+    MissionOrderResult before = answered.get(order.requestId());
+    if (before != null) {
+      return (MissionOrderResult) before.copy();
+    }
+    MissionOrderResult result =
+        new MissionOrderResult().requestId(order.requestId()).serviceName(manager.getServiceName());
+    try {
+      String outcome = outcome(order);
+      manager.ordered(order.action() + " by " + order.operator() + ": " + outcome);
+      result.accepted(true).outcome(outcome);
+    } catch (BadInputException e) {
+      manager.refused(order.action() + " by " + order.operator() + " refused: " + e.getMessage());
+      result.accepted(false).outcome(e.getMessage());
+    }
+    answered.put(order.requestId(), (MissionOrderResult) result.copy());
+    return result;
+  }
+
+  /**
+   * @throws BadInputException if it cannot be done
+   */
+  private String outcome(MissionOrder order) {
+    switch (order.action()) {
+      case GOTO:
+        return goTo(known(manager.progress().pursued(), order.uid().orElse("")));
+      case SKIP:
+        return skip(order);
+      case INSERT:
+        return insert(order);
+      case UPDATE:
+        return update(order);
+      case RESUME:
+        return manager.resumeMission();
+      case PAUSE:
+        return pause();
+      default:
+        throw new BadInputException(order.action() + ": not known here");
+    }
+  }
+
+  private String goTo(String uid) {
+    manager.progress().changeTo(uid);
+    return "pursuing goal \"" + uid + "\"";
+  }
+
+  private String pause() {
+    MissionProgress progress = manager.progress();
+    if (progress.mission().isOver()) {
+      throw new BadInputException("the mission is over: there is nothing to pause");
+    }
+    boolean already = progress.isPaused();
+    progress.pause(true);
+    String where = (already ? "paused already at " : "paused at ") + currentOf(progress.mission());
+    return progress.isLeft()
+        ? where + "; the failsafe " + progress.pursuedFor() + " is pursued first"
+        : where;
+  }
+
+  private String skip(MissionOrder order) {
+    GoalSequence pursued = manager.progress().pursued();
+    String uid = order.uid().map(name -> known(pursued, name)).orElseGet(() -> only(pursued));
+    boolean skipped =
+        manager
+            .progress()
+            .finish(
+                uid,
+                GoalResult.SKIPPED,
+                Optional.empty(),
+                "skipped by " + order.operator(),
+                manager.micros());
+    if (!skipped) {
+      throw new BadInputException(
+          "goal \"" + uid + "\" is not current; current: " + currentOf(pursued));
+    }
+    return "goal \"" + uid + "\" skipped; current: " + currentOf(pursued);
+  }
+
+  private static String only(GoalSequence pursued) {
+    Set<String> current = pursued.currentNames();
+    if (current.size() != 1) {
+      throw new BadInputException(
+          current.isEmpty()
+              ? "the mission is over: there is no goal to skip"
+              : "several goals are current; expected the name of one of " + currentOf(pursued));
+    }
+    return current.iterator().next();
+  }
+
+  private String insert(MissionOrder order) {
+    GoalSequence mission = manager.progress().mission();
+    List<GoalInformation> goals = reader().readAdded(root(order), mission.book());
+    GoalInsertion insertion = new GoalInsertion(mission, goals);
+    if (order.now()) {
+      if (mission.isInTheMiddleOfOptions()) {
+        throw new BadInputException(
+            "some of several options are finished, others not; expected insertion after a goal");
+      }
+      String then = currentOf(mission);
+      insertion.now();
+      manager.progress().pause(false);
+      return "pursuing " + insertion.names() + ", then " + then;
+    }
+    String after =
+        order.uid().map(name -> known(mission, name)).orElseGet(() -> onlyCurrent(mission));
+    if (!mission.followers().reachable(mission.currentNames()).contains(after)) {
+      throw new BadInputException(
+          "goal \""
+              + after
+              + "\" does not follow what is pursued, so nothing after it would be reached; current: "
+              + currentOf(mission)
+              + "; expected one of what follows, or insertion now");
+    }
+    insertion.after(after);
+    return "inserted " + insertion.names() + " after \"" + after + "\"";
+  }
+
+  private static String onlyCurrent(GoalSequence mission) {
+    if (mission.currentNames().size() != 1) {
+      throw new BadInputException(
+          mission.isOver()
+              ? "the mission is over; expected goals to be pursued now"
+              : "several goals are current; expected after which of " + currentOf(mission));
+    }
+    return mission.currentNames().iterator().next();
+  }
+
+  private String update(MissionOrder order) {
+    GoalSequence mission = manager.progress().mission();
+    List<GoalInformation> changes = reader().readChanged(root(order), mission.book());
+    changes.forEach(mission::update);
+    return "updated "
+        + changes.stream().map(each -> "\"" + each.uid() + "\"").collect(Collectors.joining(", "));
+  }
+
+  private MissionReader reader() {
+    return new MissionReader(types, OptionalDouble.of(manager.thresholdM()));
+  }
+
+  private static XmlElement root(MissionOrder order) {
+    byte[] text =
+        order
+            .goals()
+            .orElseThrow(() -> new BadInputException("no goals; expected a mission in XML"))
+            .getBytes(StandardCharsets.UTF_8);
+    return XmlReader.read(
+        new ByteArrayInputStream(text), order.file().orElse("the order"), "mission");
+  }
+
+  private static String known(GoalSequence sequence, String uid) {
+    if (!sequence.knows(uid)) {
+      List<String> names = sequence.book().names();
+      throw new BadInputException(
+          "no goal \""
+              + uid
+              + "\"; expected one of "
+              + String.join(", ", names)
+              + NearestNames.didYouMean(uid, names));
+    }
+    return uid;
+  }
+
+  private static String currentOf(GoalSequence sequence) {
+    return sequence.isOver()
+        ? "none, the mission is over"
+        : String.join(", ", sequence.currentNames());
+  }
+}

@@ -1,0 +1,189 @@
+package org.u2sa.mission;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.schema.MessageTypes;
+
+/** Reads {@code <mission>} (thesis 3.2.3.2, 4.5.2.3) and rejects contradictions. */
+final class MissionReader {
+  private final GoalClasses classes;
+  private final OptionalDouble defaultThresholdM;
+
+  MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
+    classes = new GoalClasses(types);
+    this.defaultThresholdM = defaultThresholdM;
+  }
+
+  Mission read(XmlElement root) {
+    root.refuseUnknownAttributes();
+    Map<String, GoalElement> goals = goals(root, Collections.emptyList(), true);
+    Optional<Home> home = root.child("home").map(HomeReader::read);
+    WaypointRules.check(goals.values());
+    GoalGraph graph =
+        new GoalGraph(
+            goals,
+            home.isPresent() && !goals.containsKey(MissionManager.HOME)
+                ? List.of(MissionManager.HOME)
+                : Collections.emptyList());
+    graph.refuseUnknownSuccessors();
+    Optional<MissionLimit> limit =
+        root.child(MissionLimit.ELEMENT).map(element -> MissionLimit.read(element, graph.known()));
+    return new Mission(
+        root,
+        home,
+        messages(goals),
+        limit,
+        graph.warnings(
+            limit.map(MissionLimit::next).orElse(Collections.emptyList()), limit.isPresent()));
+  }
+
+  /**
+   * Reads goals to add to a mission: they may lead to the mission's goals, and their names must be
+   * new.
+   *
+   * @param mission existing goals of the mission
+   */
+  List<GoalInformation> readAdded(XmlElement root, GoalBook mission) {
+    List<String> known = mission.names();
+    refuseAllBut(root);
+    Map<String, GoalElement> goals = goals(root, known, true);
+    for (GoalElement goal : goals.values()) {
+      if (known.contains(goal.message().uid())) {
+        throw goal.field("uid")
+            .orElse(goal.element())
+            .error(
+                "the mission has a goal \""
+                    + goal.message().uid()
+                    + "\"; expected another name, or update");
+      }
+    }
+    WaypointRules.check(goals.values(), mission);
+    new GoalGraph(goals, known).refuseUnknownSuccessors();
+    return messages(goals);
+  }
+
+  /**
+   * Reads changed fields of goals.
+   *
+   * @param known the mission's goals
+   * @return goals with only their names and the changed fields set
+   */
+  List<GoalInformation> readChanged(XmlElement root, GoalBook known) {
+    refuseAllBut(root);
+    Map<String, GoalElement> goals = goals(root, known.names(), false);
+    List<GoalElement> changed = new ArrayList<>();
+    for (GoalElement goal : goals.values()) {
+      GoalInformation change = goal.message();
+      XmlElement name = goal.field("uid").orElseThrow(() -> unnamed(goal.element()));
+      GoalLinks.refuseUnless(known.names(), name, change.uid());
+      GoalInformation now = known.goal(change.uid());
+      if (now.type() != change.type()) {
+        throw goal.element()
+            .error("the mission's goal \"" + change.uid() + "\" is a " + now.type().name());
+      }
+      changed.add(goal.with(GoalBook.merged(now.copy(), change, Collections.emptyList())));
+      goal.links().refuseOthers(known.names());
+    }
+    WaypointRules.check(changed, known);
+    List<GoalInformation> changes = new ArrayList<>();
+    goals.values().forEach(goal -> changes.add(goal.message()));
+    return changes;
+  }
+
+  private static RuntimeException unnamed(XmlElement goal) {
+    return goal.error("lacks <name>; expected the name of the goal that changes");
+  }
+
+  private static void refuseAllBut(XmlElement root) {
+    root.refuseUnknownAttributes();
+    for (String other : List.of(MissionManager.HOME, MissionLimit.ELEMENT)) {
+      root.child(other)
+          .ifPresent(
+              element -> {
+                throw element.error("belongs to a whole mission; expected goals only");
+              });
+    }
+  }
+
+  private Map<String, GoalElement> goals(
+      XmlElement root, Collection<String> taken, boolean complete) {
+    List<GoalElement> read = new ArrayList<>();
+    for (XmlElement child : root.children()) {
+      if (!child.name().equals(MissionManager.HOME) && !child.name().equals(MissionLimit.ELEMENT)) {
+        read.add(GoalElement.read(child, classes.of(child)));
+      }
+    }
+    Map<String, GoalElement> goals = new LinkedHashMap<>();
+    read.forEach(goal -> add(goals, read, taken, goal, complete));
+    if (goals.isEmpty()) {
+      throw root.error(
+          "holds no goals; expected at least one, such as <waypoint><x>…</x><y>…</y></waypoint>");
+    }
+    return goals;
+  }
+
+  private void add(
+      Map<String, GoalElement> goals,
+      List<GoalElement> read,
+      Collection<String> taken,
+      GoalElement goal,
+      boolean complete) {
+    if (complete && lacksThreshold(goal)) {
+      defaultThresholdM.ifPresent(((Waypoint) goal.message())::horizontalThreshold);
+    }
+    if (goal.field("uid").isEmpty()) {
+      int number = read.indexOf(goal) + 1;
+      goal.message().uid(taken.isEmpty() ? String.valueOf(number) : freeNumber(goals, read, taken));
+    }
+    GoalElement other = goals.putIfAbsent(goal.message().uid(), goal);
+    if (other != null) {
+      throw goal.field("uid")
+          .orElse(goal.element())
+          .error(
+              "the goal in line "
+                  + other.element().line()
+                  + " is named \""
+                  + goal.message().uid()
+                  + "\" already; names must differ (without one, a goal's name is its number in the file)");
+    }
+  }
+
+  /** The first number that names no goal, neither of the mission nor of those that are added. */
+  private static String freeNumber(
+      Map<String, GoalElement> named, List<GoalElement> added, Collection<String> taken) {
+    Set<String> names = new HashSet<>(taken);
+    names.addAll(named.keySet());
+    added.forEach(goal -> goal.field("uid").ifPresent(uid -> names.add(goal.message().uid())));
+    int number = 1;
+    while (names.contains(String.valueOf(number))) {
+      number++;
+    }
+    return String.valueOf(number);
+  }
+
+  private static boolean lacksThreshold(GoalElement goal) {
+    return goal.message() instanceof Waypoint && goal.field("horizontalThreshold").isEmpty();
+  }
+
+  private List<GoalInformation> messages(Map<String, GoalElement> goals) {
+    List<GoalInformation> messages = new ArrayList<>();
+    for (GoalElement goal : goals.values()) {
+      if (defaultThresholdM.isPresent() || !lacksThreshold(goal)) {
+        goal.message().freeze();
+      }
+      messages.add(goal.message());
+    }
+    return messages;
+  }
+}

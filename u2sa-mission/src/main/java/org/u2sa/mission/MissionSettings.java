@@ -1,0 +1,47 @@
+package org.u2sa.mission;
+
+import org.u2sa.interfaces.configuration.Variable;
+
+/** The variables of the {@link MissionManager}, besides its {@link MissionManager.Defaults}. */
+record MissionSettings(
+    @Variable(
+            text =
+                "Mission XML file, relative to the configuration file. If changed while running, the new mission starts.")
+        String mission,
+    @Variable(ifAbsentText = "false", text = "Whether the mission repeats (as in thesis 4.5.2.3).")
+        boolean loop,
+    @Variable(
+            ifAbsentText = "ALL",
+            text =
+                "Of several next goals, whether ALL must be finished before what follows, or ANY one.")
+        GoalSequence.Options options,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Mission XML file for the failsafe RETURN, relative to the configuration file; empty: return to the mission's home.")
+        String returnMission,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Mission XML file for the failsafe LAND, relative to the configuration file; empty: return instead.")
+        String landMission,
+    @Variable(
+            ifAbsentText = "NEVER",
+            text =
+                "Whether another process takes up the mission where this one ends: ALWAYS; on the order resume: ORDERED; or NEVER.")
+        Resumption resume) {
+  /** Whether a mission continues after a restart in another process. */
+  enum Resumption {
+    /** Starts over; nothing is saved. */
+    NEVER,
+    /** Starts over; resumed on order. */
+    ORDERED,
+    /** Resumed immediately. */
+    ALWAYS
+  }
+
+  static final String MISSION = "MISSION";
+  static final String RETURN_MISSION = "RETURN MISSION";
+  static final String LAND_MISSION = "LAND MISSION";
+  static final String DEFAULT_THRESHOLD = "DEFAULT THRESHOLD";
+}

@@ -1,0 +1,98 @@
+package org.u2sa.mission;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Optional;
+import org.u2sa.interfaces.configuration.WholeFile;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.HandOverText;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Mission progress saved beside the logs, so that another process can resume it. Replaced
+ * atomically: a power cut leaves the old or the new file intact.
+ */
+final class SavedMission {
+  private static final String DIGEST = "MISSION SHA-256";
+
+  private final Path file;
+  private final String systemId;
+  private final MessageCodec codec;
+
+  SavedMission(ServiceContext context, String serviceName) {
+    file = context.logDirectory().resolve(serviceName + ".mission");
+    systemId = context.systemId();
+    codec = new MessageCodec(context.messageTypes());
+  }
+
+  Path path() {
+    return file;
+  }
+
+  /**
+   * Replaces the file.
+   *
+   * @param mission the mission's file, whose contents must be the same for it to be resumed
+   * @throws IOException if writing fails; the previous file is kept
+   */
+  void write(MissionProgress progress, Path mission) throws IOException {
+    HandOver state = new HandOver(MissionManager.class.getName());
+    state.text(DIGEST, digest(mission));
+    progress.handOver(state);
+    Path folder = file.toAbsolutePath().getParent();
+    Files.createDirectories(folder);
+    Path temporary = Files.createTempFile(folder, "." + file.getFileName(), ".tmp");
+    try {
+      WholeFile.fillAndRename(temporary, HandOverText.bytes(state, systemId), file);
+    } finally {
+      Files.deleteIfExists(temporary);
+    }
+  }
+
+  /**
+   * Last saved progress; empty if none.
+   *
+   * @throws IOException if it is unreadable, or saved for another mission or vehicle
+   */
+  Optional<MissionProgress> read(Path mission, boolean loop, GoalSequence.Options options)
+      throws IOException {
+    if (!Files.exists(file)) {
+      return Optional.empty();
+    }
+    HandOver state = HandOverText.read(file, systemId, codec);
+    if (state.text(DIGEST).filter(digest(mission)::equals).isEmpty()) {
+      throw new IOException(file + ": is of another mission than " + mission + " is now");
+    }
+    try {
+      Optional<MissionProgress> progress = MissionProgress.takenOver(state, loop, options);
+      progress.ifPresent(MissionProgress::forgetFailsafe);
+      return progress;
+    } catch (IllegalArgumentException e) {
+      throw new IOException(file + ": " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * @throws IOException if it is there and cannot be deleted
+   */
+  void delete() throws IOException {
+    Files.deleteIfExists(file);
+  }
+
+  private static String digest(Path mission) throws IOException {
+    try {
+      StringBuilder hex = new StringBuilder();
+      for (byte each : MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(mission))) {
+        hex.append(Character.forDigit(each >> 4 & 0xf, 16))
+            .append(Character.forDigit(each & 0xf, 16));
+      }
+      return hex.toString();
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java has SHA-256", e);
+    }
+  }
+}

@@ -1,0 +1,122 @@
+package org.u2sa.mission;
+
+import java.util.Collection;
+import org.u2sa.interfaces.configuration.XmlNumbers;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/** Constraints on a mission's waypoints beyond single fields' bounds. */
+final class WaypointRules {
+  private WaypointRules() {}
+
+  static void check(Collection<GoalElement> goals) {
+    GoalElement first = null;
+    for (GoalElement goal : goals) {
+      if (goal.message() instanceof Waypoint waypoint) {
+        checkCoordinates(goal, waypoint);
+        checkThresholds(goal, waypoint);
+        if (first == null) {
+          first = goal;
+        } else {
+          checkSameEarth(first, goal);
+        }
+      }
+    }
+  }
+
+  /** {@link #check(Collection)} for goals that are added to a mission. */
+  static void check(Collection<GoalElement> goals, GoalBook mission) {
+    check(goals);
+    for (GoalElement goal : goals) {
+      if (goal.message() instanceof Waypoint waypoint) {
+        mission.names().stream()
+            .map(mission::goal)
+            .filter(Waypoint.class::isInstance)
+            .map(Waypoint.class::cast)
+            .filter(
+                other -> other.referenceFrame().isEarth() != waypoint.referenceFrame().isEarth())
+            .findFirst()
+            .ifPresent(
+                other -> {
+                  throw element(goal, "referenceFrame")
+                      .error(
+                          "is in "
+                              + waypoint.referenceFrame()
+                              + ", but the mission's waypoint \""
+                              + other.uid()
+                              + "\" is in "
+                              + other.referenceFrame()
+                              + "; expected all on the earth or all on a local plane");
+                });
+      }
+    }
+  }
+
+  private static void checkCoordinates(GoalElement goal, Waypoint waypoint) {
+    ReferenceFrame frame = waypoint.referenceFrame();
+    if (frame.isBody()) {
+      throw goal.field("referenceFrame")
+          .orElse(goal.element())
+          .error(
+              "\""
+                  + frame
+                  + "\" moves with the vehicle; expected GLOBAL, LOCAL_ENU, LOCAL_NED or UTM");
+    }
+    boolean hasX = waypoint.x().isPresent();
+    boolean hasY = waypoint.y().isPresent();
+    if (!hasX && !hasY && waypoint.z().isEmpty()) {
+      throw goal.element().error("has no coordinates; expected at least one of x, y, z");
+    }
+    if (frame.isUtm() && !(hasX && hasY)) {
+      throw goal.element().error("lacks x or y; UTM needs both");
+    }
+    if (frame.equals(ReferenceFrame.GLOBAL)) {
+      goal.field("x").ifPresent(x -> XmlNumbers.checkLongitude(x, waypoint.x().orElseThrow()));
+      goal.field("y").ifPresent(y -> XmlNumbers.checkLatitude(y, waypoint.y().orElseThrow()));
+    }
+  }
+
+  private static void checkThresholds(GoalElement goal, Waypoint waypoint) {
+    if (goal.field("horizontalThreshold").isPresent() && waypoint.horizontalThreshold() == 0.0) {
+      throw element(goal, "horizontalThreshold")
+          .error("0.0 m can never be met; expected more than 0 m");
+    }
+    if (waypoint.verticalThreshold().orElse(1.0) == 0.0) {
+      throw element(goal, "verticalThreshold")
+          .error("0.0 m can never be met; expected more than 0 m");
+    }
+    boolean vertical = waypoint.verticalThreshold().isPresent();
+    if (vertical && waypoint.z().isEmpty()) {
+      throw element(goal, "verticalThreshold")
+          .error("has nothing to compare with: the goal has no <z>");
+    }
+    if (!vertical && waypoint.x().isEmpty() && waypoint.y().isEmpty()) {
+      throw element(goal, "z")
+          .error("is the only coordinate; expected a <verticalThreshold> beside it");
+    }
+    if (waypoint.speed().orElse(1.0) == 0.0) {
+      throw element(goal, "speed").error("0.0 m/s never gets there; expected more than 0 m/s");
+    }
+  }
+
+  private static XmlElement element(GoalElement goal, String field) {
+    return goal.field(field).orElse(goal.element());
+  }
+
+  private static void checkSameEarth(GoalElement first, GoalElement goal) {
+    ReferenceFrame frame = ((Waypoint) first.message()).referenceFrame();
+    ReferenceFrame other = ((Waypoint) goal.message()).referenceFrame();
+    if (frame.isEarth() != other.isEarth()) {
+      throw element(goal, "referenceFrame")
+          .error(
+              "is in "
+                  + other
+                  + ", but the waypoint in line "
+                  + first.element().line()
+                  + " is in "
+                  + frame
+                  + "; expected all on the earth or all on a local plane");
+    }
+  }
+}

@@ -1,0 +1,148 @@
+package org.u2sa.mission;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.testkit.ServiceKit;
+
+/** What the Mission Manager does when a failsafe says so. */
+@Timeout(120)
+class FailsafeMissionTest {
+  private static final String MISSION =
+      """
+      <mission>%s
+        <waypoint><name>1</name><next>2</next><x>1</x><y>1</y></waypoint>
+        <waypoint><name>2</name><x>1</x><y>2</y></waypoint>
+      </mission>
+      """;
+  private static final String HOME = "<home><x>0.5</x><y>0.5</y></home>";
+
+  @TempDir private Path directory;
+  private final ServiceKit kit = new ServiceKit();
+
+  @BeforeEach
+  void configure() throws IOException {
+    kit.with("MISSION", write("mission.xml", HOME)).with("DEFAULT THRESHOLD", 1.0);
+  }
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  private String write(String name, String home) throws IOException {
+    return Files.writeString(directory.resolve(name), MISSION.formatted(home)).toString();
+  }
+
+  private void failsafe(FailsafeAction action) {
+    kit.publish(Channels.FAILSAFE, new FailsafeState().action(action).causes(List.of("a test")));
+  }
+
+  private List<String> goals() {
+    return kit.latest(Channels.GOALS).orElseThrow().goals().stream()
+        .map(GoalInformation::uid)
+        .collect(Collectors.toList());
+  }
+
+  private void complete(String uid) {
+    Waypoint report = new Waypoint().uid(uid).horizontalThreshold(1.0);
+    report.completed(true);
+    kit.publish(Channels.GOAL_REPORTS, report);
+  }
+
+  @Test
+  void return_withoutFile_goesHomeAndResumesWhereTheMissionWas() {
+    kit.start(MissionManager::new);
+    complete("1");
+    failsafe(FailsafeAction.RETURN);
+    Waypoint home = (Waypoint) kit.latest(Channels.GOALS).orElseThrow().goals().get(0);
+    assertThat(home.uid()).isEqualTo("RETURN home");
+    assertThat(home.x()).hasValue(0.5);
+    complete("RETURN home");
+    assertThat(goals()).isEmpty();
+
+    failsafe(FailsafeAction.CONTINUE);
+
+    assertThat(goals()).containsExactly("2");
+  }
+
+  @Test
+  void returnAndLand_withFiles_areFlownUnderNamesOfTheirOwn() throws IOException {
+    kit.with("RETURN MISSION", write("return.xml", "")).with("LAND MISSION", write("land.xml", ""));
+    kit.start(MissionManager::new);
+    failsafe(FailsafeAction.RETURN);
+    complete("RETURN 1");
+    assertThat(goals()).containsExactly("RETURN 2");
+
+    failsafe(FailsafeAction.LAND);
+    assertThat(goals()).containsExactly("LAND 1");
+    failsafe(FailsafeAction.CONTINUE);
+
+    assertThat(goals()).containsExactly("1");
+  }
+
+  @Test
+  void hold_leavesTheGoalsAlone() {
+    kit.start(MissionManager::new);
+    kit.forget();
+    failsafe(FailsafeAction.HOLD);
+    failsafe(FailsafeAction.CONTINUE);
+
+    assertThat(kit.published(Channels.GOALS)).isEmpty();
+  }
+
+  @Test
+  void return_withoutFileAndHome_hasNoGoalsAndSaysSo() throws IOException {
+    kit.with("MISSION", write("homeless.xml", ""));
+    kit.start(MissionManager::new);
+    failsafe(FailsafeAction.LAND);
+
+    assertThat(goals()).isEmpty();
+    assertThat(kit.log("MissionManager"))
+        .anyMatch(line -> line.contains("without a LAND MISSION: returning"))
+        .anyMatch(line -> line.contains("without a RETURN MISSION or a home: holding"));
+  }
+
+  @Test
+  void start_wrongReturnMission_failsBeforeAnyThreadRuns() throws IOException {
+    kit.with(
+        "RETURN MISSION", Files.writeString(directory.resolve("r.xml"), "<mission/>").toString());
+
+    assertThatThrownBy(() -> new MissionManager(kit.context()))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("r.xml, line 1, <mission>: holds no goals");
+  }
+
+  @Test
+  void restart_whileItReturns_stillReturnsAndResumesTheMissionAfterwards() {
+    MissionManager before = kit.start(MissionManager::new);
+    complete("1");
+    failsafe(FailsafeAction.RETURN);
+    kit.forget();
+
+    kit.restart(before, MissionManager::new);
+
+    assertThat(goals()).containsExactly("RETURN home");
+    failsafe(FailsafeAction.RETURN);
+    complete("RETURN home");
+    assertThat(goals()).isEmpty();
+    failsafe(FailsafeAction.CONTINUE);
+    assertThat(goals()).containsExactly("2");
+  }
+}

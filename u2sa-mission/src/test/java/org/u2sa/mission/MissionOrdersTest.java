@@ -1,0 +1,327 @@
+package org.u2sa.mission;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.MissionAction;
+import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.contract.MissionOrderResult;
+import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.contract.MissionRequest;
+
+/** What operators order of a running mission, and what they are answered. */
+class MissionOrdersTest extends ThreeWaypoints {
+  private int orders;
+
+  private static MissionOrder order(MissionAction action) {
+    return new MissionOrder().action(action).operator("anna");
+  }
+
+  private static MissionOrder goals(MissionAction action, String goals) {
+    return order(action).file("more.xml").goals("<mission>\n" + goals + "\n</mission>");
+  }
+
+  private MissionOrderResult give(MissionOrder order) {
+    if (!order.isFrozen()) {
+      order.requestId("order " + ++orders);
+    }
+    kit.publish(Channels.MISSION, order);
+    MissionOrderResult result = (MissionOrderResult) kit.latest(Channels.MISSION).orElseThrow();
+    assertThat(result.requestId()).isEqualTo(order.requestId());
+    return result;
+  }
+
+  private void accepted(MissionOrder order, String outcome) {
+    MissionOrderResult result = give(order);
+    assertThat(result.outcome()).isEqualTo(outcome);
+    assertThat(result.accepted()).isTrue();
+  }
+
+  private void refused(MissionOrder order, String why) {
+    List<String> before = current();
+    MissionOrderResult result = give(order);
+    assertThat(result.outcome()).isEqualTo(why);
+    assertThat(result.accepted()).isFalse();
+    assertThat(current()).isEqualTo(before);
+  }
+
+  private MissionReport report() {
+    kit.publish(Channels.MISSION, new MissionRequest().requestId("r"));
+    return (MissionReport) kit.latest(Channels.MISSION).orElseThrow();
+  }
+
+  private void run(String... uids) {
+    for (String uid : uids) {
+      assertThat(current()).containsExactly(uid);
+      complete(uid);
+    }
+  }
+
+  @Test
+  void goTo_thenResume_goesBackToWhereItWas() {
+    kit.start(MissionManager::new);
+    complete("1");
+    accepted(order(MissionAction.GOTO).uid("3"), "pursuing goal \"3\"");
+    assertThat(current()).containsExactly("3");
+    assertThat(report().resumable()).contains("2");
+
+    accepted(order(MissionAction.RESUME), "resumed at [2]");
+    run("2", "3");
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
+  void goTo_thatGoalIsDone_resumeStillGoesBack() {
+    kit.start(MissionManager::new);
+    accepted(order(MissionAction.GOTO).uid("2"), "pursuing goal \"2\"");
+    run("2");
+    accepted(order(MissionAction.RESUME), "resumed at [1]");
+  }
+
+  @Test
+  void goTo_missionHasGoneOnSince_thereIsNothingToResume() {
+    kit.with("LOOP", true).start(MissionManager::new);
+    accepted(order(MissionAction.GOTO).uid("2"), "pursuing goal \"2\"");
+    run("2", "3");
+    assertThat(report().resumable()).isEmpty();
+    refused(order(MissionAction.RESUME), "there is nothing to resume: the mission was not left");
+  }
+
+  @Test
+  void goTo_againAfterTheMissionHasGoneOn_resumeGoesBackToBeforeTheSecond() {
+    kit.with("LOOP", true).start(MissionManager::new);
+    accepted(order(MissionAction.GOTO).uid("2"), "pursuing goal \"2\"");
+    run("2", "3", "1");
+    kit.advance(1.0); // no goal is reached twice at one moment
+    run("2");
+    accepted(order(MissionAction.GOTO).uid("1"), "pursuing goal \"1\"");
+    accepted(order(MissionAction.RESUME), "resumed at [3]");
+  }
+
+  @Test
+  void goTo_twiceInARow_resumeGoesBackToBeforeTheFirst() {
+    kit.start(MissionManager::new);
+    complete("1");
+    accepted(order(MissionAction.GOTO).uid("3"), "pursuing goal \"3\"");
+    accepted(order(MissionAction.GOTO).uid("1"), "pursuing goal \"1\"");
+    accepted(order(MissionAction.RESUME), "resumed at [2]");
+  }
+
+  @Test
+  void goTo_unknownName_isRefusedWithTheNames() {
+    kit.start(MissionManager::new);
+    refused(order(MissionAction.GOTO).uid("4"), "no goal \"4\"; expected one of 1, 2, 3");
+  }
+
+  @Test
+  void resume_missionThatWasNotLeft_isRefused() {
+    kit.start(MissionManager::new);
+    refused(order(MissionAction.RESUME), "there is nothing to resume: the mission was not left");
+  }
+
+  @Test
+  void skip_currentGoal_goesOnAndSaysWhoSkippedIt() {
+    kit.start(MissionManager::new);
+    accepted(order(MissionAction.SKIP), "goal \"1\" skipped; current: 2");
+
+    GoalInformation skipped = report().goals().get(0);
+    assertThat(skipped.result()).contains(GoalResult.SKIPPED);
+    assertThat(skipped.reason()).contains("skipped by anna");
+    refused(order(MissionAction.SKIP).uid("3"), "goal \"3\" is not current; current: 2");
+  }
+
+  @Test
+  void skip_thatTheNetworkBringsTwice_isObeyedOnceAndAnsweredTwice() {
+    kit.start(MissionManager::new);
+    MissionOrder once = order(MissionAction.SKIP);
+    assertThat(give(once).accepted()).isTrue();
+    int answers = kit.published(Channels.MISSION).size();
+    assertThat(give(once).accepted()).isTrue();
+
+    assertThat(kit.published(Channels.MISSION)).hasSize(answers + 1);
+    assertThat(current()).containsExactly("2");
+  }
+
+  @Test
+  void skip_overMission_isRefused() {
+    kit.start(MissionManager::new);
+    run("1", "2", "3");
+    refused(order(MissionAction.SKIP), "the mission is over: there is no goal to skip");
+  }
+
+  @Test
+  void insert_afterTheCurrentGoal_isPursuedNextAndThenTheRest() {
+    kit.start(MissionManager::new);
+    accepted(
+        goals(
+            MissionAction.INSERT,
+            "<waypoint><name>a</name><x>5</x></waypoint><waypoint><x>6</x></waypoint>"),
+        "inserted \"a\", \"4\" after \"1\"");
+    assertThat(goals().upcoming()).extracting(GoalInformation::uid).containsExactly("a");
+    run("1", "a", "4", "2", "3");
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
+  void insert_afterTheLastGoal_prolongsTheMission() {
+    kit.start(MissionManager::new);
+    accepted(
+        goals(MissionAction.INSERT, "<waypoint><name>a</name><x>5</x></waypoint>").uid("3"),
+        "inserted \"a\" after \"3\"");
+    run("1", "2", "3", "a");
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
+  void insert_now_interruptsTheCurrentGoal() {
+    kit.start(MissionManager::new);
+    complete("1");
+    accepted(
+        goals(MissionAction.INSERT, "<waypoint><name>a</name><x>5</x></waypoint>").now(true),
+        "pursuing \"a\", then 2");
+    run("a", "2", "3");
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
+  void insert_goalsThatBranch_leadIntoTheMission() {
+    kit.start(MissionManager::new);
+    accepted(
+        goals(
+            MissionAction.INSERT,
+            "<waypoint><name>a</name><x>5</x><next>b</next><next if='failed'>3</next></waypoint>"
+                + "<waypoint><name>b</name><x>6</x></waypoint>"),
+        "inserted \"a\", \"b\" after \"1\"");
+    complete("1");
+    kit.publish(Channels.GOAL_REPORTS, report("a").abandoned(true));
+
+    assertThat(current()).containsExactly("3");
+  }
+
+  @Test
+  void insert_wrongGoals_areRefusedWithFileAndLine() {
+    kit.start(MissionManager::new);
+    refused(
+        goals(MissionAction.INSERT, "<waypoint><name>2</name><x>5</x></waypoint>"),
+        "more.xml, line 2, <name>: the mission has a goal \"2\"; expected another name, or update");
+    refused(
+        goals(MissionAction.INSERT, "<waypoint><x>500</x></waypoint>"),
+        "more.xml, line 2, <x>: 500.0 is outside -180.0…180.0 deg of longitude");
+    refused(
+        goals(MissionAction.INSERT, "<waypoint><x>5</x><next>9</next></waypoint>"),
+        "more.xml, line 2, <next>: \"9\" names no goal; the goals are 4, 1, 2, 3");
+    refused(
+        goals(
+            MissionAction.INSERT,
+            "<waypoint><reference>Local ENU</reference><x>5</x><y>2</y></waypoint>"),
+        "more.xml, line 2, <reference>: is in LOCAL_ENU, but the mission's waypoint \"1\" is in GLOBAL; expected all on the earth or all on a local plane");
+    refused(
+        goals(MissionAction.INSERT, "<home><x>1</x><y>1</y></home><waypoint><x>5</x></waypoint>"),
+        "more.xml, line 2, <home>: belongs to a whole mission; expected goals only");
+    refused(order(MissionAction.INSERT), "no goals; expected a mission in XML");
+  }
+
+  @Test
+  void insert_afterAGoalThatWillNotCome_isRefused() {
+    kit.start(MissionManager::new);
+    complete("1");
+    refused(
+        goals(MissionAction.INSERT, "<waypoint><x>5</x></waypoint>").uid("1"),
+        "goal \"1\" does not follow what is pursued, so nothing after it would be reached; current: 2; expected one of what follows, or insertion now");
+  }
+
+  @Test
+  void insert_unnamedGoalsAmongNamedOnes_getTheNextFreeNumbers() {
+    kit.start(MissionManager::new);
+    accepted(
+        goals(
+            MissionAction.INSERT,
+            "<waypoint><x>5</x></waypoint><waypoint><name>5</name><x>5</x></waypoint>"
+                + "<waypoint><x>5</x></waypoint><waypoint><x>5</x></waypoint>"),
+        "inserted \"4\", \"5\", \"6\", \"7\" after \"1\"");
+  }
+
+  @Test
+  void insert_anyHowOften_namesStayApart() {
+    kit.start(MissionManager::new);
+    for (int i = 0; i < 3; i++) {
+      assertThat(give(goals(MissionAction.INSERT, "<waypoint><x>5</x></waypoint>")).outcome())
+          .startsWith("inserted ");
+    }
+
+    assertThat(report().goals()).extracting(GoalInformation::uid).doesNotHaveDuplicates();
+  }
+
+  @Test
+  void update_goalThatIsPursued_isPublishedWithTheNewFieldsAndTheOldRest() {
+    kit.start(MissionManager::new);
+    accepted(
+        goals(
+            MissionAction.UPDATE,
+            "<waypoint><name>1</name><y>44</y><timeLimit unit='min'>1</timeLimit></waypoint>"),
+        "updated \"1\"");
+    Waypoint now = (Waypoint) goals().goals().get(0);
+
+    assertThat(now.y()).hasValue(44.0);
+    assertThat(now.timeLimit()).hasValue(60.0);
+    assertThat(now.x()).isPresent();
+    assertThat(now.horizontalThreshold()).isEqualTo(DEFAULT_M);
+  }
+
+  @Test
+  void update_wrongGoals_areRefusedWithFileAndLine() {
+    kit.start(MissionManager::new);
+    refused(
+        goals(MissionAction.UPDATE, "<waypoint><name>9</name><x>5</x></waypoint>"),
+        "more.xml, line 2, <name>: \"9\" names no goal; the goals are 1, 2, 3");
+    refused(
+        goals(MissionAction.UPDATE, "<waypoint><x>5</x></waypoint>"),
+        "more.xml, line 2, <waypoint>: lacks <name>; expected the name of the goal that changes");
+    refused(
+        goals(
+            MissionAction.UPDATE,
+            "<waypoint><name>1</name><verticalThreshold>9</verticalThreshold></waypoint>"),
+        "more.xml, line 2, <verticalThreshold>: has nothing to compare with: the goal has no <z>");
+    refused(
+        goals(MissionAction.UPDATE, "<waypoint><name>1</name><next>9</next></waypoint>"),
+        "more.xml, line 2, <next>: \"9\" names no goal; the goals are 1, 2, 3");
+  }
+
+  @Test
+  void order_isLoggedWithItsOperator() {
+    kit.start(MissionManager::new);
+    give(order(MissionAction.SKIP));
+    give(order(MissionAction.RESUME));
+
+    assertThat(logged("SKIP by anna: goal \"1\" skipped")).isTrue();
+    assertThat(logged("RESUME by anna refused: there is nothing to resume")).isTrue();
+  }
+
+  @Test
+  void request_saysHowTheMissionStands() throws IOException {
+    Files.writeString(
+        file,
+        "<mission><timeLimit>60</timeLimit><waypoint><x>1</x></waypoint><waypoint><x>2</x></waypoint></mission>");
+    kit.start(MissionManager::new);
+    kit.advance(5.0);
+    MissionReport report = report();
+
+    assertThat(report.mission()).isEqualTo(file.toString());
+    assertThat(report.goals()).extracting(GoalInformation::uid).containsExactly("1", "2");
+    assertThat(report.current()).containsExactly("1");
+    assertThat(report.upcoming()).containsExactly("2");
+    assertThat(report.sequence()).containsExactly("1", "2");
+    assertThat(report.timeLimit()).hasValue(60.0);
+    assertThat(report.elapsed()).isEqualTo(5.0);
+    assertThat(report.began()).hasValue(0L);
+    assertThat(report.resumable()).isEmpty();
+    assertThat(report.failsafe()).isEmpty();
+  }
+}

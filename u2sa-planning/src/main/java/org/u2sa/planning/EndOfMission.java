@@ -1,0 +1,80 @@
+package org.u2sa.planning;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
+
+/** Behaviour of a planner without a goal: hold at a place, or nothing. */
+final class EndOfMission {
+  private final Supplier<PlanningSettings> settings;
+  private final Supplier<LineSettings> lines;
+  private final WaypointGuidance guidance;
+  private Optional<LoiterCircle> circle = Optional.empty();
+
+  /**
+   * @param settings whether to hold, and on which circle
+   * @param lines look-ahead on the circle
+   * @param guidance for the representation of the point passed to control
+   */
+  EndOfMission(
+      Supplier<PlanningSettings> settings,
+      Supplier<LineSettings> lines,
+      WaypointGuidance guidance) {
+    this.settings = settings;
+    this.lines = lines;
+    this.guidance = guidance;
+  }
+
+  /** Saves the holding position for the planner that takes over. */
+  void handOver(HandOver state) {
+    circle.ifPresent(held -> held.handOver(state));
+  }
+
+  /** Resumes holding where the previous planner held. */
+  void takeOver(HandOver state) {
+    circle = LoiterCircle.takenOver(state);
+  }
+
+  /** Discards the holding position because a goal is pursued again. */
+  void leave() {
+    circle = Optional.empty();
+  }
+
+  /**
+   * Plans the next step of holding.
+   *
+   * @param place where to hold; if empty or without coordinates, the vehicle's position when
+   *     holding began; its altitude at that time if the place has none
+   */
+  List<NavigationPoint> plan(Vehicle vehicle, Optional<Place> place) {
+    return settings.get().holdsAtEnd() ? hold(vehicle, place) : List.of();
+  }
+
+  /**
+   * Plans the next step of holding for a failsafe, whatever AT END says: vehicles that cannot stop
+   * circle. A vehicle with AT END = STOP and no circle stops here too.
+   *
+   * @param place as in {@link #plan}
+   */
+  List<NavigationPoint> planFailsafe(Vehicle vehicle, Optional<Place> place) {
+    PlanningSettings now = settings.get();
+    return now.holdsAtEnd() || now.loiterRadius() > 0.0 ? hold(vehicle, place) : List.of();
+  }
+
+  private List<NavigationPoint> hold(Vehicle vehicle, Optional<Place> place) {
+    PlanningSettings now = settings.get();
+    if (circle.isEmpty()) {
+      Place centre =
+          place
+              .filter(Place::isHorizontal)
+              .map(known -> known.orAltitudeOf(vehicle.place()))
+              .orElse(vehicle.place());
+      circle = Optional.of(new LoiterCircle(centre, now.loiterRadius(), vehicle));
+    }
+    Point ahead = circle.get().ahead(vehicle, lines.get().lookAheadM(vehicle.speedMps()));
+    return List.of(NavigationPoint.at(guidance.bodyPoint(vehicle, ahead)));
+  }
+}

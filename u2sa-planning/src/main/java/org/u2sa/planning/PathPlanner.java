@@ -1,0 +1,392 @@
+package org.u2sa.planning;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of
+ * goals. In: state, goals, failsafe. Out: navigation, goal-reports.
+ *
+ * <p>It plans once per state estimate, so without fresh states it publishes no navigation points.
+ * On request of a failsafe it holds its position, as at the mission's end, or publishes none. The
+ * same class serves aircraft and ground vehicles; only their configuration differs (thesis
+ * 4.6.2.3).
+ */
+public class PathPlanner extends EventDrivenService {
+  private final Settings<PlanningSettings> settings = settings(PlanningSettings.class);
+  private final PlannerStates states;
+  private final EndOfMission end;
+  private final Avoidance avoidance;
+  private Optional<GoalList> goals = Optional.empty();
+  // The list that was taken over arrives again because it is retained.
+  private Optional<GoalList> takenOver = Optional.empty();
+  private Optional<GoalInformation> goal = Optional.empty(); // pursued
+  private Optional<GoalInformation> finished = Optional.empty(); // the newest reported
+  private Optional<Place> holdAt = Optional.empty(); // the last place reached or given up
+  private FailsafeAction failsafe = FailsafeAction.CONTINUE;
+  private String foreseen = ""; // UID of the goal expected next
+  private long reportedMicros;
+  private long stateMicros = Long.MIN_VALUE; // arrival of the last state
+  private long missionMicros = Long.MIN_VALUE; // when it began, had its time always counted
+  private String complaint = ""; // last one logged, to log it once
+  private String threshold = ""; // last remark on the current goal's threshold
+
+  /** Called by the launcher. */
+  public PathPlanner(ServiceContext context) {
+    this(context, planner -> new ChosenGuidance(planner, planner::lines));
+  }
+
+  /**
+   * Creates a planner with its own guidance.
+   *
+   * @param guide creates the guidance; may read further variables of the planner
+   */
+  PathPlanner(ServiceContext context, Function<PathPlanner, WaypointGuidance> guide) {
+    super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
+    WaypointGuidance guidance = guide.apply(this);
+    Settings<AvoidanceSettings> seeing = settings(AvoidanceSettings.class);
+    avoidance = new Avoidance(this, seeing, this::lines, this::say);
+    states =
+        new PlannerStates(
+            List.of(
+                new WaypointState(guidance, settings, avoidance, seeing),
+                new ObjectGoalState(avoidance, seeing)));
+    states.discover(this);
+    end = new EndOfMission(settings, this::lines, guidance);
+    registerPublisher(Channels.NAVIGATION);
+    registerPublisher(Channels.GOAL_REPORTS);
+    registerPublisher(Channels.PLANS);
+    subscribe(Channels.GOALS, this::onGoals);
+    subscribe(Channels.OBJECTS, this::onObjects);
+    subscribe(Channels.GRID, grid -> avoidance.world().see(grid));
+    subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
+    subscribe(Channels.FAILSAFE, state -> react(state.action()));
+  }
+
+  /**
+   * Configured settings; but a landing glide path is linear, whatever the mission's altitude
+   * profile.
+   */
+  final LineSettings lines() {
+    PlanningSettings configured = settings.get();
+    return failsafe == FailsafeAction.LAND
+        ? configured.lines(AltitudeProfile.LINEAR)
+        : configured.lines();
+  }
+
+  @Override
+  protected final void handOver(HandOver state) {
+    goals.ifPresent(list -> state.message("GOALS", list));
+    goal.ifPresent(pursued -> state.message("GOAL", pursued));
+    finished.ifPresent(done -> state.message("FINISHED", done));
+    holdAt.ifPresent(place -> place.handOver(state, "HOLD AT"));
+    if (missionMicros != Long.MIN_VALUE) {
+      state.number("MISSION SINCE", Clock.seconds(missionMicros));
+    }
+    state.number("REPORTED AT", Clock.seconds(reportedMicros)).text("FORESEEN", foreseen);
+    goal.flatMap(states::forGoal).ifPresent(planner -> planner.handOver(state));
+    end.handOver(state);
+    state.text("FAILSAFE", failsafe.name());
+  }
+
+  @Override
+  protected final void takeOver(HandOver state) {
+    goals = state.message("GOALS", GoalList.class);
+    takenOver = goals;
+    finished = state.message("FINISHED", GoalInformation.class);
+    reportedMicros = Clock.micros(state.number("REPORTED AT").orElse(0.0));
+    state.number("MISSION SINCE").ifPresent(seconds -> missionMicros = Clock.micros(seconds));
+    holdAt = Place.takenOver(state, "HOLD AT");
+    foreseen = state.text("FORESEEN").orElse("");
+    goal = state.message("GOAL", GoalInformation.class);
+    if (goal.flatMap(states::forGoal).filter(planner -> planner.takeOver(state)).isEmpty()) {
+      foreseen = goal.map(GoalInformation::uid).orElse(foreseen); // enters it again
+      goal = Optional.empty();
+    }
+    end.takeOver(state);
+    failsafe = state.text("FAILSAFE").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
+  }
+
+  @Override
+  protected final void configurationChanged(Set<String> variableNames) {
+    registerSubscriber(Channels.STATE, settings.get().staleAfter());
+    end.leave(); // start a circle with the new radius
+  }
+
+  private void onGoals(GoalList list) {
+    boolean known = takenOver.filter(list::equals).isPresent();
+    takenOver = Optional.empty();
+    if (known) {
+      return; // retained; the previous planner has acted on it
+    }
+    boolean held = isHolding();
+    goals = Optional.of(list);
+    if (isHolding() != held) {
+      log(list.paused() ? "mission paused" : "mission goes on");
+      changeHolding();
+    }
+    missionMicros = missionBegan(list);
+    if (goal.isPresent() && isFinished(goal.get().uid())) {
+      goal = Optional.empty(); // if listed again, it must be reached again
+    }
+  }
+
+  /**
+   * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own
+   * axes suffice: the vehicle is at their origin (thesis 4.3.2).
+   */
+  private void onObjects(ObjectList list) {
+    avoidance.world().see(list);
+    long now = clock().micros();
+    boolean stateless =
+        stateMicros == Long.MIN_VALUE
+            || now - stateMicros > Clock.micros(settings.get().staleAfter());
+    if (stateless && list.timestamp().isPresent() && avoidance.world().isSeenFromVehicle()) {
+      StateInformation origin =
+          new StateInformation()
+              .referenceFrame(ReferenceFrame.LOCAL_NED)
+              .x(0.0)
+              .y(0.0)
+              .z(0.0)
+              .psi(0.0);
+      origin.timestamp(list.timestamp().getAsLong());
+      plan(origin);
+    }
+  }
+
+  private void onState(StateInformation state) {
+    stateMicros = clock().micros();
+    if (Vehicle.of(state).isPresent()) {
+      plan(state);
+    } else {
+      complain(
+          "no plan from a state without x, y or psi, or in BODY: " + state, "state incomplete");
+    }
+  }
+
+  private void react(FailsafeAction action) {
+    if (action == failsafe) {
+      return;
+    }
+    log(LogLevelEnum.WARN, "failsafe " + action);
+    boolean held = isHolding();
+    failsafe = action;
+    if (isHolding() != held) {
+      changeHolding();
+    }
+  }
+
+  /** Whether a failsafe or a paused mission holds the vehicle. */
+  private boolean isHolding() {
+    return failsafe == FailsafeAction.HOLD || goals.filter(GoalList::paused).isPresent();
+  }
+
+  /** Starts holding the current position, or resumes the goal from here. */
+  private void changeHolding() {
+    if (isHolding()) {
+      foreseen = goal.map(GoalInformation::uid).orElse(foreseen);
+      goal = Optional.empty();
+      finished = Optional.empty();
+    }
+    end.leave();
+  }
+
+  private void plan(StateInformation state) {
+    if (failsafe == FailsafeAction.STOP) {
+      return;
+    }
+    if (isHolding()) {
+      publish(end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty()), state);
+      return;
+    }
+    if (goals.isEmpty()) {
+      return; // no mission yet, so nothing to hold
+    }
+    try {
+      Optional<GoalInformation> chosen = choose(state);
+      publish(chosen.isPresent() ? pursue(chosen.get(), state) : atEnd(state), state);
+    } catch (IllegalArgumentException e) {
+      complain(e.getMessage() + ": no navigation points", e.getMessage());
+    }
+  }
+
+  private Optional<GoalInformation> choose(StateInformation state) {
+    String preferred =
+        goal.map(GoalInformation::uid).filter(uid -> !isFinished(uid)).orElse(foreseen);
+    return new GoalChoice(goals.get()).goal(preferred, option -> distanceM(option, state));
+  }
+
+  /** By what the list says; if it does not, the mission began with its first goals. */
+  private long missionBegan(GoalList list) {
+    long now = clock().micros();
+    if (list.elapsed().isPresent()) {
+      return Math.min(now, list.timestamp().orElse(now))
+          - Clock.micros(list.elapsed().getAsDouble());
+    }
+    if (list.goals().isEmpty()) {
+      return Long.MIN_VALUE;
+    }
+    return missionMicros == Long.MIN_VALUE ? now : missionMicros;
+  }
+
+  /** For how long the mission has been pursued [s]. */
+  private double missionS() {
+    return missionMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(clock().micros() - missionMicros);
+  }
+
+  private boolean isFinished(String uid) {
+    return finished.filter(done -> done.uid().equals(uid)).isPresent();
+  }
+
+  private double distanceM(GoalInformation option, StateInformation state) {
+    return states
+        .forGoal(option)
+        .map(known -> known.distanceM(option, state))
+        .orElse(Double.POSITIVE_INFINITY);
+  }
+
+  private GoalInformation following(GoalInformation option, StateInformation state) {
+    return WaypointAccuracy.following(option, state, settings.get().thresholdSigmas());
+  }
+
+  /** Warns at the start of a goal if the state is too inaccurate for its threshold. */
+  private void judgeThreshold(GoalInformation begun, StateInformation state) {
+    String said = WaypointAccuracy.remark(begun, state).orElse("");
+    if (threshold.isEmpty() && !said.isEmpty()) {
+      trouble(said); // once; the remark covers the others
+    }
+    threshold = said;
+    remark("threshold", said);
+  }
+
+  private List<NavigationPoint> pursue(GoalInformation choice, StateInformation state) {
+    GoalInformation chosen = following(choice, state);
+    Optional<PlannerState> planner = states.forGoal(chosen);
+    if (planner.isEmpty()) {
+      complain(
+          "goal \""
+              + chosen.uid()
+              + "\" is a "
+              + chosen.typeChain()
+              + ": no planner state for that",
+          chosen.uid());
+      return atEnd(state);
+    }
+    complaint = "";
+    end.leave();
+    holdAt = Optional.empty();
+    Optional<GoalInformation> after =
+        new GoalChoice(goals.get())
+            .after(choice, foreseen, option -> distanceM(option, state))
+            .map(option -> following(option, state));
+    boolean begins = goal.filter(current -> current.uid().equals(chosen.uid())).isEmpty();
+    Pursuit pursuit =
+        new Pursuit(chosen, begins ? finished : Optional.empty(), after, state, missionS());
+    if (begins) {
+      log(
+          "goal \""
+              + chosen.uid()
+              + "\" begins"
+              + finished.map(done -> ", from \"" + done.uid() + "\"").orElse(""));
+      judgeThreshold(chosen, state);
+      planner.get().enter(pursuit);
+      finished = Optional.empty();
+    }
+    goal = Optional.of(chosen);
+    foreseen = after.map(GoalInformation::uid).orElse("");
+    Plan plan = planner.get().plan(pursuit);
+    if (!plan.remark().isEmpty()) {
+      LogLevelEnum level =
+          plan.progress() == Plan.Progress.COMPLETED ? LogLevelEnum.INFO : LogLevelEnum.WARN;
+      log(level, "goal \"" + chosen.uid() + "\" " + plan.remark());
+    }
+    if (plan.progress() != Plan.Progress.UNDER_WAY) {
+      report(chosen, plan);
+    }
+    avoidance
+        .news()
+        .ifPresent(
+            path -> {
+              state.timestamp().ifPresent(path::timestamp);
+              publish(Channels.PLANS, path);
+            });
+    return plan.points();
+  }
+
+  /** Reports to the Mission Manager, and repeats after a while if it does not react. */
+  private void report(GoalInformation done, Plan plan) {
+    long now = clock().micros();
+    if (isFinished(done.uid())) {
+      if (now - reportedMicros >= settings.get().reportIntervalMicros()) {
+        publish(Channels.GOAL_REPORTS, finished.get()); // same timestamp: it counts once
+        reportedMicros = now;
+      }
+      return;
+    }
+    GoalInformation report =
+        plan.changed().filter(goal -> goal.uid().equals(done.uid())).orElse(done).copy();
+    report.timestamp(now);
+    report.completed(plan.progress() == Plan.Progress.COMPLETED);
+    report.abandoned(plan.progress() == Plan.Progress.ABANDONED);
+    if (report.abandoned() && !plan.remark().isEmpty()) {
+      report.reason(plan.remark());
+    }
+    publish(Channels.GOAL_REPORTS, report);
+    finished = Optional.of(report);
+    reportedMicros = now;
+  }
+
+  private List<NavigationPoint> atEnd(StateInformation state) {
+    if (finished.isPresent()) {
+      // the path to an abandoned goal may be obstructed: hold here
+      holdAt = WaypointState.placeOf(finished.filter(done -> !done.abandoned()));
+      finished = Optional.empty(); // the next leg does not start there
+    }
+    goal = Optional.empty();
+    Vehicle vehicle = Vehicle.of(state).orElseThrow();
+    return failsafe == FailsafeAction.RETURN
+        ? end.planFailsafe(vehicle, holdAt)
+        : end.plan(vehicle, holdAt);
+  }
+
+  private void publish(List<NavigationPoint> points, StateInformation state) {
+    for (NavigationPoint point : points) {
+      point.timestamp(state.timestamp().orElseThrow());
+      publish(Channels.NAVIGATION, point);
+    }
+  }
+
+  private void say(String what, boolean isTrouble) {
+    String line = "goal \"" + goal.map(GoalInformation::uid).orElse("") + "\": " + what;
+    if (isTrouble) {
+      trouble(line); // also reported in health
+    } else {
+      log(LogLevelEnum.WARN, line);
+    }
+  }
+
+  /** Logs a problem once until it is resolved. */
+  private void complain(String what, String key) {
+    if (!complaint.equals(key)) {
+      log(LogLevelEnum.WARN, what);
+      complaint = key;
+    }
+  }
+}

@@ -1,0 +1,46 @@
+package org.u2sa.planning;
+
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.service.HandOver;
+
+/**
+ * State of a {@link PathPlanner}'s state machine, which pursues one class of goals (thesis
+ * 3.2.3.4).
+ *
+ * <p>Extensions supply their own through a {@link PlannerStateProvider}. A goal is pursued by the
+ * state whose {@link #goalClass} is the closest superclass. All calls are made on the planner's
+ * thread.
+ */
+public interface PlannerState {
+  /** Class of goals, including subclasses unless another state is closer. */
+  Class<? extends GoalInformation> goalClass();
+
+  /** Starts the pursuit of a goal and resets what was remembered of the previous one. */
+  void enter(Pursuit pursuit);
+
+  /** Plans the next step. Called for each state estimate while the goal is pursued. */
+  Plan plan(Pursuit pursuit);
+
+  /**
+   * Distance of a candidate goal [m]; the planner chooses the nearest. Called for goals of {@link
+   * #goalClass} only.
+   *
+   * @throws IllegalArgumentException if the goal cannot be pursued from that state, for example
+   *     because of its frame
+   */
+  double distanceM(GoalInformation goal, StateInformation state);
+
+  /** Saves the state of the current pursuit for the planner that takes over. */
+  default void handOver(HandOver state) {}
+
+  /**
+   * Resumes the pursuit of the previous planner.
+   *
+   * @return false if the saved state is insufficient; the goal is then {@linkplain #enter entered}
+   *     again
+   */
+  default boolean takeOver(HandOver state) {
+    return false;
+  }
+}

@@ -1,0 +1,33 @@
+package org.u2sa.planning;
+
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * A {@link PathPlanner} that follows lines by a vector field instead of a point on the line: from
+ * far off, it returns at a configured angle. Same inputs and outputs; either can replace the other
+ * in motion.
+ */
+public final class VectorFieldPlanner extends PathPlanner {
+  private record Field(
+      @Variable(
+              unit = "deg",
+              min = 5,
+              max = 90,
+              ifAbsent = 60,
+              text = "Angle at which a vehicle far off the line returns to it.")
+          double interceptAngle) {}
+
+  /** Called by the launcher. */
+  public VectorFieldPlanner(ServiceContext context) {
+    super(context, VectorFieldPlanner::guidance);
+  }
+
+  private static WaypointGuidance guidance(PathPlanner planner) {
+    Settings<Field> field = planner.settings(Field.class);
+    return new LineGuidance(
+        planner::lines,
+        GuidanceLaw.vectorField(() -> Math.toRadians(field.get().interceptAngle())));
+  }
+}

@@ -1,0 +1,309 @@
+package org.u2sa.planning;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
+
+/**
+ * Guides the vehicle to a waypoint.
+ *
+ * <p>The waypoint is reached within its horizontal threshold and, if it has one, its vertical
+ * threshold (thesis 3.2.3.4), and is reported when the vehicle comes no nearer. After a miss the
+ * vehicle turns round for another attempt; after the last attempt the waypoint is abandoned and
+ * reported as such.
+ */
+final class WaypointState implements PlannerState {
+  /** Share of a threshold within which usual estimation errors do not hide a miss. */
+  private static final double SHARE_NEAR = 0.8;
+
+  /**
+   * Maximum gap between states; beyond it, as after a lost link, the path between is unknown [µs].
+   */
+  private static final long LONGEST_STEP_MICROS = 10 * Clock.MICROS_PER_SECOND;
+
+  /** Below this speed the vehicle counts as stopped [m/s]. */
+  private static final double CREEPS_MPS = 0.1;
+
+  private static final double TURNS_TO_M = 2.0; // distance of the point to turn to
+
+  private final WaypointGuidance guidance;
+  private final Supplier<PlanningSettings> settings;
+  private final Avoidance avoidance;
+  private final Supplier<AvoidanceSettings> seeing;
+  private int attempts;
+  private boolean
+      armed; // false: the vehicle must leave the threshold before the waypoint can be reached
+  private boolean reached;
+  private double nearestM; // in this attempt, while approaching
+  private double nowM; // from the waypoint
+  private Optional<StateInformation> last = Optional.empty();
+
+  WaypointState(
+      WaypointGuidance guidance,
+      Supplier<PlanningSettings> settings,
+      Avoidance avoidance,
+      Supplier<AvoidanceSettings> seeing) {
+    this.guidance = guidance;
+    this.settings = settings;
+    this.avoidance = avoidance;
+    this.seeing = seeing;
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return Waypoint.class;
+  }
+
+  @Override
+  public double distanceM(GoalInformation goal, StateInformation state) {
+    Point ned = Vehicle.of(state).orElseThrow().nedOf(Place.of((Waypoint) goal));
+    return Math.hypot(ned.x(), ned.y());
+  }
+
+  @Override
+  public void enter(Pursuit pursuit) {
+    guidance.begin(placeOf(pursuit.before()));
+    avoidance.begin();
+    attempts = 1;
+    armed = pursuit.before().filter(before -> before.uid().equals(pursuit.goal().uid())).isEmpty();
+    reached = false;
+    nearestM = Double.POSITIVE_INFINITY;
+    last = Optional.empty();
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    state
+        .number("ATTEMPTS", attempts)
+        .flag("ARMED", armed)
+        .flag("REACHED", reached)
+        .number("NEAREST", nearestM);
+    last.ifPresent(seen -> state.message("LAST STATE", seen));
+    guidance.handOver(state);
+  }
+
+  @Override
+  public boolean takeOver(HandOver state) {
+    if (state.number("ATTEMPTS").isEmpty()) {
+      return false;
+    }
+    guidance.begin(Optional.empty());
+    guidance.takeOver(state);
+    avoidance.begin();
+    attempts = (int) state.number("ATTEMPTS").getAsDouble();
+    armed = state.flag("ARMED");
+    reached = state.flag("REACHED");
+    nearestM = state.number("NEAREST").orElse(Double.POSITIVE_INFINITY);
+    last = state.message("LAST STATE", StateInformation.class);
+    return true;
+  }
+
+  /** Position of a goal, if it is a waypoint. */
+  static Optional<Place> placeOf(Optional<GoalInformation> goal) {
+    return goal.filter(Waypoint.class::isInstance).map(waypoint -> Place.of((Waypoint) waypoint));
+  }
+
+  @Override
+  public Plan plan(Pursuit pursuit) {
+    Waypoint waypoint = (Waypoint) pursuit.goal();
+    Place target = Place.of(waypoint);
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    if (avoidance.isOn() && target.isHorizontal()) {
+      return around(waypoint, target, vehicle, pursuit);
+    }
+    NavigationPoint point =
+        NavigationPoint.at(
+            guidance.towards(
+                vehicle, target, aimedAtM(waypoint, pursuit.state()), placeOf(pursuit.after())));
+    double toGoM = distanceM(waypoint, pursuit.state());
+    speed(waypoint, toGoM, pursuit).ifPresent(point::speed);
+    double downM = vehicle.nedOf(target).z();
+    look(vehicle, target, waypoint, downM);
+    last = Optional.of(pursuit.state());
+    List<NavigationPoint> points = List.of(point);
+    if (reached && (guidance.isNearest() || !target.isHorizontal())) {
+      return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
+    }
+    if (!guidance.hasPassed()) {
+      return Plan.underWay(points);
+    }
+    return missed(points, passing(waypoint, downM));
+  }
+
+  /**
+   * Speed of the waypoint, or the speed to arrive at its time, within the vehicle's limits. For
+   * aircraft it is airspeed, with the wind taken into account.
+   */
+  private OptionalDouble speed(Waypoint waypoint, double toGoM, Pursuit pursuit) {
+    if (waypoint.time().isEmpty()) {
+      return waypoint.speed();
+    }
+    AvoidanceSettings now = seeing.get();
+    double most = waypoint.speed().orElse(Math.max(now.mostSpeed(), now.plannedSpeed()));
+    double leftS = waypoint.time().getAsDouble() - pursuit.missionS();
+    double needed =
+        leftS > 0.0
+            ? toGoM / leftS - tailWindMps(pursuit.state(), now)
+            : most; // already late: as fast as allowed
+    return OptionalDouble.of(
+        Math.max(Math.max(now.leastSpeed(), CREEPS_MPS), Math.min(most, needed)));
+  }
+
+  /** Tail wind of a vehicle that cannot stop: ground speed minus airspeed [m/s]. */
+  private static double tailWindMps(StateInformation state, AvoidanceSettings now) {
+    return now.stops() || state.fluidxDot().isEmpty()
+        ? 0.0
+        : Vehicle.of(state).orElseThrow().speedMps() - state.fluidxDot().getAsDouble();
+  }
+
+  /**
+   * Handles a waypoint with a heading: complete if the vehicle has it; otherwise it turns in place,
+   * or makes another approach if it cannot.
+   */
+  private Plan turned(
+      Waypoint waypoint, Vehicle vehicle, Place target, NavigationPoint point, double downM) {
+    double psi = waypoint.psi().getAsDouble();
+    double off = Math.abs(Leg.wrapped(psi - vehicle.headingRad()));
+    if (off <= Math.toRadians(seeing.get().arrivalAngle())) {
+      String remark =
+          String.format(
+              Locale.ROOT, "reached, %.0f degrees off its heading, ", Math.toDegrees(off));
+      return new Plan(List.of(point), Plan.Progress.COMPLETED, remark + passing(waypoint, downM));
+    }
+    if (avoidance.turnsOnTheSpot()) {
+      Point there = Point.of(TURNS_TO_M * Math.cos(psi), TURNS_TO_M * Math.sin(psi), 0.0);
+      return Plan.underWay(List.of(NavigationPoint.at(vehicle.body(there)).speed(CREEPS_MPS)));
+    }
+    Point to = vehicle.nedOf(target);
+    if (Math.hypot(to.x(), to.y()) <= waypoint.horizontalThreshold()) {
+      return Plan.underWay(List.of(point));
+    }
+    if (attempts >= settings.get().attempts()) {
+      return new Plan(
+          List.of(point),
+          Plan.Progress.ABANDONED,
+          "given up: " + attempts + " times there without its heading");
+    }
+    attempts++;
+    reached = false;
+    avoidance.begin();
+    return new Plan(
+        List.of(point), Plan.Progress.UNDER_WAY, "passed without its heading: comes again");
+  }
+
+  /** Plans the next step on a route around obstacles. */
+  private Plan around(Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit) {
+    Avoidance.Step step =
+        avoidance.step(
+            vehicle,
+            pursuit.state(),
+            new Avoidance.Wanted(
+                waypoint.uid(),
+                target,
+                waypoint.horizontalThreshold(),
+                waypoint.psi(),
+                speed(
+                    waypoint,
+                    avoidance.remainingM().orElse(distanceM(waypoint, pursuit.state())),
+                    pursuit)));
+    double downM = vehicle.nedOf(target).z();
+    look(vehicle, target, waypoint, downM);
+    last = Optional.of(pursuit.state());
+    NavigationPoint point = NavigationPoint.at(vehicle.body(step.ned())).speed(step.speedMps());
+    if (step.backwards()) {
+      point.backwards(true);
+    }
+    if (reached && waypoint.psi().isPresent()) {
+      return turned(waypoint, vehicle, target, point, downM);
+    }
+    List<NavigationPoint> points = List.of(point);
+    if (reached && isNearEnough(waypoint, pursuit.state())) {
+      avoidance.reached(vehicle, pursuit.state());
+      return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
+    }
+    return step.givenUp().isPresent()
+        ? new Plan(points, Plan.Progress.ABANDONED, "given up: " + step.givenUp().get())
+        : Plan.underWay(points);
+  }
+
+  /**
+   * Threshold to aim at: vehicles that turn in place leave a waypoint at the edge of its threshold,
+   * where an estimation error could cause a miss. Corner-cutting turns keep a margin anyway.
+   */
+  private double aimedAtM(Waypoint waypoint, StateInformation state) {
+    return settings.get().turnAcceleration() == 0.0
+        ? WaypointAccuracy.surelyWithinM(waypoint.horizontalThreshold(), state)
+        : waypoint.horizontalThreshold();
+  }
+
+  /**
+   * Whether a waypoint within its threshold may be left: within the corner-cutting limit, or at the
+   * closest approach. At the very edge, an estimation error could cause a miss.
+   */
+  private boolean isNearEnough(Waypoint waypoint, StateInformation state) {
+    double nearM = settings.get().lines().turns().nearM(aimedAtM(waypoint, state));
+    if (!avoidance.turnsOnTheSpot()) { // its routes end nearer
+      nearM = Math.min(nearM, SHARE_NEAR * waypoint.horizontalThreshold());
+    }
+    return nowM <= nearM || nowM > nearestM;
+  }
+
+  /** Updates the closest distance since the last state. */
+  private void look(Vehicle vehicle, Place target, Waypoint waypoint, double downM) {
+    Point to = vehicle.nedOf(target);
+    Point from =
+        last.filter(before -> isRecent(before, vehicle))
+            .flatMap(Vehicle::of)
+            .map(before -> vehicle.nedOf(before.place()))
+            .orElse(Point.ORIGIN);
+    double distance = new Leg(from.x(), from.y(), 0.0, 0.0).distanceM(to.x(), to.y());
+    boolean within = distance <= waypoint.horizontalThreshold();
+    nearestM = guidance.isApproaching() ? Math.min(nearestM, distance) : distance;
+    nowM = Math.hypot(to.x(), to.y());
+    if (!armed) {
+      armed = Math.hypot(to.x(), to.y()) > waypoint.horizontalThreshold();
+    } else if (within) {
+      reached |= Math.abs(downM) <= waypoint.verticalThreshold().orElse(Double.POSITIVE_INFINITY);
+    }
+  }
+
+  private static boolean isRecent(StateInformation before, Vehicle vehicle) {
+    long step = vehicle.timestampMicros() - before.timestamp().orElse(0L);
+    return step > 0 && step <= LONGEST_STEP_MICROS;
+  }
+
+  private Plan missed(List<NavigationPoint> points, String passing) {
+    int attemptsAllowed = settings.get().attempts();
+    String remark = "missed, " + passing + ", attempt " + attempts + " of " + attemptsAllowed;
+    if (attempts >= attemptsAllowed) {
+      return new Plan(points, Plan.Progress.ABANDONED, remark + ": given up");
+    }
+    attempts++;
+    nearestM = Double.POSITIVE_INFINITY;
+    guidance.begin(Optional.empty());
+    return new Plan(points, Plan.Progress.UNDER_WAY, remark + ": turns round for another");
+  }
+
+  private String passing(Waypoint waypoint, double downM) {
+    return String.format(
+        Locale.ROOT,
+        "passed at %.1f m (threshold %.1f m), %.1f m %s%s",
+        nearestM,
+        waypoint.horizontalThreshold(),
+        Math.abs(downM),
+        downM > 0.0 ? "high" : "low",
+        waypoint.verticalThreshold().isPresent()
+            ? String.format(
+                Locale.ROOT, " (threshold %.1f m)", waypoint.verticalThreshold().getAsDouble())
+            : "");
+  }
+}

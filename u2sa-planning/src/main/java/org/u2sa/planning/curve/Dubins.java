@@ -1,0 +1,161 @@
+package org.u2sa.planning.curve;
+
+/**
+ * Shortest path of a forward-only vehicle with a minimum turn radius (Dubins: On Curves of Minimal
+ * Length with a Constraint on Average Curvature, American Journal of Mathematics 79, 1957; formulas
+ * after Shkel and Lumelsky: Classification of the Dubins Set, Robotics and Autonomous Systems 34,
+ * 2001).
+ */
+public final class Dubins {
+  private static final double TURN = 2.0 * Math.PI;
+  private static final double ROUNDING = 1.0e-6;
+  private static final int[] LSL = {-1, 0, -1};
+  private static final int[] RSR = {1, 0, 1};
+  private static final int[] LSR = {-1, 0, 1};
+  private static final int[] RSL = {1, 0, -1};
+  private static final int[] RLR = {1, -1, 1};
+  private static final int[] LRL = {-1, 1, -1};
+
+  private Dubins() {}
+
+  /** Shortest path between two poses. */
+  public static Curve shortest(Pose from, Pose to, double radiusM) {
+    Pose rel = from.relative(to);
+    double dx = rel.northM() / radiusM;
+    double dy = -rel.eastM() / radiusM; // the paper's y is to the left, angles counter-clockwise
+    double d = Math.hypot(dx, dy);
+    double theta = d > 0.0 ? Math.atan2(dy, dx) : 0.0;
+    double alpha = mod(-theta);
+    double beta = mod(-rel.headingRad() - theta);
+    double sa = Math.sin(alpha);
+    double sb = Math.sin(beta);
+    double ca = Math.cos(alpha);
+    double cb = Math.cos(beta);
+    double cab = Math.cos(alpha - beta);
+    double[] best = null;
+    int[] senses = null;
+    double length = Double.POSITIVE_INFINITY;
+    for (int word = 0; word < 6; word++) {
+      double[] tpq = null;
+      int[] turns;
+      switch (word) {
+        case 0: // eq. 1
+          turns = LSL;
+          double lsl = 2.0 + d * d - 2.0 * cab + 2.0 * d * (sa - sb);
+          if (lsl >= -ROUNDING) {
+            double towards = lsl < ROUNDING * ROUNDING ? alpha : Math.atan2(cb - ca, d + sa - sb);
+            tpq =
+                new double[] {
+                  mod(towards - alpha), Math.sqrt(Math.max(0.0, lsl)), mod(beta - towards)
+                };
+          }
+          break;
+        case 1: // eq. 2
+          turns = RSR;
+          double rsr = 2.0 + d * d - 2.0 * cab + 2.0 * d * (sb - sa);
+          if (rsr >= -ROUNDING) {
+            double towards = rsr < ROUNDING * ROUNDING ? alpha : Math.atan2(ca - cb, d - sa + sb);
+            tpq =
+                new double[] {
+                  mod(alpha - towards), Math.sqrt(Math.max(0.0, rsr)), mod(towards - beta)
+                };
+          }
+          break;
+        case 2: // eq. 3
+          turns = LSR;
+          double lsr = -2.0 + d * d + 2.0 * cab + 2.0 * d * (sa + sb);
+          if (lsr >= -ROUNDING) {
+            double p = Math.sqrt(Math.max(0.0, lsr));
+            double towards = Math.atan2(-ca - cb, d + sa + sb) - Math.atan2(-2.0, p);
+            tpq = new double[] {mod(towards - alpha), p, mod(towards - beta)};
+          }
+          break;
+        case 3: // eq. 4
+          turns = RSL;
+          double rsl = -2.0 + d * d + 2.0 * cab - 2.0 * d * (sa + sb);
+          if (rsl >= -ROUNDING) {
+            double p = Math.sqrt(Math.max(0.0, rsl));
+            double towards = Math.atan2(ca + cb, d - sa - sb) - Math.atan2(2.0, p);
+            tpq = new double[] {mod(alpha - towards), p, mod(beta - towards)};
+          }
+          break;
+        case 4: // eq. 5
+          turns = RLR;
+          double rlr = (6.0 - d * d + 2.0 * cab + 2.0 * d * (sa - sb)) / 8.0;
+          if (Math.abs(rlr) <= 1.0) {
+            double p = mod(TURN - Math.acos(rlr));
+            double t = mod(alpha - Math.atan2(ca - cb, d - sa + sb) + p / 2.0);
+            tpq = new double[] {t, p, mod(alpha - beta - t + p)};
+          }
+          break;
+        default: // eq. 6
+          turns = LRL;
+          double lrl = (6.0 - d * d + 2.0 * cab + 2.0 * d * (sb - sa)) / 8.0;
+          if (Math.abs(lrl) <= 1.0) {
+            double p = mod(TURN - Math.acos(lrl));
+            double t = mod(-alpha + Math.atan2(cb - ca, d + sa - sb) + p / 2.0);
+            tpq = new double[] {t, p, mod(beta - alpha - t + p)};
+          }
+          break;
+      }
+      if (tpq != null && tpq[0] + tpq[1] + tpq[2] < length) {
+        length = tpq[0] + tpq[1] + tpq[2];
+        best = tpq;
+        senses = turns;
+      }
+    }
+    return Curve.of(radiusM, best, senses);
+  }
+
+  /**
+   * Shortest path to a point with any final heading: a turn and a straight, or two turns if the
+   * point lies inside a turning circle (Bui, Boissonnat, Soueres, Laumond: Shortest Path Synthesis
+   * for Dubins Non-holonomic Robot, ICRA 1994).
+   */
+  public static Curve shortest(Pose from, double northM, double eastM, double radiusM) {
+    Pose rel = from.relative(new Pose(northM, eastM, 0.0));
+    double x = rel.northM() / radiusM;
+    int side = rel.eastM() >= 0.0 ? 1 : -1;
+    double y = side * rel.eastM() / radiusM; // mirrored, so that the point is on the right
+    if (Math.hypot(x, y - 1.0) >= 1.0) {
+      return Curve.of(radiusM, turnThenStraight(x, y), new int[] {side, 0});
+    }
+    double[] away = turnThenStraight(x, -y); // the long way round, via the other side
+    double length = away[0] + away[1];
+    double[] best = null;
+    // Left until the right circle there passes through the place: the centres of the left circle
+    // and of that one, and the place, are a triangle with sides 2, 1 and far.
+    double far = Math.hypot(x, y + 1.0);
+    double angle = Math.acos(Math.max(-1.0, Math.min(1.0, (far * far + 3.0) / (4.0 * far))));
+    for (int sign = -1; sign <= 1; sign += 2) {
+      double first = mod(Math.atan2(x, y + 1.0) + sign * angle);
+      double centreX = 2.0 * Math.sin(first);
+      double centreY = 2.0 * Math.cos(first) - 1.0;
+      double second = mod(Math.atan2(x - centreX, centreY - y) + first);
+      if (first + second < length) {
+        length = first + second;
+        best = new double[] {first, second};
+      }
+    }
+    return best == null
+        ? Curve.of(radiusM, away, new int[] {-side, 0})
+        : Curve.of(radiusM, best, new int[] {-side, side});
+  }
+
+  /** Path to a point on the right, outside the circle: right turn [rad] and straight. */
+  private static double[] turnThenStraight(double x, double y) {
+    // The circle's centre is at (0, 1); from the place, the tangent point and the centre are seen
+    // under asin(1 / distance).
+    double away = Math.hypot(x, y - 1.0);
+    double heading = Math.atan2(y - 1.0, x) + Math.asin(Math.min(1.0, 1.0 / away));
+    return new double[] {mod(heading), Math.sqrt(Math.max(0.0, away * away - 1.0))};
+  }
+
+  private static double mod(double rad) {
+    double turned = rad % TURN;
+    if (turned < 0.0) {
+      turned += TURN;
+    }
+    return turned > TURN - ROUNDING ? 0.0 : turned; // a full turn is none
+  }
+}

@@ -1,0 +1,142 @@
+package org.u2sa.planning.hybrid;
+
+import java.util.Arrays;
+import org.u2sa.planning.search.CostGrid;
+import org.u2sa.planning.search.GridFrame;
+
+/**
+ * Lower bound of the cost to the goal from each point of a grid, ignoring turn limits: Dijkstra's
+ * search from the goal over squares of two by two cells, in buckets (Dial: Algorithm 360,
+ * Communications of the ACM 12, 1969).
+ *
+ * <p>Not thread-safe; memory is reused for successive goals.
+ */
+final class CostToGo {
+  private static final double DIAGONAL = Math.sqrt(2.0);
+  private static final int PER_STEP = 8; // buckets for a straight step at cost 1
+  private static final int BUCKETS = 4096; // more than the costliest step needs
+  private static final float MOST = 40.0f; // higher costs are clamped to this
+
+  private int rows;
+  private int columns;
+  private float[] cost = new float[0]; // of a metre
+  private float[] toGo = new float[0]; // [m]
+  private final int[][] buckets = new int[BUCKETS][];
+  private final int[] filled = new int[BUCKETS];
+  private int waiting;
+  private double bucketM;
+  private GridFrame frame;
+
+  /** Searches from a goal; if it lies outside the grid, from the whole edge. */
+  void search(CostGrid grid, double goalNorth, double goalEast) {
+    prepare(grid);
+    int goal = index(goalNorth, goalEast);
+    Arrays.fill(filled, 0);
+    waiting = 0;
+    if (goal >= 0) {
+      cost[goal] = Math.min(cost[goal], MOST); // a goal near an obstacle is still a goal
+      reach(goal, 0.0f);
+    } else {
+      for (int row = 0; row < rows; row++) {
+        boolean edge = row == 0 || row == rows - 1;
+        for (int column = 0; column < columns; column += edge ? 1 : Math.max(1, columns - 1)) {
+          int i = row * columns + column;
+          if (cost[i] < Float.POSITIVE_INFINITY) {
+            double north = frame.northM() + (row + 0.5) * 2.0 * frame.cellM();
+            double east = frame.eastM() + (column + 0.5) * 2.0 * frame.cellM();
+            reach(i, (float) Math.hypot(north - goalNorth, east - goalEast));
+          }
+        }
+      }
+    }
+    spread();
+  }
+
+  private void prepare(CostGrid grid) {
+    frame = grid.frame();
+    rows = (frame.rows() + 1) / 2;
+    columns = (frame.columns() + 1) / 2;
+    if (cost.length != rows * columns) {
+      cost = new float[rows * columns];
+      toGo = new float[rows * columns];
+    }
+    bucketM = 2.0 * frame.cellM() / PER_STEP;
+    for (int row = 0; row < rows; row++) {
+      for (int column = 0; column < columns; column++) {
+        float least = Float.POSITIVE_INFINITY;
+        for (int r = 2 * row; r < Math.min(frame.rows(), 2 * row + 2); r++) {
+          for (int c = 2 * column; c < Math.min(frame.columns(), 2 * column + 2); c++) {
+            least = Math.min(least, grid.cost(frame.index(r, c)));
+          }
+        }
+        cost[row * columns + column] =
+            least == Float.POSITIVE_INFINITY ? least : Math.min(least, MOST);
+      }
+    }
+    Arrays.fill(toGo, Float.POSITIVE_INFINITY);
+  }
+
+  private void reach(int cell, float metres) {
+    if (metres >= toGo[cell]) {
+      return;
+    }
+    toGo[cell] = metres;
+    int bucket = (int) (metres / bucketM) % BUCKETS;
+    if (buckets[bucket] == null) {
+      buckets[bucket] = new int[64];
+    } else if (filled[bucket] == buckets[bucket].length) {
+      buckets[bucket] = Arrays.copyOf(buckets[bucket], 2 * filled[bucket]);
+    }
+    buckets[bucket][filled[bucket]++] = cell;
+    waiting++;
+  }
+
+  private void spread() {
+    long bucket = firstBucket();
+    double step = 2.0 * frame.cellM();
+    while (waiting > 0) {
+      int at = (int) (bucket % BUCKETS);
+      while (filled[at] > 0) {
+        int cell = buckets[at][--filled[at]];
+        waiting--;
+        if ((long) (toGo[cell] / bucketM) != bucket) {
+          continue; // has been reached at lower cost since
+        }
+        int row = cell / columns;
+        int column = cell % columns;
+        for (int r = Math.max(0, row - 1); r <= Math.min(rows - 1, row + 1); r++) {
+          for (int c = Math.max(0, column - 1); c <= Math.min(columns - 1, column + 1); c++) {
+            int next = r * columns + c;
+            if (cost[next] < Float.POSITIVE_INFINITY && next != cell) {
+              double length = r != row && c != column ? DIAGONAL * step : step;
+              reach(next, (float) (toGo[cell] + 0.5 * (cost[cell] + cost[next]) * length));
+            }
+          }
+        }
+      }
+      bucket++;
+    }
+  }
+
+  /** Edges that are far from a goal outside do not begin with bucket 0. */
+  private long firstBucket() {
+    float least = Float.POSITIVE_INFINITY;
+    for (float metres : toGo) {
+      least = Math.min(least, metres);
+    }
+    return least == Float.POSITIVE_INFINITY ? 0L : (long) (least / bucketM);
+  }
+
+  private int index(double north, double east) {
+    if (!frame.contains(north, east)) {
+      return -1;
+    }
+    return frame.row(north) / 2 * columns + frame.column(east) / 2;
+  }
+
+  /** Lower bound of the cost from a point on the grid [m]; infinite if there is no path. */
+  double metres(double north, double east) {
+    int i = index(north, east);
+    return i < 0 ? Double.POSITIVE_INFINITY : toGo[i];
+  }
+}

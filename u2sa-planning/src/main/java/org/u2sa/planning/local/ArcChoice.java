@@ -1,0 +1,32 @@
+package org.u2sa.planning.local;
+
+/**
+ * Next target of the vehicle.
+ *
+ * @param northM on the planning plane [m]
+ * @param eastM on the planning plane [m]
+ * @param speedMps speed [m/s]
+ * @param backwards whether in reverse
+ * @param kind purpose of the motion
+ */
+public record ArcChoice(
+    double northM, double eastM, double speedMps, boolean backwards, Kind kind) {
+  /** Purpose of a choice. */
+  public enum Kind {
+    /** Along the route. */
+    FOLLOW,
+    /** Off the route, around something. */
+    EVADE,
+    /** Out of a corner too narrow to turn in; continues until there is room. */
+    MAKE_ROOM,
+    /** Waits until traffic has passed or a route exists. */
+    WAIT,
+    /** No motion avoids a collision: brakes, or takes the motion with the latest collision. */
+    BRAKE
+  }
+
+  /** Copy with another kind. */
+  ArcChoice as(Kind other) {
+    return new ArcChoice(northM, eastM, speedMps, backwards, other);
+  }
+}

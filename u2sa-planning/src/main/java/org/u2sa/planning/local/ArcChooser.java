@@ -1,0 +1,241 @@
+package org.u2sa.planning.local;
+
+import java.util.List;
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.local.MotionForecast.Outcome;
+import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.search.CostGrid;
+import org.u2sa.planning.seen.Mover;
+
+/**
+ * Chooses the arc to drive or fly next: the one that leads back to the route if it is free,
+ * otherwise the best of the motions from which the vehicle can stop in time ({@link Evasion}). Not
+ * thread-safe.
+ */
+public final class ArcChooser {
+  private static final int FAN = 10; // arcs to each side
+  private static final double[] SPEEDS = {1.0, 0.6, 0.3};
+  private static final double CREEPS_MPS = 0.15;
+  private static final double LOOKS_RAD = Math.toRadians(12.0); // near enough
+  private static final double CLEARLY_MORE = 0.8; // shortfall ratio to prefer a nearer point
+  private static final double SAME_M = 0.005;
+  private static final double SLOWEST = 0.4; // share of the speed, close to a route
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private final CostGrid costs;
+  private final BodyDiscs body;
+  private final MotionLimits limits;
+  private final Pose pose;
+  private final double speedMps;
+  private final MotionForecast forecast;
+  private final Evasion evasion;
+  private final boolean makesRoom;
+
+  /**
+   * @param speedMps speed of the vehicle along its heading [m/s]; negative in reverse
+   * @param nowMicros time of this pose [µs]
+   * @param makesRoom whether the previous choice was {@link ArcChoice.Kind#MAKE_ROOM}
+   */
+  public ArcChooser(
+      CostGrid costs,
+      BodyDiscs body,
+      List<Mover> movers,
+      MotionLimits limits,
+      Pose pose,
+      double speedMps,
+      long nowMicros,
+      boolean makesRoom) {
+    this.makesRoom = makesRoom;
+    this.costs = costs;
+    this.body = body;
+    this.limits = limits;
+    this.pose = pose;
+    this.speedMps = speedMps;
+    TrafficForecast traffic = new TrafficForecast(movers, body, limits, pose, nowMicros);
+    forecast = new MotionForecast(costs, body, traffic, limits, pose, speedMps);
+    evasion =
+        new Evasion(forecast, limits, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
+  }
+
+  /** Chooses the next motion along a route. */
+  public ArcChoice along(RouteTrack track) {
+    boolean backwards = track.goesBackwards();
+    double straight = straightMps();
+    double least = 0.2 * limits.lookAheadM();
+    ArcChoice roomiest = null;
+    double leastLacksM = NEVER;
+    // closer to the route if the arc to a farther point is blocked or cuts a corner
+    for (double ahead = limits.lookAheadM(); ahead > least; ahead *= 0.6) {
+      double north = track.northAheadM(ahead);
+      double east = track.eastAheadM(ahead);
+      if (turnsTo(north, east, backwards)) {
+        if (roomiest != null) {
+          break;
+        }
+        return turn(north, east, backwards, track);
+      }
+      double curvature = limits.curvatureTo(pose, north, east, backwards);
+      for (double share : SPEEDS) {
+        double most = share * limits.speedMps();
+        // at the speed driven: assuming more would mistime the encounter with traffic
+        double speed = limits.stops() ? Math.min(most, straight) : Math.max(most, speedMps);
+        Outcome outcome = forecast.play(Motion.along(track, curvature, backwards, speed, ahead));
+        double allowed = limits.stoppableMps(outcome.freeM() - costs.frame().cellM());
+        boolean last = 0.6 * ahead <= least;
+        boolean free =
+            limits.stops()
+                ? allowed > 0.0 && (last || outcome.freeM() >= ahead)
+                : outcome.freeM() == NEVER;
+        double safe = Math.min(speed, allowed);
+        if (free && outcome.meetsS() >= limits.horizonS()) {
+          if (outcome.lacksM() < CLEARLY_MORE * leastLacksM - SAME_M) {
+            leastLacksM = outcome.lacksM();
+            double slow = Math.min(Math.min(straight, safe), closeMps(ahead));
+            roomiest = new ArcChoice(north, east, slow, backwards, ArcChoice.Kind.FOLLOW);
+          }
+          break;
+        }
+        if (free) {
+          evasion.alsoConsider(
+              new ArcChoice(north, east, safe, backwards, ArcChoice.Kind.BRAKE), outcome);
+        }
+        if (!limits.stops() || !free) {
+          break; // slowing down does not help
+        }
+      }
+      if (leastLacksM <= SAME_M) {
+        break;
+      }
+    }
+    return roomiest == null ? evade(track) : roomiest;
+  }
+
+  /** Speed to follow a route closely, with the usual look-ahead time [m/s]. */
+  private double closeMps(double aheadM) {
+    return limits.preferredM() == 0.0
+        ? limits.speedMps()
+        : limits.speedMps() * Math.max(SLOWEST, aheadM / limits.lookAheadM());
+  }
+
+  private ArcChoice turn(double north, double east, boolean backwards, RouteTrack track) {
+    if (spareM() < 0.0) {
+      return makeRoom(ArcChoice.Kind.EVADE);
+    }
+    if (forecast.standing().meetsS() < limits.horizonS()) {
+      return evade(track);
+    }
+    return turnsAtOnce()
+        ? new ArcChoice(north, east, limits.speedMps(), backwards, ArcChoice.Kind.FOLLOW)
+        : stand(ArcChoice.Kind.EVADE);
+  }
+
+  /** Moves to where there is room to turn; stops first if still rolling. */
+  private ArcChoice makeRoom(ArcChoice.Kind standing) {
+    if (Math.abs(speedMps) > CREEPS_MPS && !makesRoom) {
+      return stand(standing);
+    }
+    ArcChoice out = backOut(2.0 * body.circleM());
+    return out.kind() == ArcChoice.Kind.EVADE ? out.as(ArcChoice.Kind.MAKE_ROOM) : out;
+  }
+
+  /**
+   * Clearance for turning in place at the stopping point, including the corners [m]; negative if
+   * insufficient.
+   */
+  private double spareM() {
+    double stopping = Math.copySign(limits.stoppingM(Math.abs(speedMps)), speedMps);
+    Pose there = pose.along(stopping, 0.0);
+    return costs.distanceM(there.northM(), there.eastM()) - body.circleM();
+  }
+
+  /** Whether it may already turn while braking, which causes a sideways drift. */
+  private boolean turnsAtOnce() {
+    return spareM() >= limits.slipM(Math.abs(speedMps));
+  }
+
+  /**
+   * Maximum speed from which it can still stop straight ahead [m/s], because a new route may demand
+   * a turn in place at any time.
+   */
+  private double straightMps() {
+    if (!limits.turnsOnTheSpot()) {
+      return limits.speedMps();
+    }
+    Motion straight = Motion.arc(0.0, false, limits.speedMps(), limits.lookAheadM());
+    double freeM = forecast.play(straight).freeM();
+    return Math.max(2.0 * CREEPS_MPS, limits.stoppableMps(freeM - costs.frame().cellM()));
+  }
+
+  private ArcChoice evade(RouteTrack track) {
+    double ahead = limits.lookAheadM();
+    return evasion.choose(
+        track.northAheadM(ahead), track.eastAheadM(ahead), stand(ArcChoice.Kind.WAIT));
+  }
+
+  /** Stops at the stopping point; vehicles that cannot stop fly straight on. */
+  private ArcChoice stand(ArcChoice.Kind kind) {
+    Pose ahead = pose.along(limits.lookAheadM(), 0.0);
+    return new ArcChoice(
+        ahead.northM(), ahead.eastM(), limits.stops() ? 0.0 : limits.speedMps(), false, kind);
+  }
+
+  /** Chooses the freest arc for a vehicle without a route; stops if it can. */
+  public ArcChoice withoutRoute() {
+    ArcChoice stand = stand(ArcChoice.Kind.WAIT);
+    boolean waits = limits.stops() && forecast.standing().meetsS() >= limits.horizonS();
+    return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
+  }
+
+  /** Turns in place toward a heading, or makes room for that. */
+  public ArcChoice lookTo(double headingRad) {
+    if (!limits.turnsOnTheSpot() || forecast.standing().meetsS() < limits.horizonS()) {
+      return withoutRoute();
+    }
+    if (spareM() < 0.0) {
+      return makeRoom(ArcChoice.Kind.WAIT);
+    }
+    double off = Math.abs(Pose.wrapped(headingRad - pose.headingRad()));
+    return off < LOOKS_RAD || !turnsAtOnce()
+        ? stand(ArcChoice.Kind.WAIT)
+        : new ArcChoice(
+            pose.northM() + limits.lookAheadM() * Math.cos(headingRad),
+            pose.eastM() + limits.lookAheadM() * Math.sin(headingRad),
+            limits.speedMps(),
+            false,
+            ArcChoice.Kind.EVADE);
+  }
+
+  /**
+   * Chooses the longest free path in reverse or, if necessary, forward, to leave a corner; if none,
+   * as {@link #withoutRoute()}, because traffic may come while it waits.
+   */
+  public ArcChoice backOut(double wayM) {
+    ArcChoice best = null;
+    double most = 0.1 * wayM;
+    boolean canReverse = limits.reverses();
+    for (int direction = canReverse ? 1 : 0; direction >= 0 && most < wayM; direction--) {
+      boolean backwards = direction == 1;
+      for (int side = 0; side <= 2 * FAN; side++) {
+        int k = (side % 2 == 0 ? 1 : -1) * ((side + 1) / 2); // straight first
+        double curvature = limits.tightest() * k / FAN;
+        double speed = 0.5 * limits.speedMps();
+        Outcome outcome = forecast.play(Motion.arc(curvature, backwards, speed, wayM));
+        double free = Math.min(wayM, outcome.freeM());
+        if (free > most + 0.05 * wayM && outcome.meetsS() >= limits.horizonS()) {
+          most = free;
+          Pose end = pose.along((backwards ? -1.0 : 1.0) * free, curvature);
+          best = new ArcChoice(end.northM(), end.eastM(), speed, backwards, ArcChoice.Kind.EVADE);
+        }
+      }
+    }
+    return best == null ? withoutRoute() : best;
+  }
+
+  private boolean turnsTo(double north, double east, boolean backwards) {
+    if (!limits.turnsOnTheSpot() || backwards || pose.distanceM(north, east) < 1.0e-3) {
+      return false;
+    }
+    double bearing = Math.atan2(east - pose.eastM(), north - pose.northM()) - pose.headingRad();
+    return Math.abs(Pose.wrapped(bearing)) > MotionLimits.SPOT_TURN_RAD;
+  }
+}

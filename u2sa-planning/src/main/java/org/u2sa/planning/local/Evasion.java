@@ -1,0 +1,179 @@
+package org.u2sa.planning.local;
+
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.local.MotionForecast.Outcome;
+
+/**
+ * Chooses among evasive motions off the route: arcs to both sides, forward and reverse, at several
+ * speeds, and turns in place (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision
+ * Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs instead of velocities, which
+ * are equivalent at a given speed). Not thread-safe.
+ */
+final class Evasion {
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final int FAN = 10; // arcs to each side
+  private static final int DIRECTIONS = 24; // of turns in place
+  private static final double[] SPEEDS = {1.0, 0.6, 0.3};
+  private static final double[] ENDS = {NEVER, 1.0, 0.5}; // in reaches
+  private static final double DEAD_END = 10.0; // cost of a motion without escape, in reaches
+  private static final double SAME_M = 0.02; // smaller differences of gaps to traffic are ignored
+
+  private final MotionForecast forecast;
+  private final MotionLimits limits;
+  private final boolean amongTraffic;
+  private final Pose pose;
+  private final double keptM; // before what stands
+  private final double reachM;
+  private double goalNorthM;
+  private double goalEastM;
+
+  private ArcChoice best;
+  private double leastScore = NEVER;
+  private ArcChoice widest; // best of those too near to traffic
+  private double widestM = -NEVER;
+  private double widestRoomM;
+  private ArcChoice freest; // best of those blocked by static obstacles
+  private double freestM = -1.0;
+
+  /**
+   * @param keptM clearance to static obstacles ahead [m]
+   */
+  Evasion(
+      MotionForecast forecast,
+      MotionLimits limits,
+      boolean amongTraffic,
+      Pose pose,
+      double speedMps,
+      double keptM) {
+    this.forecast = forecast;
+    this.limits = limits;
+    this.amongTraffic = amongTraffic;
+    this.pose = pose;
+    this.keptM = keptM;
+    reachM = Math.max(limits.lookAheadM(), 1.2 * limits.stoppingM(Math.abs(speedMps)));
+  }
+
+  /** Adds a choice on the route that is free but too near to traffic. */
+  void alsoConsider(ArcChoice onRoute, Outcome outcome) {
+    consider(onRoute, outcome);
+  }
+
+  /**
+   * Chooses the best motion toward a place, or waiting; if all come too near to something, the one
+   * that stays farthest.
+   */
+  ArcChoice choose(double northM, double eastM, ArcChoice stand) {
+    goalNorthM = northM;
+    goalEastM = eastM;
+    double now = pose.distanceM(goalNorthM, goalEastM);
+    for (int direction = 0; direction < (limits.reverses() ? 2 : 1); direction++) {
+      for (int k = -FAN; k <= FAN; k++) {
+        double dislike = (double) Math.abs(k) / FAN;
+        for (double share : SPEEDS) {
+          double speed = limits.stops() ? share * limits.speedMps() : limits.speedMps();
+          Motion arc = Motion.arc(limits.tightest() * k / FAN, direction == 1, speed, reachM);
+          weigh(arc, dislike + (limits.stops() ? 1.0 - share : 0.0));
+          if (!limits.stops()) {
+            break;
+          }
+        }
+      }
+    }
+    if (amongTraffic && limits.turnsOnTheSpot()) {
+      turns();
+    }
+    Outcome standing = limits.stops() ? forecast.standing() : null;
+    boolean waits = standing != null && standing.meetsS() >= limits.horizonS();
+    if (best != null && (!waits || leastScore < 1.2 * now)) {
+      return best;
+    }
+    if (waits) {
+      return stand;
+    }
+    return lastResort(standing, stand);
+  }
+
+  /**
+   * Considers turns to directions of the plane, not of the vehicle, so that they are stable while
+   * it turns.
+   */
+  private void turns() {
+    for (int k = 0; k < DIRECTIONS; k++) {
+      double turn = Pose.wrapped(2.0 * Math.PI * k / DIRECTIONS - pose.headingRad());
+      if (Math.abs(turn) > MotionLimits.SPOT_TURN_RAD) {
+        double dislike = 1.0 + 2.0 * Math.abs(turn) / Math.PI;
+        weigh(Motion.turn(turn, limits.speedMps(), reachM), dislike);
+      }
+    }
+  }
+
+  private void weigh(Motion motion, double dislike) {
+    for (double end : ENDS) {
+      Motion ending = motion.endingAt(end * reachM);
+      Outcome outcome = forecast.play(ending);
+      double allowed = limits.stoppableMps(outcome.freeM() - keptM);
+      boolean free = limits.stops() ? allowed >= 0.5 * motion.speedMps() : outcome.freeM() == NEVER;
+      Pose to = end(ending);
+      ArcChoice choice =
+          new ArcChoice(
+              to.northM(),
+              to.eastM(),
+              free ? Math.min(motion.speedMps(), allowed) : motion.speedMps(),
+              motion.backwards(),
+              ArcChoice.Kind.EVADE);
+      if (free) {
+        boolean escapes = limits.stops() || forecast.canCircleAfter(motion);
+        double score =
+            Math.hypot(to.northM() - goalNorthM, to.eastM() - goalEastM)
+                + reachM * (0.3 * dislike)
+                + (motion.backwards() ? reachM : 0.0)
+                + (escapes ? 0.0 : DEAD_END * reachM);
+        if (outcome.meetsS() >= limits.horizonS() && score < leastScore) {
+          leastScore = score;
+          best = choice;
+        }
+        consider(choice, outcome);
+      } else if (!limits.stops() && outcome.freeM() > freestM) {
+        freestM = outcome.freeM();
+        freest = choice;
+      }
+      if (!amongTraffic || !limits.stops() || !free) {
+        break; // its end only matters for traffic
+      }
+    }
+  }
+
+  private void consider(ArcChoice choice, Outcome outcome) {
+    boolean wider = outcome.gapM() > widestM + SAME_M;
+    boolean roomier = outcome.gapM() > widestM - SAME_M && outcome.roomM() > widestRoomM;
+    if (wider || roomier) {
+      widestM = Math.max(widestM, outcome.gapM());
+      widestRoomM = outcome.roomM();
+      widest = choice;
+    }
+  }
+
+  private Pose end(Motion motion) {
+    Pose turned = new Pose(pose.northM(), pose.eastM(), pose.headingRad() + motion.turnRad());
+    return turned.along(motion.sign() * Math.min(reachM, motion.endM()), motion.curvature());
+  }
+
+  /** No motion keeps the clearance: chooses the one that stays farthest away. */
+  private ArcChoice lastResort(Outcome standing, ArcChoice stand) {
+    // It will be touched: then better without speed of its own. If that is so already, it has only
+    // come within what is to be kept, and may leave.
+    boolean touched = widestM <= Math.min(0.0, forecast.gapNowM() - limits.trafficM());
+    boolean stands =
+        standing != null
+            && (touched
+                || standing.gapM() > widestM + SAME_M
+                || (standing.gapM() > widestM - SAME_M && standing.roomM() >= widestRoomM));
+    if (stands) {
+      return stand.as(standing.gapM() > 0.0 ? ArcChoice.Kind.WAIT : ArcChoice.Kind.BRAKE);
+    }
+    if (widest == null) {
+      return freest == null ? stand.as(ArcChoice.Kind.BRAKE) : freest.as(ArcChoice.Kind.BRAKE);
+    }
+    return widest.as(widestM > 0.0 ? ArcChoice.Kind.EVADE : ArcChoice.Kind.BRAKE);
+  }
+}

@@ -1,0 +1,257 @@
+package org.u2sa.planning.local;
+
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.search.CostGrid;
+
+/**
+ * Simulates motions: how far they are free of static obstacles, and when they meet traffic. A
+ * vehicle that can stop is assumed to stop before obstacles, and is checked while stopped, too. Not
+ * thread-safe.
+ */
+final class MotionForecast {
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final double STANDS_MPS = 1.0e-3;
+
+  private final CostGrid costs;
+  private final BodyDiscs body;
+  private final TrafficForecast traffic;
+  private final MotionLimits limits;
+  private final Pose start;
+  private final double startMps;
+  private final double requiredM; // nearer to a static obstacle is a collision
+  private final double enoughM; // larger distances are not distinguished
+  private final double stepS;
+
+  /**
+   * What comes of a motion.
+   *
+   * @param freeM distance to the first static obstacle [m]; infinite if none
+   * @param meetsS time until traffic is too near [s]; infinite within the horizon
+   * @param gapM minimum distance to traffic within the horizon [m]; infinite without traffic
+   * @param roomM mean distance to traffic in that time, up to {@link #ROOMY_M} [m]
+   * @param lacksM shortfall of the preferred distance to static obstacles: RMS along the path [m]
+   */
+  record Outcome(double freeM, double meetsS, double gapM, double roomM, double lacksM) {
+    /** Beyond this distance, traffic is ignored [m]. */
+    static final double ROOMY_M = 2.0;
+  }
+
+  /**
+   * @param startMps speed along its heading [m/s]; negative in reverse
+   */
+  MotionForecast(
+      CostGrid costs,
+      BodyDiscs body,
+      TrafficForecast traffic,
+      MotionLimits limits,
+      Pose start,
+      double startMps) {
+    this.costs = costs;
+    this.body = body;
+    this.traffic = traffic;
+    this.limits = limits;
+    this.start = start;
+    this.startMps = startMps;
+    enoughM = Math.max(costs.frame().cellM(), limits.preferredM());
+    requiredM = Math.min(limits.touchM(), clearanceM(start) - 1.0e-6);
+    stepS = Math.max(0.02, 0.7 * costs.frame().cellM() / Math.max(0.1, limits.speedMps()));
+  }
+
+  /** Current distance to traffic [m]; negative inside the clearance to be kept. */
+  double gapNowM() {
+    return traffic.gapM(start, 0.0);
+  }
+
+  /** Simulates braking from the current pose. */
+  Outcome standing() {
+    Tally tally = new Tally();
+    double v = Math.abs(startMps);
+    Pose at = start;
+    for (double t = 0.0; t <= limits.horizonS(); t += stepS) {
+      if (t > limits.reactionS()) {
+        v = Math.max(0.0, v - limits.brakingMps2() * stepS);
+      }
+      at = at.along(Math.copySign(v * stepS, startMps), 0.0);
+      tally.look(at, t);
+    }
+    return tally.outcome(NEVER);
+  }
+
+  /** Simulates a motion. */
+  Outcome play(Motion motion) {
+    if (!limits.stops()) {
+      return play(motion, NEVER, true);
+    }
+    Outcome alone = play(motion, NEVER, false);
+    if (traffic.isEmpty()) {
+      return alone;
+    }
+    double stopM = Math.max(0.0, Math.min(motion.endM(), alone.freeM() - costs.frame().cellM()));
+    Outcome among = play(motion, stopM, true);
+    return new Outcome(alone.freeM(), among.meetsS(), among.gapM(), among.roomM(), alone.lacksM());
+  }
+
+  /**
+   * @param stopM distance at which it stops [m]; infinite if it does not
+   * @param amongTraffic whether to check traffic up to the horizon, or only static obstacles;
+   *     these, too, up to the horizon if there is traffic
+   */
+  private Outcome play(Motion motion, double stopM, boolean amongTraffic) {
+    double sign = motion.sign();
+    double farM = Math.max(motion.arcM(), farM(motion));
+    boolean looks = amongTraffic && !traffic.isEmpty();
+    // the stopping point determines where traffic meets it
+    boolean toHorizon = limits.stops() && !amongTraffic && !traffic.isEmpty();
+    Tally tally = new Tally();
+    double v = motion.turnRad() == 0.0 ? Math.max(0.0, sign * startMps) : 0.0;
+    double rolls = motion.turnRad() == 0.0 ? 0.0 : startMps; // before a turn in place
+    double turned = 0.0;
+    double gone = 0.0;
+    double freeM = NEVER;
+    double arcMps = motion.speedMps() * (motion.track() == null ? 1.0 : turning(motion));
+    Pose at = start;
+    for (double t = 0.0; t <= limits.horizonS() || gone < farM; t += stepS) {
+      double step = 0.0;
+      if (rolls != 0.0) {
+        rolls = slower(rolls, t);
+        at = at.along(rolls * stepS, 0.0);
+      } else if (turned < Math.abs(motion.turnRad())) {
+        turned += limits.turnRateRadPerS() * stepS;
+        double share = Math.min(turned, Math.abs(motion.turnRad()));
+        at =
+            new Pose(
+                at.northM(),
+                at.eastM(),
+                start.headingRad() + Math.copySign(share, motion.turnRad()));
+      } else {
+        double wanted = gone < motion.arcM() ? arcMps : motion.speedMps();
+        if (stopM < NEVER) {
+          double left = Math.max(0.0, stopM - gone);
+          wanted = Math.min(wanted, Math.sqrt(2.0 * limits.brakingMps2() * left));
+        }
+        double change = wanted > v ? limits.accelerationMps2() : limits.brakingMps2();
+        v += Math.max(-change * stepS, Math.min(change * stepS, wanted - v));
+        step = v * stepS;
+        gone += step;
+        at = next(at, step, gone, motion);
+      }
+      boolean within = freeM == NEVER && stopM == NEVER && (toHorizon || gone <= farM + step);
+      if (within) {
+        double clearance = clearanceM(at);
+        if (limits.preferredM() > 0.0) {
+          tally.keep(limits.preferredM() - clearance, step);
+        }
+        if (clearance < requiredM) {
+          freeM = Math.max(0.0, gone - step);
+        }
+      }
+      if (looks && t <= limits.horizonS()) {
+        tally.look(at, t);
+      }
+      boolean seenAll = gone >= farM && !looks && !toHorizon;
+      if (seenAll || freeM < NEVER || (v < STANDS_MPS && t > limits.horizonS())) {
+        break;
+      }
+    }
+    return tally.outcome(freeM);
+  }
+
+  /** Factor on the speed in an arc: if the vehicle turns in place, its outer side is no faster. */
+  private double turning(Motion motion) {
+    double across = Math.abs(motion.curvature()) * body.radiusM();
+    return limits.turnsOnTheSpot() ? 1.0 / (1.0 + across) : 1.0;
+  }
+
+  private double slower(double mps, double t) {
+    if (t <= limits.reactionS()) {
+      return mps;
+    }
+    double left = Math.abs(mps) - limits.brakingMps2() * stepS;
+    return left <= 0.0 ? 0.0 : Math.copySign(left, mps);
+  }
+
+  /** Range of the check for static obstacles beyond the arc [m]. */
+  private double farM(Motion motion) {
+    if (limits.stops()) {
+      double v = Math.max(0.0, motion.sign() * startMps);
+      double stopping =
+          limits.stoppingM(Math.max(v, motion.speedMps())) + 2.0 * costs.frame().cellM();
+      // equally far along each arc, so that clearances compare
+      return limits.preferredM() > 0.0 ? Math.max(limits.lookAheadM(), stopping) : stopping;
+    }
+    // on its route as far as it takes to turn back
+    return motion.track() == null
+        ? 0.0
+        : Math.min(4.0 * limits.turnRadiusM(), motion.track().remainingM());
+  }
+
+  private Pose next(Pose at, double step, double gone, Motion motion) {
+    double sign = motion.sign();
+    RouteTrack track = motion.track();
+    if (gone <= motion.arcM() || track == null) {
+      return at.along(sign * step, gone <= motion.arcM() ? motion.curvature() : 0.0);
+    }
+    if (!limits.stops()) { // off its route it must fly back, past obstacles on the way
+      double ahead = gone + limits.lookAheadM();
+      return at.along(
+          step, limits.curvatureTo(at, track.northAheadM(ahead), track.eastAheadM(ahead), false));
+    }
+    double north = track.northAheadM(gone);
+    double east = track.eastAheadM(gone);
+    double heading = Math.atan2(sign * (east - at.eastM()), sign * (north - at.northM()));
+    boolean stays = Math.hypot(east - at.eastM(), north - at.northM()) < 1.0e-6;
+    return new Pose(north, east, stays ? at.headingRad() : heading);
+  }
+
+  /** Whether a vehicle that cannot stop can circle to either side at the end of an arc. */
+  boolean canCircleAfter(Motion motion) {
+    Pose from = start.along(motion.sign() * motion.arcM(), motion.curvature());
+    double radius = 1.1 * limits.turnRadiusM();
+    double step = Math.max(costs.frame().cellM(), 0.1 * radius);
+    for (int side = -1; side <= 1; side += 2) {
+      boolean free = true;
+      for (double gone = 0.0; gone < 2.0 * Math.PI * radius && free; gone += step) {
+        free = clearanceM(from.along(gone, side / radius)) >= limits.touchM();
+      }
+      if (free) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private double clearanceM(Pose at) {
+    return body.clearanceM(costs, at.northM(), at.eastM(), at.headingRad(), enoughM);
+  }
+
+  /** Traffic statistics of a simulated motion. */
+  private final class Tally {
+    private double meetsS = NEVER;
+    private double gapM = NEVER;
+    private double roomM;
+    private int looks;
+    private double lacked; // square, by way [m³]
+    private double way;
+
+    void keep(double missingM, double step) {
+      lacked += Math.max(0.0, missingM) * Math.max(0.0, missingM) * step;
+      way += step;
+    }
+
+    void look(Pose at, double seconds) {
+      double gap = traffic.gapM(at, seconds);
+      gapM = Math.min(gapM, gap);
+      roomM += Math.min(Outcome.ROOMY_M, gap);
+      looks++;
+      if (meetsS == NEVER && traffic.meets(at, seconds)) {
+        meetsS = seconds;
+      }
+    }
+
+    Outcome outcome(double freeM) {
+      double room = looks == 0 ? Outcome.ROOMY_M : roomM / looks;
+      return new Outcome(freeM, meetsS, gapM, room, way == 0.0 ? 0.0 : Math.sqrt(lacked / way));
+    }
+  }
+}

@@ -1,0 +1,95 @@
+package org.u2sa.planning.local;
+
+import org.u2sa.planning.curve.Pose;
+
+/**
+ * Limits of a vehicle's motion along its route. Immutable.
+ *
+ * @param speedMps wanted speed [m/s]
+ * @param accelerationMps2 [m/s²]
+ * @param brakingMps2 [m/s²]
+ * @param turnRadiusM minimum turn radius at that speed [m]; 0 if it turns in place
+ * @param stops whether it can stop, unlike an aeroplane
+ * @param reverses whether it can reverse
+ * @param lookAheadM look-ahead on the route [m]
+ * @param touchM distance to an obstacle below which it is a collision [m]
+ * @param preferredM distance to keep from obstacles where the route does [m]; 0 if touchM suffices
+ * @param trafficM distance to keep from traffic beyond both radii [m]
+ * @param horizonS time horizon of traffic prediction [s]
+ * @param reactionS delay until a command takes effect [s]
+ * @param turnRateRadPerS yaw rate of turns in place [rad/s], above 0
+ */
+public record MotionLimits(
+    double speedMps,
+    double accelerationMps2,
+    double brakingMps2,
+    double turnRadiusM,
+    boolean stops,
+    boolean reverses,
+    double lookAheadM,
+    double touchM,
+    double preferredM,
+    double trafficM,
+    double horizonS,
+    double reactionS,
+    double turnRateRadPerS) {
+  /** Bearing up to which a vehicle that turns in place drives arcs [rad]. */
+  static final double SPOT_TURN_RAD = Math.toRadians(30.0);
+
+  /** Whether it turns in place. */
+  boolean turnsOnTheSpot() {
+    return turnRadiusM == 0.0;
+  }
+
+  /** Maximum curvature [1/m]. */
+  double tightest() {
+    return turnsOnTheSpot() ? 2.0 * Math.sin(SPOT_TURN_RAD) / lookAheadM : 1.0 / turnRadiusM;
+  }
+
+  /**
+   * Curvature of the arc to a point, tangent to the heading [1/m], right positive, and no tighter
+   * than {@link #tightest()} (Coulter, CMU-RI-TR-92-01: 2 y / L²).
+   */
+  double curvatureTo(Pose from, double north, double east, boolean backwards) {
+    double dn = north - from.northM();
+    double de = east - from.eastM();
+    double right = de * Math.cos(from.headingRad()) - dn * Math.sin(from.headingRad());
+    double ahead = dn * Math.cos(from.headingRad()) + de * Math.sin(from.headingRad());
+    double square = dn * dn + de * de;
+    if (square < 1.0e-6) {
+      return 0.0;
+    }
+    boolean wrongSide = backwards ? ahead > 0.0 : ahead < 0.0;
+    double wanted = wrongSide ? Math.copySign(tightest(), right) : 2.0 * right / square;
+    return Math.max(-tightest(), Math.min(tightest(), wanted));
+  }
+
+  /**
+   * Maximum speed from which it stops within a distance [m/s]; 0 if it is too late.
+   *
+   * @param wayM distance to the obstacle less the clearance; infinite if none
+   */
+  double stoppableMps(double wayM) {
+    if (wayM == Double.POSITIVE_INFINITY) {
+      return speedMps;
+    }
+    if (wayM <= 0.0) {
+      return 0.0;
+    }
+    double b = brakingMps2 * reactionS; // v²/2b + v t = left
+    return Math.min(speedMps, Math.sqrt(b * b + 2.0 * brakingMps2 * wayM) - b);
+  }
+
+  /** Stopping distance from a speed, including reaction [m]. */
+  double stoppingM(double fromMps) {
+    return fromMps * fromMps / (2.0 * brakingMps2) + fromMps * reactionS;
+  }
+
+  /**
+   * Sideways drift if it turns at its rate w while braking: the integral of (v − b t) w t, w
+   * v³/6b², here over the whole stopping distance [m].
+   */
+  double slipM(double fromMps) {
+    return stoppingM(fromMps) * turnRateRadPerS * fromMps / brakingMps2 / 3.0;
+  }
+}

@@ -1,0 +1,99 @@
+package org.u2sa.planning.local;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.seen.Mover;
+
+/**
+ * Predicts traffic from its velocity or trajectory, and its distance to the vehicle. A motion that
+ * meets it lies in its velocity obstacle (Fiorini, Shiller: Motion Planning in Dynamic Environments
+ * Using Velocity Obstacles, International Journal of Robotics Research 17, 1998). Not thread-safe.
+ */
+final class TrafficForecast {
+  private static final double GROWTH = 0.08; // uncertainty per distance travelled by traffic
+
+  private final List<Mover> movers;
+  private final BodyDiscs body;
+  private final double keptM;
+  private final Pose now;
+  private final long nowMicros;
+
+  /**
+   * @param now where the vehicle is
+   */
+  TrafficForecast(
+      List<Mover> movers, BodyDiscs body, MotionLimits limits, Pose now, long nowMicros) {
+    this.body = body;
+    this.now = now;
+    this.nowMicros = nowMicros;
+    keptM = limits.trafficM();
+    List<Mover> near = new ArrayList<>();
+    for (Mover mover : movers) {
+      if (mover.stepS() > 0.0 || mayComeNear(mover, limits)) {
+        near.add(mover);
+      }
+    }
+    this.movers = near;
+  }
+
+  /** Whether traffic moving straight on can meet the vehicle within the horizon. */
+  private boolean mayComeNear(Mover mover, MotionLimits limits) {
+    double age = mover.ageS(nowMicros);
+    double away = now.distanceM(mover.northAfterM(age), mover.eastAfterM(age));
+    double speed = Math.hypot(mover.northMps(), mover.eastMps()) * (1.0 + GROWTH);
+    double near = mover.radiusM() + body.circleM() + keptM + MotionForecast.Outcome.ROOMY_M;
+    return away < near + limits.horizonS() * (speed + limits.speedMps());
+  }
+
+  boolean isEmpty() {
+    return movers.isEmpty();
+  }
+
+  /**
+   * Minimum distance between the vehicle at a pose and traffic at a time [m]; negative if they
+   * overlap.
+   */
+  double gapM(Pose at, double seconds) {
+    double gap = Double.POSITIVE_INFINITY;
+    for (Mover mover : movers) {
+      double age = mover.ageS(nowMicros);
+      double north = mover.northAfterM(age + seconds);
+      double east = mover.eastAfterM(age + seconds);
+      for (int disc = 0; disc < body.count(); disc++) {
+        double away = awayM(at, disc, north, east);
+        gap = Math.min(gap, away - mover.radiusM() - body.radiusM());
+      }
+    }
+    return gap;
+  }
+
+  /** Whether traffic is too near at a time, and nearer than it is now. */
+  boolean meets(Pose at, double seconds) {
+    for (Mover mover : movers) {
+      double age = mover.ageS(nowMicros);
+      double north = mover.northAfterM(age + seconds);
+      double east = mover.eastAfterM(age + seconds);
+      double grown = GROWTH * Math.hypot(mover.northMps(), mover.eastMps()) * seconds;
+      double kept = mover.radiusM() + body.radiusM() + keptM + grown;
+      for (int disc = 0; disc < body.count(); disc++) {
+        double away = awayM(at, disc, north, east);
+        if (away < kept) {
+          double before = awayM(now, disc, mover.northAfterM(age), mover.eastAfterM(age));
+          if (away < before - 0.02 * mover.radiusM()) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  private double awayM(Pose at, int disc, double north, double east) {
+    double along = body.aheadM(disc);
+    double dn = at.northM() + along * Math.cos(at.headingRad()) - north;
+    double de = at.eastM() + along * Math.sin(at.headingRad()) - east;
+    return Math.sqrt(dn * dn + de * de);
+  }
+}

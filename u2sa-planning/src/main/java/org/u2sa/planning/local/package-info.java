@@ -1,0 +1,5 @@
+/**
+ * Following a route within the vehicle's motion limits, past traffic. Route planning belongs to
+ * planning.route.
+ */
+package org.u2sa.planning.local;

@@ -1,0 +1,93 @@
+package org.u2sa.planning.search;
+
+/**
+ * A rectangular vehicle, covered by discs along its axis, so that a few distances suffice for
+ * collision checking (Ziegler, Stiller: Fast Collision Checking for Intelligent Vehicle Motion
+ * Planning, IV 2010). Immutable.
+ */
+public final class BodyDiscs {
+  private final double[] ahead; // of the reference point [m]
+  private final double radiusM;
+  private final double circleM;
+  private final CloseCover close; // null if only the discs along the axis are used
+
+  /**
+   * @param frontM from the reference point to the front [m]
+   * @param rearM from the reference point to the rear [m]
+   * @param widthM width [m], above 0
+   */
+  public BodyDiscs(double frontM, double rearM, double widthM) {
+    this(frontM, rearM, widthM, null);
+  }
+
+  private BodyDiscs(double frontM, double rearM, double widthM, CloseCover close) {
+    this.close = close;
+    double length = frontM + rearM;
+    int count = Math.max(1, (int) Math.ceil(length / widthM));
+    ahead = new double[count];
+    for (int i = 0; i < count; i++) {
+      ahead[i] = -rearM + length * (i + 0.5) / count;
+    }
+    radiusM = Math.hypot(0.5 * length / count, 0.5 * widthM);
+    circleM = Math.hypot(Math.max(Math.abs(frontM), Math.abs(rearM)), 0.5 * widthM);
+  }
+
+  /**
+   * Creates a cover that is exact to a few centimetres near obstacles, for passages hardly wider
+   * than the vehicle.
+   *
+   * @param spacingM spacing of the small discs that cover it [m]
+   */
+  public static BodyDiscs closely(double frontM, double rearM, double widthM, double spacingM) {
+    CloseCover close = new CloseCover(frontM, rearM, widthM, spacingM);
+    return new BodyDiscs(frontM, rearM, widthM, close);
+  }
+
+  /** Number of discs. */
+  public int count() {
+    return ahead.length;
+  }
+
+  /** Distance of a disc ahead of the reference point [m]. */
+  public double aheadM(int disc) {
+    return ahead[disc];
+  }
+
+  /** Radius of each disc [m]. */
+  public double radiusM() {
+    return radiusM;
+  }
+
+  /** Radius of the circle around the reference point that the vehicle fills as it turns [m]. */
+  public double circleM() {
+    return circleM;
+  }
+
+  /**
+   * Distance between the discs and the nearest occupied cell [m], possibly underestimated if more
+   * than a cell; negative if they touch.
+   */
+  public double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
+    return clearanceM(grid, northM, eastM, headingRad, grid.frame().cellM());
+  }
+
+  /**
+   * The same.
+   *
+   * @param enoughM distance above which the result may be underestimated [m]
+   */
+  public double clearanceM(
+      CostGrid grid, double northM, double eastM, double headingRad, double enoughM) {
+    if (close != null) {
+      double aroundM = grid.distanceM(northM, eastM) - circleM; // whatever the heading
+      return aroundM > enoughM ? aroundM : close.clearanceM(grid, northM, eastM, headingRad);
+    }
+    double cos = Math.cos(headingRad);
+    double sin = Math.sin(headingRad);
+    double least = Double.POSITIVE_INFINITY;
+    for (double along : ahead) {
+      least = Math.min(least, grid.distanceM(northM + along * cos, eastM + along * sin));
+    }
+    return least - radiusM;
+  }
+}

@@ -1,0 +1,280 @@
+package org.u2sa.planning.search;
+
+import java.nio.FloatBuffer;
+import java.util.Arrays;
+import java.util.function.IntPredicate;
+
+/**
+ * Traversal cost of each cell: 1 per metre in the open, more near obstacles, infinite where the
+ * vehicle would collide. Outside the grid, space is assumed free.
+ *
+ * <p>Not thread-safe.
+ */
+public final class CostGrid {
+  /** Extra cost of unknown cells over cells seen free. */
+  private static final float UNKNOWN_COST = 0.3f;
+
+  /** Flag of a cell's state: occupied. 0 is a cell seen free. */
+  public static final byte OCCUPIED = 1;
+
+  /** Flag of a cell's state: never seen. May be combined with the other. */
+  public static final byte UNKNOWN = 2;
+
+  /** Cells of a rectangle, ends included. */
+  public record Area(int firstRow, int firstColumn, int lastRow, int lastColumn) {}
+
+  private final GridFrame frame;
+  private final Inflation inflation;
+  private final byte[] states;
+  private final float[] cost;
+  private final DistanceField distances;
+  private final float[] costAt; // of a cell that was seen, by the square of its distance
+  private final int[] changedAt; // by row: the newest revision in which a cost of it may be another
+  private int revision;
+
+  /** Creates an empty grid, all of it seen. */
+  public CostGrid(GridFrame frame, Inflation inflation) {
+    this.frame = frame;
+    this.inflation = inflation;
+    states = new byte[frame.cells()];
+    cost = new float[frame.cells()];
+    changedAt = new int[frame.rows()];
+    Arrays.fill(cost, 1.0f);
+    int reach = (int) Math.ceil(inflation.reachM() / frame.cellM()) + 1;
+    distances = new DistanceField(frame.rows(), frame.columns(), reach);
+    costAt = new float[reach * reach + 1];
+    for (int square = 0; square < costAt.length; square++) {
+      costAt[square] = (float) inflation.cost(metres(DistanceField.root(square)));
+    }
+  }
+
+  /** Frame of its cells. */
+  public GridFrame frame() {
+    return frame;
+  }
+
+  /** Inflation of obstacles. */
+  public Inflation inflation() {
+    return inflation;
+  }
+
+  /**
+   * Updates which cells are occupied and which were never seen, and recomputes affected costs.
+   *
+   * @return the cells whose cost may have changed; null if none
+   */
+  public Area update(IntPredicate isOccupied, IntPredicate isUnknown) {
+    return update(new Area(0, 0, frame.rows() - 1, frame.columns() - 1), isOccupied, isUnknown);
+  }
+
+  /** The same, where nothing has changed outside an area. */
+  public Area update(Area where, IntPredicate isOccupied, IntPredicate isUnknown) {
+    Changes changes = new Changes();
+    for (int row = where.firstRow(); row <= where.lastRow(); row++) {
+      for (int column = where.firstColumn(); column <= where.lastColumn(); column++) {
+        int i = frame.index(row, column);
+        int state = (isOccupied.test(i) ? OCCUPIED : 0) | (isUnknown.test(i) ? UNKNOWN : 0);
+        if (state != states[i]) {
+          changes.add(row, column, column, ((state ^ states[i]) & OCCUPIED) != 0);
+          states[i] = (byte) state;
+        }
+      }
+    }
+    return changes.compute();
+  }
+
+  /**
+   * The same, with the state of every cell: {@link #OCCUPIED}, {@link #UNKNOWN}, both or neither.
+   */
+  public Area update(byte[] newStates) {
+    Changes changes = new Changes();
+    RowChange change = new RowChange();
+    for (int row = 0; row < frame.rows(); row++) {
+      int begin = frame.index(row, 0);
+      if (change.find(states, newStates, begin, frame.columns())) {
+        boolean stands = false;
+        for (int i = begin + change.first(); i <= begin + change.last(); i++) {
+          stands |= ((states[i] ^ newStates[i]) & OCCUPIED) != 0;
+        }
+        changes.add(row, change.first(), change.last(), stands);
+        int length = change.last() - change.first() + 1;
+        System.arraycopy(newStates, begin + change.first(), states, begin + change.first(), length);
+      }
+    }
+    return changes.compute();
+  }
+
+  /**
+   * The cells whose state has changed. Distances are recomputed only around cells that became
+   * occupied or free: most changes are cells seen for the first time.
+   */
+  private final class Changes {
+    private final int[] first = new int[frame.rows()]; // column from which costs may have changed
+    private final int[] last = new int[frame.rows()];
+    private final Span occupied = new Span();
+
+    Changes() {
+      Arrays.fill(first, frame.columns());
+      Arrays.fill(last, -1);
+    }
+
+    void add(int row, int from, int to, boolean stands) {
+      concern(row, from, to);
+      if (stands) {
+        occupied.add(row, from, to);
+      }
+    }
+
+    private void concern(int row, int from, int to) {
+      first[row] = Math.min(first[row], from);
+      last[row] = Math.max(last[row], to);
+    }
+
+    /** Computes costs around them. Returns the cells whose cost may have changed; null if none. */
+    Area compute() {
+      if (!occupied.isEmpty()) {
+        int[] near =
+            distances.update(states, occupied.top, occupied.left, occupied.bottom, occupied.right);
+        for (int row = near[0]; row <= near[2]; row++) {
+          concern(row, near[1], near[3]);
+        }
+      }
+      revision++;
+      Span all = new Span();
+      for (int row = 0; row < frame.rows(); row++) {
+        if (first[row] <= last[row]) {
+          all.add(row, first[row], last[row]);
+          compute(row);
+        }
+      }
+      return all.isEmpty() ? null : new Area(all.top, all.left, all.bottom, all.right);
+    }
+
+    private void compute(int row) {
+      changedAt[row] = revision;
+      for (int i = frame.index(row, first[row]); i <= frame.index(row, last[row]); i++) {
+        cost[i] = costAt[distances.square(i)] + (isUnknown(i) ? UNKNOWN_COST : 0.0f);
+      }
+    }
+  }
+
+  /** A rectangle around cells. */
+  private static final class Span {
+    private int top = Integer.MAX_VALUE;
+    private int left = Integer.MAX_VALUE;
+    private int bottom = -1;
+    private int right = -1;
+
+    void add(int row, int first, int last) {
+      top = Math.min(top, row);
+      bottom = Math.max(bottom, row);
+      left = Math.min(left, first);
+      right = Math.max(right, last);
+    }
+
+    boolean isEmpty() {
+      return bottom < 0;
+    }
+  }
+
+  /** Whether a cell is occupied. */
+  public boolean isOccupied(int index) {
+    return (states[index] & OCCUPIED) != 0;
+  }
+
+  /** Whether a cell was never seen. */
+  public boolean isUnknown(int index) {
+    return (states[index] & UNKNOWN) != 0;
+  }
+
+  /** Whether the vehicle's centre may be in a cell. */
+  public boolean isFree(int index) {
+    return cost[index] < Float.POSITIVE_INFINITY;
+  }
+
+  /** Cost per metre in a cell, at least 1; infinite if impassable. */
+  public float cost(int index) {
+    return cost[index];
+  }
+
+  /** Grows with each update. */
+  int revision() {
+    return revision;
+  }
+
+  /** Whether a cost of a row of cells may have changed since a revision. */
+  boolean hasChanged(int row, int since) {
+    return changedAt[row] > since;
+  }
+
+  /** The costs of cells from one on; to be read only. */
+  FloatBuffer costs(int from, int length) {
+    return FloatBuffer.wrap(cost, from, length);
+  }
+
+  /**
+   * Distance from a cell's centre to the edge of the nearest occupied cell [m]; at most a little
+   * more than the inflation's reach.
+   */
+  public double distanceM(int index) {
+    return metres(distances.cells(index));
+  }
+
+  private double metres(float cells) {
+    return Math.max(0.0, cells - 0.5) * frame.cellM();
+  }
+
+  /** The same for a point; outside the grid as far as distances reach. */
+  public double distanceM(double northM, double eastM) {
+    int index = frame.indexAt(northM, eastM);
+    return index < 0 ? inflation.reachM() : distanceM(index);
+  }
+
+  /** Cost of a metre at a point; 1 outside. */
+  public double cost(double northM, double eastM) {
+    int index = frame.indexAt(northM, eastM);
+    return index < 0 ? 1.0 : cost[index];
+  }
+
+  /**
+   * Cost of a straight path: its length in metres weighted by the local cost; infinite if
+   * impassable.
+   */
+  public double straightCost(double north, double east, double toNorth, double toEast) {
+    double length =
+        Math.sqrt((toNorth - north) * (toNorth - north) + (toEast - east) * (toEast - east));
+    int steps = Math.max(1, (int) Math.ceil(length / (0.5 * frame.cellM())));
+    double sum = 0.0;
+    for (int k = 0; k < steps; k++) {
+      double share = (k + 0.5) / steps;
+      double here = cost(north + share * (toNorth - north), east + share * (toEast - east));
+      if (here == Double.POSITIVE_INFINITY) {
+        return here;
+      }
+      sum += here;
+    }
+    return sum * length / steps;
+  }
+
+  /** Free cell nearest to a point within a distance; −1 if none. */
+  public int nearestFree(double northM, double eastM, double withinM) {
+    int row = frame.row(northM);
+    int column = frame.column(eastM);
+    int span = (int) Math.ceil(withinM / frame.cellM()) + 1;
+    int best = -1;
+    double nearest = withinM;
+    for (int r = Math.max(0, row - span); r <= Math.min(frame.rows() - 1, row + span); r++) {
+      for (int c = Math.max(0, column - span);
+          c <= Math.min(frame.columns() - 1, column + span);
+          c++) {
+        int i = frame.index(r, c);
+        double away = Math.hypot(frame.centreNorthM(i) - northM, frame.centreEastM(i) - eastM);
+        if (isFree(i) && (away < nearest || (best < 0 && away <= nearest))) {
+          best = i;
+          nearest = away;
+        }
+      }
+    }
+    return best;
+  }
+}

@@ -1,0 +1,358 @@
+package org.u2sa.planning.search;
+
+import java.nio.FloatBuffer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Cheapest path through a {@link CostGrid} that changes while the vehicle moves: D* Lite (Koenig,
+ * Likhachev: D* Lite, AAAI 2002, figure 4). It searches from the goal, keeps its results, and
+ * repairs only what a change affects. Legs connect neighbouring cells; the path is then
+ * straightened where that costs no more.
+ *
+ * <p>If the goal lies outside the grid, every edge cell is a goal, at the cost of the straight-line
+ * remainder. Not thread-safe.
+ */
+public final class DStarLite {
+  private static final double DIAGONAL = Math.sqrt(2.0);
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final double ROUNDING = 1.0e-6; // sums of floats in different order
+  private static final int BLOCK = 64; // costs compared at a time
+  private static final double SAME_GOAL = 0.01; // of a cell; goals jitter
+
+  private final CostGrid grid;
+  private final GridFrame frame;
+  private final double goalNorthM;
+  private final double goalEastM;
+  private final int goal; // −1: outside
+  private final float[] cost; // as of the last search
+  private final double[] g;
+  private final double[] rhs;
+  private final PairHeap open;
+  private final BitSet changed = new BitSet(); // cells whose cost has changed since
+  private final BitSet taken = new BitSet(); // those and their neighbours
+  private int revision; // of the grid's costs, as of the last search
+  private double km;
+  private int start = -1;
+  private int last = -1;
+  private int expanded;
+
+  /** A search to a goal, in a free cell or outside the grid. */
+  public DStarLite(CostGrid grid, double goalNorthM, double goalEastM) {
+    this.grid = grid;
+    frame = grid.frame();
+    this.goalNorthM = goalNorthM;
+    this.goalEastM = goalEastM;
+    goal = frame.indexAt(goalNorthM, goalEastM);
+    cost = new float[frame.cells()];
+    g = new double[frame.cells()];
+    rhs = new double[frame.cells()];
+    open = new PairHeap(frame.cells());
+  }
+
+  /** Whether it searches this grid for a path to this goal, or to another point in its cell. */
+  public boolean isFor(CostGrid costs, double north, double east) {
+    boolean isThere =
+        goal >= 0
+            ? frame.indexAt(north, east) == goal
+            : Math.abs(north - goalNorthM) <= SAME_GOAL * frame.cellM()
+                && Math.abs(east - goalEastM) <= SAME_GOAL * frame.cellM();
+    return grid == costs && isThere;
+  }
+
+  double goalNorthM() {
+    return goalNorthM;
+  }
+
+  double goalEastM() {
+    return goalEastM;
+  }
+
+  /** Number of cells expanded by the last search. */
+  public int expanded() {
+    return expanded;
+  }
+
+  /**
+   * Finds the cheapest path in the current grid.
+   *
+   * @param from index of a free cell
+   */
+  public Optional<GridPath> plan(int from) {
+    expanded = 0;
+    boolean first = last < 0;
+    start = from;
+    if (first) {
+      begin();
+    } else {
+      km += h(last, start);
+      takeChanges();
+    }
+    last = start;
+    computeShortestPath();
+    return rhs[start] == NEVER && g[start] == NEVER ? Optional.empty() : path();
+  }
+
+  private void begin() {
+    Arrays.fill(g, NEVER);
+    Arrays.fill(rhs, NEVER);
+    for (int i = 0; i < cost.length; i++) {
+      cost[i] = grid.cost(i);
+    }
+    revision = grid.revision();
+    if (goal >= 0) {
+      seed(goal);
+      return;
+    }
+    for (int row = 0; row < frame.rows(); row++) {
+      boolean edge = row == 0 || row == frame.rows() - 1;
+      for (int c = 0; c < frame.columns(); c += edge ? 1 : Math.max(1, frame.columns() - 1)) {
+        seed(frame.index(row, c));
+      }
+    }
+  }
+
+  private void seed(int cell) {
+    if (cost[cell] < NEVER) {
+      rhs[cell] = terminal(cell);
+      open.put(cell, rhs[cell] + h(start, cell), rhs[cell]);
+    }
+  }
+
+  /** What the rest costs from a cell in which ways end; infinite in all others. */
+  private double terminal(int cell) {
+    if (goal >= 0) {
+      return cell == goal ? 0.0 : NEVER;
+    }
+    int row = cell / frame.columns();
+    int column = cell % frame.columns();
+    boolean edge =
+        row == 0 || column == 0 || row == frame.rows() - 1 || column == frame.columns() - 1;
+    double north = frame.centreNorthM(cell) - goalNorthM;
+    double east = frame.centreEastM(cell) - goalEastM;
+    return edge ? Math.sqrt(north * north + east * east) : NEVER;
+  }
+
+  /** Costs whatever has changed in the grid since the last search. */
+  private void takeChanges() {
+    findChanges();
+    for (int cell = changed.nextSetBit(0); cell >= 0; cell = changed.nextSetBit(cell + 1)) {
+      int row = cell / frame.columns();
+      int column = cell % frame.columns();
+      for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
+        for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
+          int near = frame.index(r, c);
+          if (!taken.get(near)) {
+            taken.set(near);
+            rhs[near] = cost[near] == NEVER ? NEVER : best(near);
+            updateVertex(near);
+          }
+        }
+      }
+    }
+    changed.clear();
+    taken.clear();
+  }
+
+  /** Takes costs over from rows in which some may have changed; most of these are the same. */
+  private void findChanges() {
+    for (int row = 0; row < frame.rows(); row++) {
+      if (grid.hasChanged(row, revision)) {
+        findChanges(row);
+      }
+    }
+    revision = grid.revision();
+  }
+
+  /** Many costs are compared at a time, and one by one only where some differ. */
+  private void findChanges(int row) {
+    int end = frame.index(row, frame.columns());
+    for (int from = frame.index(row, 0); from < end; from += BLOCK) {
+      int length = Math.min(BLOCK, end - from);
+      if (!FloatBuffer.wrap(cost, from, length).equals(grid.costs(from, length))) {
+        for (int i = from; i < from + length; i++) {
+          if (cost[i] != grid.cost(i)) {
+            cost[i] = grid.cost(i);
+            changed.set(i);
+          }
+        }
+      }
+    }
+  }
+
+  private void updateVertex(int cell) {
+    if (g[cell] != rhs[cell]) {
+      open.put(
+          cell, Math.min(g[cell], rhs[cell]) + h(start, cell) + km, Math.min(g[cell], rhs[cell]));
+    } else {
+      open.remove(cell);
+    }
+  }
+
+  private void computeShortestPath() {
+    while (!open.isEmpty()) {
+      double least = Math.min(g[start], rhs[start]);
+      boolean settled = rhs[start] == g[start] && rhs[start] < NEVER;
+      if (settled && !open.isBefore(least + km + ROUNDING, NEVER)) {
+        return; // ties are settled too: the way that is read off leads over cells like that
+      }
+      int cell = open.first();
+      double now = Math.min(g[cell], rhs[cell]);
+      double key = now + h(start, cell) + km;
+      if (open.firstKey() < key - ROUNDING) {
+        open.put(cell, key, now);
+        continue;
+      }
+      expanded++;
+      open.remove(cell);
+      if (g[cell] > rhs[cell]) {
+        g[cell] = rhs[cell];
+        lower(cell);
+      } else {
+        double before = g[cell];
+        g[cell] = NEVER;
+        raise(cell, before);
+      }
+    }
+  }
+
+  /** Propagates a lower cost of a cell to its neighbours. */
+  private void lower(int cell) {
+    int row = cell / frame.columns();
+    int column = cell % frame.columns();
+    for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
+      for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
+        int near = frame.index(r, c);
+        if (near != cell && cost[near] < NEVER) {
+          double through = g[cell] + step(cell, near, r != row && c != column);
+          if (through < rhs[near]) {
+            rhs[near] = through;
+            updateVertex(near);
+          }
+        }
+      }
+    }
+  }
+
+  /** Propagates a higher cost of a cell: cells with paths through it find another one. */
+  private void raise(int cell, double before) {
+    int row = cell / frame.columns();
+    int column = cell % frame.columns();
+    for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
+      for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
+        int near = frame.index(r, c);
+        double through = near == cell ? NEVER : before + step(cell, near, r != row && c != column);
+        if (near == cell || Math.abs(rhs[near] - through) <= ROUNDING) {
+          rhs[near] = cost[near] == NEVER ? NEVER : best(near);
+        }
+        updateVertex(near);
+      }
+    }
+  }
+
+  private double best(int cell) {
+    double least = terminal(cell);
+    int row = cell / frame.columns();
+    int column = cell % frame.columns();
+    for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
+      for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
+        int near = frame.index(r, c);
+        if (near != cell && g[near] < NEVER) {
+          least = Math.min(least, g[near] + step(cell, near, r != row && c != column));
+        }
+      }
+    }
+    return least;
+  }
+
+  private double step(int a, int b, boolean diagonal) {
+    return 0.5 * ((double) cost[a] + cost[b]) * frame.cellM() * (diagonal ? DIAGONAL : 1.0);
+  }
+
+  /** Lower bound of the cost between two cells: octile distance in the open [m]. */
+  private double h(int a, int b) {
+    int rows = Math.abs(a / frame.columns() - b / frame.columns());
+    int columns = Math.abs(a % frame.columns() - b % frame.columns());
+    return frame.cellM() * (Math.max(rows, columns) + (DIAGONAL - 1.0) * Math.min(rows, columns));
+  }
+
+  private Optional<GridPath> path() {
+    List<Integer> cells = new ArrayList<>();
+    List<Double> togo = new ArrayList<>();
+    int cell = start;
+    double total = rhs[start];
+    while (cell >= 0 && cells.size() <= frame.cells()) {
+      cells.add(cell);
+      togo.add(Math.min(g[cell], rhs[cell]));
+      if (terminal(cell) <= Math.min(g[cell], rhs[cell]) + ROUNDING) {
+        return Optional.of(new GridPath(straightened(cells, togo), total));
+      }
+      cell = next(cell);
+    }
+    return Optional.empty();
+  }
+
+  private int next(int cell) {
+    int row = cell / frame.columns();
+    int column = cell % frame.columns();
+    int best = -1;
+    double least = NEVER;
+    for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
+      for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
+        int near = frame.index(r, c);
+        if (near != cell && g[near] < NEVER) {
+          double through = g[near] + step(cell, near, r != row && c != column);
+          if (through < least) {
+            least = through;
+            best = near;
+          }
+        }
+      }
+    }
+    return best;
+  }
+
+  /** Removes corners where the straight path costs no more. */
+  private List<GridPath.Corner> straightened(List<Integer> cells, List<Double> togo) {
+    List<GridPath.Corner> corners = new ArrayList<>();
+    int from = 0;
+    corners.add(corner(cells.get(0)));
+    while (from < cells.size() - 1) {
+      int to = from + 1;
+      for (int step = 1; ; ) { // ever farther, as long as it pays
+        int farther = Math.min(cells.size() - 1, to + step);
+        if (farther == to || !pays(cells, togo, from, farther)) {
+          if (step == 1 || farther == to) {
+            break;
+          }
+          step = Math.max(1, step / 2);
+          continue;
+        }
+        to = farther;
+        step *= 2;
+      }
+      corners.add(corner(cells.get(to)));
+      from = to;
+    }
+    return corners;
+  }
+
+  private boolean pays(List<Integer> cells, List<Double> togo, int from, int to) {
+    int a = cells.get(from);
+    int b = cells.get(to);
+    double straight =
+        grid.straightCost(
+            frame.centreNorthM(a),
+            frame.centreEastM(a),
+            frame.centreNorthM(b),
+            frame.centreEastM(b));
+    return straight <= togo.get(from) - togo.get(to) + 1.0e-3 * frame.cellM();
+  }
+
+  private GridPath.Corner corner(int cell) {
+    return new GridPath.Corner(frame.centreNorthM(cell), frame.centreEastM(cell));
+  }
+}

@@ -1,0 +1,58 @@
+package org.u2sa.planning.search;
+
+import java.nio.ByteBuffer;
+
+/**
+ * Finds the range in which a row of bytes has changed. Equal bytes, which are most, are cheap: many
+ * are compared at a time, from both ends.
+ */
+public final class RowChange {
+  private static final int BLOCK = 64; // bytes compared at a time
+
+  private int first;
+  private int last;
+
+  /**
+   * Looks for differences.
+   *
+   * @param begin index of the row's first byte in both arrays
+   * @param length of the row
+   * @return whether there are any
+   */
+  public boolean find(byte[] before, byte[] after, int begin, int length) {
+    int end = begin + length;
+    if (isSame(before, after, begin, end)) {
+      return false;
+    }
+    int from = begin;
+    while (end - from > BLOCK && isSame(before, after, from, from + BLOCK)) {
+      from += BLOCK;
+    }
+    while (before[from] == after[from]) {
+      from++;
+    }
+    while (end - from > BLOCK && isSame(before, after, end - BLOCK, end)) {
+      end -= BLOCK;
+    }
+    while (before[end - 1] == after[end - 1]) {
+      end--;
+    }
+    first = from - begin;
+    last = end - 1 - begin;
+    return true;
+  }
+
+  private static boolean isSame(byte[] before, byte[] after, int from, int to) {
+    return ByteBuffer.wrap(before, from, to - from).equals(ByteBuffer.wrap(after, from, to - from));
+  }
+
+  /** The first that differs, counted from the row's begin, if any did. */
+  public int first() {
+    return first;
+  }
+
+  /** The last one. */
+  public int last() {
+    return last;
+  }
+}

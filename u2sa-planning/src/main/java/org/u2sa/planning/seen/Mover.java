@@ -1,0 +1,71 @@
+package org.u2sa.planning.seen;
+
+/**
+ * Traffic: a disc that moves on the planning plane, as far as known. Immutable.
+ *
+ * @param name UID of the object
+ * @param seenMicros time of the first point [µs]
+ * @param stepS time from point to point [s]
+ * @param norths where its centre is at each step [m], at least one
+ * @param easts as many
+ * @param northMps velocity after the last point [m/s]
+ * @param eastMps the same, eastward
+ * @param radiusM clearance radius around its centre [m]
+ */
+public record Mover(
+    String name,
+    long seenMicros,
+    double stepS,
+    double[] norths,
+    double[] easts,
+    double northMps,
+    double eastMps,
+    double radiusM) {
+  private static final double MICROS = 1.0e-6;
+
+  /** Below this speed an object counts as stationary [m/s]. */
+  private static final double STANDS_MPS = 0.05;
+
+  /** Whether it is stationary. */
+  boolean stands() {
+    return Math.hypot(northMps, eastMps) < STANDS_MPS;
+  }
+
+  /** Copy with another velocity from its current position. */
+  Mover moving(double newNorthMps, double newEastMps) {
+    return new Mover(
+        name,
+        seenMicros,
+        0.0,
+        new double[] {norths[0]},
+        new double[] {easts[0]},
+        newNorthMps,
+        newEastMps,
+        radiusM);
+  }
+
+  /** Age of the data [s] at a time. */
+  public double ageS(long micros) {
+    return (micros - seenMicros) * MICROS;
+  }
+
+  /** North coordinate of its centre at a time after the observation [m]. */
+  public double northAfterM(double seconds) {
+    return after(norths, northMps, seconds);
+  }
+
+  /** East coordinate of its centre at a time after the observation [m]. */
+  public double eastAfterM(double seconds) {
+    return after(easts, eastMps, seconds);
+  }
+
+  private double after(double[] points, double velocity, double seconds) {
+    int last = points.length - 1;
+    if (stepS <= 0.0 || last == 0 || seconds >= last * stepS) {
+      return points[last] + velocity * (seconds - (stepS > 0.0 ? last * stepS : 0.0));
+    }
+    int at = (int) Math.max(0.0, seconds / stepS);
+    double share = seconds / stepS - at;
+    return points[at] + share * (points[at + 1] - points[at]);
+  }
+}

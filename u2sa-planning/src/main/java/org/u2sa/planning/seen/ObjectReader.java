@@ -1,0 +1,202 @@
+package org.u2sa.planning.seen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Box;
+import org.u2sa.messages.shape.Circle;
+import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.Line;
+import org.u2sa.messages.shape.MovingSphere;
+import org.u2sa.messages.shape.PointCloud;
+import org.u2sa.messages.shape.PolyLine;
+import org.u2sa.messages.shape.Polygon;
+import org.u2sa.messages.shape.Rectangle;
+import org.u2sa.messages.shape.Sphere;
+
+/** Converts objects to shapes and traffic on the planning plane. Immutable. */
+final class ObjectReader {
+  /** Radius of an object that is only a point [m]. */
+  private static final double POINT_RADIUS_M = 0.1;
+
+  private static final double SKY = Double.POSITIVE_INFINITY;
+
+  private final PlanningPlane plane;
+  private final StateInformation vehicle;
+
+  /**
+   * @param vehicle state of the vehicle, for objects in its own axes
+   */
+  ObjectReader(PlanningPlane plane, StateInformation vehicle) {
+    this.plane = plane;
+    this.vehicle = vehicle;
+  }
+
+  /** The object in a frame of the plane. */
+  private ObjectDescription placed(ObjectDescription object) {
+    return plane.frameFor(object.referenceFrame()).equals(object.referenceFrame())
+        ? object
+        : object.in(plane.frame(), vehicle);
+  }
+
+  /** Object as traffic, even if stationary; empty if its velocity is unknown. */
+  Optional<Mover> mover(ObjectDescription raw, long micros) {
+    ObjectDescription object = placed(raw);
+    Optional<Point> velocity = object.motion().velocity();
+    if (velocity.isEmpty()) {
+      return Optional.empty();
+    }
+    Point here = plane.ned(object.referenceFrame(), object.center());
+    Point there = plane.ned(object.referenceFrame(), object.after(1.0).center());
+    double northMps = there.x() - here.x();
+    double eastMps = there.y() - here.y();
+    List<Point> points = new ArrayList<>(List.of(here));
+    double stepS = 0.0;
+    if (object instanceof MovingSphere) {
+      MovingSphere sphere = (MovingSphere) object;
+      stepS = sphere.timeStep();
+      for (Point point : sphere.trajectory()) {
+        points.add(plane.ned(object.referenceFrame(), point));
+      }
+    }
+    PlanarShape shape = shape(object, here);
+    return Optional.of(
+        new Mover(
+            object.uid(),
+            object.timestamp().orElse(micros),
+            stepS,
+            points.stream().mapToDouble(Point::x).toArray(),
+            points.stream().mapToDouble(Point::y).toArray(),
+            northMps,
+            eastMps,
+            outerRadiusM(shape, here)));
+  }
+
+  private static double outerRadiusM(PlanarShape shape, Point centre) {
+    double farthest = 0.0;
+    for (int i = 0; i < shape.count(); i++) {
+      farthest =
+          Math.max(farthest, Math.hypot(shape.northM(i) - centre.x(), shape.eastM(i) - centre.y()));
+    }
+    return farthest + shape.radiusM();
+  }
+
+  /** Centre of an object on the plane: north, east, down [m]. */
+  Point centre(ObjectDescription raw) {
+    ObjectDescription object = placed(raw);
+    return plane.ned(object.referenceFrame(), object.center());
+  }
+
+  /** Object as a static shape. */
+  PlanarShape shape(ObjectDescription raw) {
+    ObjectDescription object = placed(raw);
+    return shape(object, plane.ned(object.referenceFrame(), object.center()));
+  }
+
+  private PlanarShape shape(ObjectDescription object, Point centre) {
+    if (object instanceof Sphere) {
+      double radius = ((Sphere) object).radius();
+      return points(object, List.of(object.center()), radius, 2.0 * radius, centre);
+    }
+    if (object instanceof Cylinder) {
+      Cylinder cylinder = (Cylinder) object;
+      return points(object, List.of(object.center()), cylinder.radius(), cylinder.height(), centre);
+    }
+    if (object instanceof Circle) {
+      return points(object, List.of(object.center()), ((Circle) object).radius(), 0.0, centre);
+    }
+    if (object instanceof Box) {
+      Box box = (Box) object;
+      return turned(object, box.length(), box.width(), box.psi(), box.height(), centre);
+    }
+    if (object instanceof Rectangle) {
+      Rectangle flat = (Rectangle) object;
+      return turned(object, flat.length(), flat.width(), flat.psi(), 0.0, centre);
+    }
+    if (object instanceof Polygon) {
+      Polygon polygon = (Polygon) object;
+      return joined(object, PlanarShape.Kind.AREA, polygon.points(), 0.0, polygon.height(), centre);
+    }
+    if (object instanceof PolyLine) {
+      PolyLine band = (PolyLine) object;
+      return joined(
+          object, PlanarShape.Kind.CHAIN, band.points(), 0.5 * band.width(), band.height(), centre);
+    }
+    if (object instanceof Line) {
+      return joined(object, PlanarShape.Kind.CHAIN, ((Line) object).points(), 0.0, 0.0, centre);
+    }
+    if (object instanceof PointCloud) {
+      return points(object, ((PointCloud) object).points(), 0.0, 0.0, centre);
+    }
+    return points(object, List.of(object.center()), POINT_RADIUS_M, 0.0, centre);
+  }
+
+  private PlanarShape points(
+      ObjectDescription object, List<Point> points, double radius, double height, Point centre) {
+    return joined(object, PlanarShape.Kind.POINTS, points, radius, height, centre);
+  }
+
+  /** A rectangle, whose length axis is turned by psi in its frame's own sense. */
+  private PlanarShape turned(
+      ObjectDescription object,
+      double length,
+      double width,
+      double psi,
+      double height,
+      Point centre) {
+    boolean northFirst =
+        object.referenceFrame().equals(ReferenceFrame.LOCAL_NED)
+            || object.referenceFrame().isEarth();
+    double heading = northFirst ? psi : Math.PI / 2.0 - psi;
+    double[] norths = new double[4];
+    double[] easts = new double[4];
+    for (int corner = 0; corner < 4; corner++) {
+      double along = corner < 2 ? 0.5 * length : -0.5 * length;
+      double across = corner == 0 || corner == 3 ? 0.5 * width : -0.5 * width;
+      norths[corner] = centre.x() + along * Math.cos(heading) - across * Math.sin(heading);
+      easts[corner] = centre.y() + along * Math.sin(heading) + across * Math.cos(heading);
+    }
+    return made(object, PlanarShape.Kind.AREA, norths, easts, 0.0, height, centre);
+  }
+
+  private PlanarShape joined(
+      ObjectDescription object,
+      PlanarShape.Kind kind,
+      List<Point> points,
+      double radius,
+      double height,
+      Point centre) {
+    List<Point> known = points.isEmpty() ? List.of(object.center()) : points;
+    double[] norths = new double[known.size()];
+    double[] easts = new double[known.size()];
+    for (int i = 0; i < norths.length; i++) {
+      Point ned = plane.ned(object.referenceFrame(), known.get(i));
+      norths[i] = ned.x();
+      easts[i] = ned.y();
+    }
+    return made(object, kind, norths, easts, radius, height, centre);
+  }
+
+  /** Objects without height, such as circles and points, are vertically unbounded. */
+  private static PlanarShape made(
+      ObjectDescription object,
+      PlanarShape.Kind kind,
+      double[] norths,
+      double[] easts,
+      double radius,
+      double height,
+      Point centre) {
+    return new PlanarShape(
+        object.uid(),
+        kind,
+        norths,
+        easts,
+        radius,
+        height > 0.0 ? centre.z() - 0.5 * height : -SKY,
+        height > 0.0 ? centre.z() + 0.5 * height : SKY);
+  }
+}

@@ -1,0 +1,166 @@
+package org.u2sa.planning.seen;
+
+/**
+ * Static obstacle on the planning plane: everything within a radius of points, of a chain of lines,
+ * or of an area. Immutable.
+ */
+public final class PlanarShape {
+  /** What the points mean. */
+  public enum Kind {
+    /** Each stands for itself. */
+    POINTS,
+    /** Joined in order. */
+    CHAIN,
+    /** Joined in order to a closed ring, including its inside. */
+    AREA
+  }
+
+  private final String name;
+  private final Kind kind;
+  private final double[] norths;
+  private final double[] easts;
+  private final double radiusM;
+  private final double topDownM;
+  private final double bottomDownM;
+
+  /**
+   * @param name UID of the object
+   * @param norths of the points [m], at least one
+   * @param easts of the points [m], as many
+   * @param radiusM around points and lines [m]
+   * @param topDownM down of its top [m]; −∞ if it has none
+   * @param bottomDownM down of its bottom [m]; ∞ if it has none
+   */
+  public PlanarShape(
+      String name,
+      Kind kind,
+      double[] norths,
+      double[] easts,
+      double radiusM,
+      double topDownM,
+      double bottomDownM) {
+    this.name = name;
+    this.kind = kind;
+    this.norths = norths.clone();
+    this.easts = easts.clone();
+    this.radiusM = radiusM;
+    this.topDownM = topDownM;
+    this.bottomDownM = bottomDownM;
+  }
+
+  /** Creates a vertically unbounded disc. */
+  public static PlanarShape disc(String name, double northM, double eastM, double radiusM) {
+    return new PlanarShape(
+        name,
+        Kind.POINTS,
+        new double[] {northM},
+        new double[] {eastM},
+        radiusM,
+        Double.NEGATIVE_INFINITY,
+        Double.POSITIVE_INFINITY);
+  }
+
+  /** Creates a vertically unbounded chain without width. */
+  public static PlanarShape wall(String name, double[] norths, double[] easts) {
+    return new PlanarShape(
+        name, Kind.CHAIN, norths, easts, 0.0, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+  }
+
+  /** UID of the object. */
+  public String name() {
+    return name;
+  }
+
+  /** What the points mean. */
+  public Kind kind() {
+    return kind;
+  }
+
+  /** Number of points. */
+  public int count() {
+    return norths.length;
+  }
+
+  /** North of a point [m]. */
+  public double northM(int point) {
+    return norths[point];
+  }
+
+  /** East of a point [m]. */
+  public double eastM(int point) {
+    return easts[point];
+  }
+
+  /** Radius around points and lines [m]. */
+  public double radiusM() {
+    return radiusM;
+  }
+
+  /** Whether it overlaps the height band between two down coordinates [m], with a margin. */
+  public boolean reaches(double oneDownM, double otherDownM, double marginM) {
+    return topDownM - marginM <= Math.max(oneDownM, otherDownM)
+        && bottomDownM + marginM >= Math.min(oneDownM, otherDownM);
+  }
+
+  /** Distance of a point from it [m]; 0 inside. */
+  public double distanceM(double north, double east) {
+    if (kind == Kind.AREA && isInside(north, east)) {
+      return 0.0;
+    }
+    double least = Double.POSITIVE_INFINITY;
+    int last = norths.length - 1;
+    for (int i = 0; i <= last; i++) {
+      int next = i < last ? i + 1 : 0;
+      boolean joined = kind == Kind.AREA || (kind == Kind.CHAIN && i < last);
+      double away =
+          joined
+              ? segmentM(north, east, norths[i], easts[i], norths[next], easts[next])
+              : Math.hypot(north - norths[i], east - easts[i]);
+      least = Math.min(least, away);
+    }
+    return Math.max(0.0, least - radiusM);
+  }
+
+  /** Whether a point is inside the ring (even-odd rule). */
+  public boolean isInside(double north, double east) {
+    boolean inside = false;
+    for (int i = 0, j = norths.length - 1; i < norths.length; j = i++) {
+      if (easts[i] > east != easts[j] > east
+          && north
+              < norths[i] + (norths[j] - norths[i]) * (east - easts[i]) / (easts[j] - easts[i])) {
+        inside = !inside;
+      }
+    }
+    return inside;
+  }
+
+  /** Distance of a point from a line segment [m]. */
+  public static double segmentM(
+      double north, double east, double n1, double e1, double n2, double e2) {
+    double along = (n2 - n1) * (n2 - n1) + (e2 - e1) * (e2 - e1);
+    double share =
+        along == 0.0
+            ? 0.0
+            : Math.max(
+                0.0, Math.min(1.0, ((north - n1) * (n2 - n1) + (east - e1) * (e2 - e1)) / along));
+    double n = north - n1 - share * (n2 - n1);
+    double e = east - e1 - share * (e2 - e1);
+    return Math.sqrt(n * n + e * e); // hypot is ten times slower
+  }
+
+  /** Bounds: minimum and maximum north, minimum and maximum east [m]. */
+  double[] bounds() {
+    double[] bounds = {norths[0], norths[0], easts[0], easts[0]};
+    for (int i = 1; i < norths.length; i++) {
+      bounds[0] = Math.min(bounds[0], norths[i]);
+      bounds[1] = Math.max(bounds[1], norths[i]);
+      bounds[2] = Math.min(bounds[2], easts[i]);
+      bounds[3] = Math.max(bounds[3], easts[i]);
+    }
+    bounds[0] -= radiusM;
+    bounds[1] += radiusM;
+    bounds[2] -= radiusM;
+    bounds[3] += radiusM;
+    return bounds;
+  }
+}

@@ -1,0 +1,294 @@
+package org.u2sa.planning.seen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.search.CostGrid;
+import org.u2sa.planning.search.GridFrame;
+import org.u2sa.planning.search.Inflation;
+
+/**
+ * The World Modeler's newest objects and grid on one plane: static obstacles, traffic, and the cost
+ * grid. Confined to the planner's thread.
+ *
+ * <p>The cost window stays in place until the vehicle comes near its edge, so that changes are
+ * known per cell.
+ */
+public final class SeenWorld {
+  /** The window moves when the vehicle is nearer to its edge than this share of its span. */
+  private static final double EDGE_SHARE = 0.2;
+
+  private static final double SURE = 0.6; // minimum confidence of objects seen rather than guessed
+
+  /**
+   * Settings for reading the world.
+   *
+   * @param cellM edge of a cell [m]
+   * @param spanM edge of the window [m]
+   * @param inflation what nearness costs
+   * @param occupiedAbove probability from which a cell of the World Modeler's counts as occupied
+   * @param corridorType objects of this type are areas to stay inside
+   * @param ignoredTypes objects of these types are not obstacles
+   * @param heightMarginM objects this far above or below are passed over or under [m]; 0: heights
+   *     do not matter
+   */
+  public record Reading(
+      double cellM,
+      double spanM,
+      Inflation inflation,
+      double occupiedAbove,
+      String corridorType,
+      List<String> ignoredTypes,
+      double heightMarginM) {}
+
+  private final Supplier<Reading> reading;
+  private final TrafficMemory memory = new TrafficMemory();
+  private PlanningPlane plane;
+  private ObjectList objects;
+  private OccupancyGrid seenGrid;
+  private List<PlanarShape> shapes = List.of();
+  private List<PlanarShape> corridors = List.of();
+  private List<Mover> movers = List.of();
+  private boolean changed = true;
+  private double lowDownM;
+  private double highDownM;
+  private CostGrid costs;
+  private Reading costsRead;
+  private GridLayer layer; // as drawn last
+  private int revision;
+  private boolean overlooks;
+  private List<PlanarShape> guessed = List.of();
+
+  /** An empty world. */
+  public SeenWorld(Supplier<Reading> reading) {
+    this.reading = reading;
+  }
+
+  /** Sets whether objects guessed rather than seen are ignored. */
+  public void overlook(boolean guesses) {
+    changed |= guesses != overlooks;
+    overlooks = guesses;
+  }
+
+  /**
+   * Sets the shapes that the planner itself considers closed, until {@link #overlook} or the next
+   * call.
+   */
+  public void guess(List<PlanarShape> closed) {
+    changed |= !closed.equals(guessed);
+    guessed = List.copyOf(closed);
+  }
+
+  /** Updates the objects. */
+  public void see(ObjectList list) {
+    objects = list;
+    changed = true;
+  }
+
+  /** Updates the grid. */
+  public void see(OccupancyGrid grid) {
+    seenGrid = grid;
+    changed = true;
+  }
+
+  /** Plane; a new one by the state if the previous one does not fit. */
+  public PlanningPlane plane(StateInformation state) {
+    if (plane == null || plane.onEarth() == state.referenceFrame().isLocal()) {
+      plane = PlanningPlane.at(state);
+      guessed = List.of();
+      changed = true;
+      costs = null;
+    }
+    return plane;
+  }
+
+  /** Static obstacles. */
+  public List<PlanarShape> shapes() {
+    return shapes;
+  }
+
+  /** Areas, at least one of which must contain the vehicle. */
+  public List<PlanarShape> corridors() {
+    return corridors;
+  }
+
+  /** Traffic. */
+  public List<Mover> movers() {
+    return movers;
+  }
+
+  /** Revision that grows when a cost changes or the window moves. */
+  public int revision() {
+    return revision;
+  }
+
+  /** Cost window, as of the last {@link #update}. */
+  public CostGrid costs() {
+    return costs;
+  }
+
+  /** Nearest object of a type; empty if none is seen, or none is on the state's plane. */
+  public Optional<SeenTarget> nearest(String type, StateInformation state) {
+    if (objects == null) {
+      return Optional.empty();
+    }
+    PlanningPlane here = plane(state);
+    ObjectReader reader = new ObjectReader(here, state);
+    Point at =
+        here.ned(
+            here.frame(),
+            Point.of(
+                state.in(here.frame()).x().orElseThrow(),
+                state.in(here.frame()).y().orElseThrow(),
+                state.in(here.frame()).z().orElse(0.0)));
+    SeenTarget nearest = null;
+    for (ObjectDescription object : objects.objects()) {
+      if (object.objectType().equals(type)) {
+        PlanarShape shape = reader.shape(object);
+        Point ned = reader.centre(object).minus(at);
+        double away = shape.distanceM(at.x(), at.y());
+        if (nearest == null || away < nearest.distanceM()) {
+          double radius = Math.max(0.0, Math.hypot(ned.x(), ned.y()) - away);
+          nearest = new SeenTarget(ned, away, radius);
+        }
+      }
+    }
+    return Optional.ofNullable(nearest);
+  }
+
+  /** All objects of a type, whether or not they are obstacles. */
+  public List<PlanarShape> of(String type, StateInformation state) {
+    List<PlanarShape> found = new ArrayList<>();
+    ObjectReader reader = new ObjectReader(plane(state), state);
+    for (ObjectDescription object :
+        objects == null ? List.<ObjectDescription>of() : objects.objects()) {
+      if (object.objectType().equals(type)) {
+        found.add(reader.shape(object));
+      }
+    }
+    return found;
+  }
+
+  /** Whether an object is given in the vehicle's own axes, so that no State Estimator is needed. */
+  public boolean isSeenFromVehicle() {
+    return objects != null
+        && objects.objects().stream().anyMatch(object -> object.referenceFrame().isBody());
+  }
+
+  /**
+   * Updates everything.
+   *
+   * @param state the vehicle's newest
+   * @param northM its position on the plane [m]
+   * @param eastM the same, eastward
+   * @param downM its down [m]
+   * @param goalDownM the goal's down [m]: heights between both matter
+   */
+  public void update(
+      StateInformation state, double northM, double eastM, double downM, double goalDownM) {
+    Reading now = reading.get();
+    boolean moved =
+        costs == null || !now.equals(costsRead) || isNearEdge(costs.frame(), northM, eastM);
+    boolean otherHeights =
+        now.heightMarginM() > 0.0
+            && (Math.abs(lowDownM - Math.max(downM, goalDownM)) > 0.2 * now.heightMarginM()
+                || Math.abs(highDownM - Math.min(downM, goalDownM)) > 0.2 * now.heightMarginM());
+    if (!moved && !changed && !otherHeights) {
+      return;
+    }
+    lowDownM = Math.max(downM, goalDownM);
+    highDownM = Math.min(downM, goalDownM);
+    readObjects(state, now);
+    if (moved) {
+      double half = 0.5 * now.spanM();
+      double north = now.cellM() * Math.rint((northM - half) / now.cellM());
+      double east = now.cellM() * Math.rint((eastM - half) / now.cellM());
+      int cells = (int) Math.ceil(now.spanM() / now.cellM());
+      costs = new CostGrid(new GridFrame(north, east, now.cellM(), cells, cells), now.inflation());
+      costsRead = now;
+    }
+    boolean different = costs.update(states(now)) != null;
+    if (different || moved) {
+      revision++;
+    }
+    changed = false;
+  }
+
+  /** Cell states of the window by the World Modeler's grid, with all objects. */
+  private byte[] states(Reading now) {
+    if (seenGrid != null) {
+      layer = GridLayer.of(seenGrid, plane, costs.frame(), now.occupiedAbove(), layer);
+    }
+    List<PlanarShape> closed = overlooks ? List.of() : guessed;
+    if (seenGrid != null && shapes.isEmpty() && closed.isEmpty() && corridors.isEmpty()) {
+      return layer.states();
+    }
+    GridRaster raster =
+        seenGrid == null ? new GridRaster(costs.frame()) : new GridRaster(costs.frame(), layer);
+    shapes.forEach(raster::draw);
+    closed.forEach(raster::draw);
+    if (!corridors.isEmpty()) {
+      raster.drawOutside(corridors);
+    }
+    return raster.states();
+  }
+
+  private static boolean isNearEdge(GridFrame frame, double northM, double eastM) {
+    double margin = EDGE_SHARE * frame.rows() * frame.cellM();
+    return northM < frame.northM() + margin
+        || eastM < frame.eastM() + margin
+        || northM > frame.northM() + frame.rows() * frame.cellM() - margin
+        || eastM > frame.eastM() + frame.columns() * frame.cellM() - margin;
+  }
+
+  /** Current and possible motions of traffic. */
+  private List<Mover> motions(Mover mover) {
+    if (mover.stands()) {
+      return memory.mightMove(mover);
+    }
+    memory.moves(mover);
+    return List.of(mover);
+  }
+
+  private void readObjects(StateInformation state, Reading now) {
+    List<PlanarShape> standing = new ArrayList<>();
+    List<PlanarShape> stayInside = new ArrayList<>();
+    List<Mover> moving = new ArrayList<>();
+    List<ObjectDescription> all = objects == null ? List.of() : objects.objects();
+    ObjectReader reader = new ObjectReader(plane, state);
+    long micros = objects == null ? 0L : objects.timestamp().orElse(0L);
+    for (ObjectDescription object : all) {
+      boolean passable =
+          now.ignoredTypes().contains(object.objectType())
+              || object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent()
+              || overlooks && object.confidence().orElse(1.0) < SURE;
+      if (passable) {
+        continue;
+      }
+      PlanarShape shape = reader.shape(object);
+      if (now.heightMarginM() > 0.0 && !shape.reaches(lowDownM, highDownM, now.heightMarginM())) {
+        continue;
+      }
+      if (object.objectType().equals(now.corridorType())) {
+        stayInside.add(shape);
+        continue;
+      }
+      Optional<Mover> mover = reader.mover(object, micros);
+      List<Mover> motions = mover.map(this::motions).orElse(List.of());
+      moving.addAll(motions);
+      if (motions.isEmpty()) {
+        standing.add(shape);
+      }
+    }
+    shapes = List.copyOf(standing);
+    corridors = List.copyOf(stayInside);
+    movers = List.copyOf(moving);
+  }
+}

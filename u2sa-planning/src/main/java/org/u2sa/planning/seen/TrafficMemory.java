@@ -1,0 +1,54 @@
+package org.u2sa.planning.seen;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.interfaces.time.Clock;
+
+/**
+ * Remembers moving objects: one that has stopped may start again, onward or back. Confined to the
+ * planner's thread.
+ */
+final class TrafficMemory {
+  /** Objects stationary for longer count as parked [µs]. */
+  private static final long PARKED_AFTER_MICROS = 10 * Clock.MICROS_PER_SECOND;
+
+  /** Velocity when it was fastest, and when it moved last [µs]. */
+  private record Motion(long micros, double northMps, double eastMps, long lastMicros) {
+    double mps() {
+      return Math.hypot(northMps, eastMps);
+    }
+
+    /** With what is seen now: another velocity only if it is faster, or this one is long ago. */
+    Motion and(Motion now) {
+      boolean isOld = now.micros - micros > PARKED_AFTER_MICROS;
+      return isOld || now.mps() >= mps()
+          ? now
+          : new Motion(micros, northMps, eastMps, now.lastMicros);
+    }
+  }
+
+  private final Map<String, Motion> moved = new HashMap<>();
+
+  /**
+   * Records a moving object. The fastest velocity of the last seconds counts, because the estimate
+   * decays while an object stops.
+   */
+  void moves(Mover mover) {
+    long seen = mover.seenMicros();
+    moved.merge(
+        mover.name(), new Motion(seen, mover.northMps(), mover.eastMps(), seen), Motion::and);
+  }
+
+  /** Possible motions of a stationary object: onward and back; empty if it is parked. */
+  List<Mover> mightMove(Mover standing) {
+    Motion last = moved.get(standing.name());
+    if (last == null || standing.seenMicros() - last.lastMicros() > PARKED_AFTER_MICROS) {
+      moved.remove(standing.name());
+      return List.of();
+    }
+    return List.of(
+        standing.moving(last.northMps(), last.eastMps()),
+        standing.moving(-last.northMps(), -last.eastMps()));
+  }
+}

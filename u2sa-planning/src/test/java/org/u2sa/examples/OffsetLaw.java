@@ -1,0 +1,39 @@
+package org.u2sa.examples;
+
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.GuidanceLaw;
+import org.u2sa.planning.GuidanceLawProvider;
+
+/** An extension's guidance law: beside the line instead of on it. */
+public final class OffsetLaw implements GuidanceLawProvider {
+  private record Tuning(
+      @Variable(
+              unit = "m",
+              min = -100,
+              max = 100,
+              ifAbsent = 3,
+              text = "How far to the right of the line to go.")
+          double sideOffset) {}
+
+  @Override
+  public String name() {
+    return "OFFSET";
+  }
+
+  @Override
+  public GuidanceLaw law(Configurator configuration) {
+    Settings<Tuning> tuning = configuration.settings(Tuning.class);
+    return (leg, lookAheadM) -> {
+      double along = leg.alongM(0.0, 0.0) + lookAheadM;
+      double right = leg.bearingRad() + Math.PI / 2.0;
+      double offsetM = tuning.get().sideOffset();
+      return Point.of(
+          leg.northAtM(along) + offsetM * Math.cos(right),
+          leg.eastAtM(along) + offsetM * Math.sin(right),
+          0.0);
+    };
+  }
+}

@@ -1,0 +1,153 @@
+package org.u2sa.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/** What an aircraft's planner makes of a waypoint's heading, time and threshold. */
+class AirGoalsTest extends PlannedVehicle {
+  private static final Map<String, Object> AIRCRAFT =
+      new TreeMap<>(
+          Map.ofEntries(
+              Map.entry("LOOK AHEAD", 150.0),
+              Map.entry("LOOK AHEAD TIME", 3.0),
+              Map.entry("TURN ACCELERATION", 4.2),
+              Map.entry("TURN LAG", 0.7),
+              Map.entry("VEHICLE WIDTH", 11.0),
+              Map.entry("CLEARANCE", 30.0),
+              Map.entry("INFLATION", 100.0),
+              Map.entry("PLANNING CELL", 25.0),
+              Map.entry("PLANNING SPAN", 8000.0),
+              Map.entry("PLANNED SPEED", 46.0),
+              Map.entry("LEAST SPEED", 40.0),
+              Map.entry("MOST SPEED", 60.0),
+              Map.entry("STUCK AFTER", 20.0)));
+
+  private final TestAircraft aircraft = new TestAircraft(0.0, 0.0, 500.0, 0.0);
+
+  private void start(String planner) {
+    aircraft.onEarth = false;
+    AIRCRAFT.forEach(kit::with);
+    kit.with("PLANNER", planner).start(PathPlanner::new);
+  }
+
+  private Waypoint goal(double north, double east) {
+    return waypoint("1", north, east).horizontalThreshold(100.0);
+  }
+
+  /** Flies until the goal is reported, or for so long; answers the report. */
+  private GoalInformation fly(double limitS) {
+    while (kit.nowS() < limitS && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      kit.publish(Channels.STATE, aircraft.state());
+      aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
+      kit.advance(0.1);
+    }
+    return kit.latest(Channels.GOAL_REPORTS).orElseThrow();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"AIR, 0", "AIR, 90", "AIR, 180", "AIR, 270", "HYBRID, 90", "HYBRID, 180"})
+  void state_waypointWithHeading_arrivesWithIt(String planner, double degrees) {
+    start(planner);
+    goals(goal(3000.0, 500.0).psi(Math.toRadians(degrees)));
+    GoalInformation report = fly(300.0);
+    assertThat(report.completed()).isTrue();
+    double off = Leg.wrapped(aircraft.heading - Math.toRadians(degrees));
+    assertThat(Math.toDegrees(off)).isCloseTo(0.0, within(12.0)); // 10 of ARRIVAL ANGLE, a step
+    assertThat(Math.hypot(aircraft.north - 3000.0, aircraft.east - 500.0)).isLessThan(105.0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"AIR", "HYBRID"})
+  void state_waypointWithoutHeading_isPassedWellInsideItsThreshold(String planner) {
+    start(planner);
+    goals(goal(3000.0, 500.0));
+    assertThat(fly(300.0).completed()).isTrue();
+    double miss = Math.hypot(aircraft.north - 3000.0, aircraft.east - 500.0);
+    assertThat(miss).isLessThan(planner.equals("AIR") ? 65.0 : 80.0);
+    assertThat(miss).isGreaterThan(20.0); // it need not come nearer than a corner may be cut
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "AIR, 4600, 90, 51",
+    "AIR, 4600, 115, 40",
+    "AIR, 4600, 50, 60",
+    "HYBRID, 4600, 90, 51"
+  })
+  void state_waypointWithTime_flightSpeedThatArrivesThenWithinItsLimits(
+      String planner, double northM, double timeS, double wantedMps) {
+    start(planner);
+    goals(goal(northM, 0.0).time(timeS));
+    for (int i = 0; i < 2; i++) {
+      kit.publish(Channels.STATE, aircraft.state());
+      kit.advance(0.1);
+    }
+    NavigationPoint point = kit.latest(Channels.NAVIGATION).orElseThrow();
+    assertThat(point.speed().orElseThrow()).isCloseTo(wantedMps, within(0.8));
+  }
+
+  @Test
+  void state_waypointWithTimeAndTailwind_windDoesItsShare() {
+    start("AIR");
+    goals(goal(4600.0, 0.0).time(80.0)); // 57.5 m/s over ground
+    for (int i = 0; i < 2; i++) {
+      kit.publish(Channels.STATE, aircraft.state().fluidxDot(38.0)); // of 46 m/s over ground
+      kit.advance(0.1);
+    }
+    double speed = kit.latest(Channels.NAVIGATION).orElseThrow().speed().orElseThrow();
+    assertThat(speed).isCloseTo(57.5 - 8.0, within(0.5));
+  }
+
+  @Test
+  void state_crosswind_routeBeginsAlongTheCourseNotTheNose() {
+    start("AIR");
+    goals(goal(3000.0, 0.0));
+    StateInformation drifting = aircraft.state().psi(Math.toRadians(-20.0));
+    kit.publish(Channels.STATE, drifting);
+    kit.advance(0.1);
+    PlannedPath path = kit.latest(Channels.PLANS).orElseThrow();
+    Point second = path.points().get(1);
+    assertThat(Math.atan2(second.y(), second.x())).isCloseTo(0.0, within(0.02));
+  }
+
+  @Test
+  void state_circlesWithoutGettingNearer_givesUpWithThatReason() {
+    start("AIR");
+    goals(goal(3000.0, 0.0));
+    double given = Double.NaN;
+    for (double t = 0.0; t < 600.0 && Double.isNaN(given); t += 0.5) {
+      double angle = t * 46.0 / 400.0;
+      kit.publish(
+          Channels.STATE,
+          new StateInformation()
+              .referenceFrame(ReferenceFrame.LOCAL_NED)
+              .x(-400.0 + 400.0 * Math.cos(angle))
+              .y(400.0 * Math.sin(angle))
+              .z(-500.0)
+              .psi(angle + Math.PI / 2.0)
+              .xDot(-46.0 * Math.sin(angle))
+              .yDot(46.0 * Math.cos(angle)));
+      kit.advance(0.5);
+      given = kit.latest(Channels.GOAL_REPORTS).isPresent() ? t : Double.NaN;
+    }
+    GoalInformation report = kit.latest(Channels.GOAL_REPORTS).orElseThrow();
+    assertThat(report.completed()).isFalse();
+    assertThat(report.reason().orElseThrow()).contains("no nearer to the goal for");
+    assertThat(given).isBetween(250.0, 599.0); // 4 times 3 to 6 km at 46 m/s, and 20 s
+  }
+}

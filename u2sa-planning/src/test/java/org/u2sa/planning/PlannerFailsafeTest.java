@@ -1,0 +1,162 @@
+package org.u2sa.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.testkit.ServiceKit;
+
+/** What the planner does when a failsafe says so. */
+@Timeout(120)
+class PlannerFailsafeTest {
+  private final ServiceKit kit = new ServiceKit();
+  private final GoalList goals = new GoalList();
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  private void begin() {
+    kit.start(PathPlanner::new);
+    Waypoint far =
+        new Waypoint()
+            .uid("1")
+            .referenceFrame(ReferenceFrame.LOCAL_NED)
+            .x(1000.0)
+            .y(0.0)
+            .horizontalThreshold(2.0);
+    goals.goals(List.of(far));
+    kit.publish(Channels.GOALS, (GoalList) goals.copy());
+    state(0.0);
+  }
+
+  private void state(double north) {
+    kit.advance(0.1);
+    kit.publish(
+        Channels.STATE,
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.LOCAL_NED)
+            .x(north)
+            .y(0.0)
+            .z(-80.0)
+            .psi(0.0)
+            .xDot(5.0)
+            .yDot(0.0));
+  }
+
+  private void failsafe(FailsafeAction action) {
+    kit.publish(Channels.FAILSAFE, new FailsafeState().action(action).causes(List.of("a test")));
+  }
+
+  private static GoalList pausing(GoalList goals, boolean pauses) {
+    return ((GoalList) goals.copy()).paused(pauses);
+  }
+
+  private Point point() {
+    return kit.latest(Channels.NAVIGATION).orElseThrow().point();
+  }
+
+  @Test
+  void hold_aircraft_circlesWhereItWasAndThenGoesOn() {
+    kit.with("AT END", "HOLD").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    assertThat(point().x()).isCloseTo(10.0, within(1e-9));
+    failsafe(FailsafeAction.HOLD);
+    state(100.0);
+    state(150.0); // on the circle round the place of the first state after the order
+
+    assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
+    failsafe(FailsafeAction.CONTINUE);
+    state(160.0);
+    assertThat(point().y()).isCloseTo(0.0, within(1e-9));
+  }
+
+  @Test
+  void pausedMission_aircraft_circlesWhereItWasAndThenPursuesTheSameGoal() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    kit.publish(Channels.GOALS, pausing(goals, true));
+    state(100.0);
+    state(150.0);
+    assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
+
+    failsafe(FailsafeAction.HOLD);
+    failsafe(FailsafeAction.CONTINUE);
+    state(155.0); // still paused
+    assertThat(point().y()).isNotCloseTo(0.0, within(0.1));
+
+    kit.publish(Channels.GOALS, pausing(goals, false));
+    state(160.0);
+    assertThat(point().y()).isCloseTo(0.0, within(1e-9));
+  }
+
+  @Test
+  void pausedMission_vehicleThatCanStand_getsNoPoints() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 0.0).with("LOOK AHEAD", 10.0);
+    begin();
+    int before = kit.published(Channels.NAVIGATION).size();
+    kit.publish(Channels.GOALS, pausing(goals, true));
+    state(1.0);
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(before);
+
+    kit.publish(Channels.GOALS, pausing(goals, false));
+    state(1.0);
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(before + 1);
+  }
+
+  @Test
+  void hold_aircraftThatGetsNoPointsAtTheMissionsEnd_circlesAllTheSame() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    failsafe(FailsafeAction.HOLD);
+    state(100.0);
+    state(150.0);
+
+    assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
+  }
+
+  @Test
+  void return_aircraftThatIsHome_circlesWhateverTheMissionsEndSays() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    failsafe(FailsafeAction.RETURN);
+    kit.publish(Channels.GOALS, new GoalList()); // home is reached
+    kit.forget();
+    state(100.0);
+
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(1);
+  }
+
+  @Test
+  void hold_vehicleThatStopsAtTheEnd_givesNoNavigationPoints() {
+    begin();
+    failsafe(FailsafeAction.HOLD);
+    kit.forget();
+    state(10.0);
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+  }
+
+  @Test
+  void stop_givesNoNavigationPoints() {
+    kit.with("AT END", "HOLD");
+    begin();
+    failsafe(FailsafeAction.STOP);
+    kit.forget();
+    state(10.0);
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+  }
+}

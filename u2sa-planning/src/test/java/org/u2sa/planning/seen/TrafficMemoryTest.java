@@ -1,0 +1,63 @@
+package org.u2sa.planning.seen;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.time.Clock;
+
+class TrafficMemoryTest {
+  private final TrafficMemory memory = new TrafficMemory();
+
+  private static Mover walker(double seconds, double eastMps) {
+    return new Mover(
+        "walker",
+        Clock.micros(seconds),
+        0.0,
+        new double[] {3.0},
+        new double[] {4.0},
+        0.0,
+        eastMps,
+        0.5);
+  }
+
+  private List<Double> mightMove(double seconds) {
+    return memory.mightMove(walker(seconds, 0.0)).stream().map(Mover::eastMps).toList();
+  }
+
+  @Test
+  void mightMove_stoppedAWhileAgo_onOrBack() {
+    memory.moves(walker(10.0, 0.4));
+    assertThat(mightMove(12.0)).containsExactlyInAnyOrder(0.4, -0.4);
+  }
+
+  @Test
+  void mightMove_estimateFadedAsItStopped_asFastAsBefore() {
+    memory.moves(walker(10.0, 0.4));
+    memory.moves(walker(10.5, 0.2));
+    memory.moves(walker(11.0, 0.06));
+    assertThat(mightMove(12.0)).containsExactlyInAnyOrder(0.4, -0.4);
+  }
+
+  @Test
+  void mightMove_fastLongAgoAndSlowSince_asSlowAsSince() {
+    memory.moves(walker(10.0, 0.9));
+    memory.moves(walker(15.0, 0.2));
+    memory.moves(walker(21.0, 0.2));
+    assertThat(mightMove(22.0)).containsExactlyInAnyOrder(0.2, -0.2);
+  }
+
+  @Test
+  void mightMove_movedUntilAMomentAgo_isNotParkedThoughItWasFastestBefore() {
+    memory.moves(walker(10.0, 0.4));
+    memory.moves(walker(18.0, 0.3));
+    assertThat(mightMove(25.0)).containsExactlyInAnyOrder(0.4, -0.4);
+  }
+
+  @Test
+  void mightMove_parkedOrNeverMoved_doesNot() {
+    assertThat(mightMove(5.0)).isEmpty();
+    memory.moves(walker(10.0, 0.4));
+    assertThat(mightMove(20.1)).isEmpty();
+  }
+}

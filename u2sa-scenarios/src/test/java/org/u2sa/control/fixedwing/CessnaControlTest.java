@@ -1,0 +1,255 @@
+package org.u2sa.control.fixedwing;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.AircraftState;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.testkit.ServiceKit;
+
+class CessnaControlTest {
+  private static final double STEP_S = 0.05;
+
+  private final ServiceKit kit = new ServiceKit();
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  @Test
+  void tuning_ofTheShippedFile_isThatOfTheDeclaredDefaults() {
+    Tuning declared = Tuning.in(XmlConfiguration.inMemory("none", Map.of())).get();
+    assertThat(TestTuning.standard().toString()).isEqualTo(declared.toString());
+  }
+
+  @Test
+  void refuseUndeclared_shippedFile_passes() {
+    XmlConfiguration file = XmlConfiguration.load(TestTuning.FILE);
+    Tuning.in(file);
+    file.getVariable(
+        org.u2sa.interfaces.configuration.VariableDeclaration.number("STALE AFTER", "s"));
+    file.getVariable(
+        org.u2sa.interfaces.configuration.VariableDeclaration.number("COMMAND EXPIRY", "s"));
+    file.getVariable(
+        org.u2sa.interfaces.configuration.VariableDeclaration.number("POWER EXPIRY", "s"));
+    file.getVariable(
+        org.u2sa.interfaces.configuration.VariableDeclaration.number("BLEND TIME", "s"));
+    file.refuseUndeclared();
+  }
+
+  @Test
+  void callback_stateInFlight_commandsAllEightActuatorsWithExpiry() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(300.0, 0.0, 0.0), 1);
+    List<ActuatorCommand> commands = kit.published(Channels.ACTUATION);
+    assertThat(commands)
+        .extracting(ActuatorCommand::actuatorName)
+        .containsExactly(
+            "AILERON",
+            "ELEVATOR",
+            "RUDDER",
+            "THROTTLE",
+            "MIXTURE",
+            "FLAPS",
+            "LEFT BRAKE",
+            "RIGHT BRAKE");
+    List<String> power =
+        List.of("THROTTLE", "MIXTURE", "FLAPS"); // a short silence is no reason to idle
+    assertThat(commands)
+        .allSatisfy(
+            c -> assertThat(c.expiry()).hasValue(power.contains(c.actuatorName()) ? 10.0 : 0.5));
+  }
+
+  @Test
+  void callback_aileronsWithdrawn_rollsByTheRudderAndSaysSo() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 20);
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("AILERON")
+            .minimum(-100.0)
+            .maximum(100.0)
+            .available(0.0));
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 20);
+
+    assertThat(kit.percent("AILERON")).isZero();
+    assertThat(kit.percent("RUDDER")).isGreaterThan(5.0);
+    assertThat(kit.log("Control"))
+        .anySatisfy(line -> assertThat(line).contains("ailerons lost: rolling by the rudder"));
+  }
+
+  @Test
+  void callback_pointToTheRight_rollsRight() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 20); // BODY: y is to the left
+    assertThat(kit.percent("AILERON")).isGreaterThan(5.0);
+  }
+
+  @Test
+  void callback_pointToTheLeft_rollsLeft() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(200.0, 200.0, 0.0), 20);
+    assertThat(kit.percent("AILERON")).isLessThan(-5.0);
+  }
+
+  @Test
+  void callback_pointAbove_raisesNoseAndOpensThrottle() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(300.0, 0.0, 0.0), 1);
+    double throttle = kit.percent("THROTTLE");
+    fly(flying(), Point.of(300.0, 0.0, -80.0), 40); // BODY: z is down
+    assertThat(kit.percent("ELEVATOR")).isLessThan(-1.0);
+    assertThat(kit.percent("THROTTLE")).isGreaterThan(throttle + 5.0);
+  }
+
+  @Test
+  void callback_navigationGoesStaleInABank_levelsWingsAndHolds() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 2);
+    AircraftState banked = flying();
+    banked.phi(Math.toRadians(20.0));
+    for (int i = 0; i < 40; i++) {
+      state(banked);
+    }
+    assertThat(kit.latest(ControlStatus.CHANNEL).orElseThrow().phase()).isEqualTo(FlightPhase.HOLD);
+    assertThat(kit.latest(ControlStatus.CHANNEL).orElseThrow().navigating()).isFalse();
+    assertThat(kit.percent("AILERON")).isLessThan(-5.0);
+    assertThat(kit.log("Control")).anyMatch(line -> line.contains("HOLD, no navigation"));
+  }
+
+  @Test
+  void callback_onTheRunwayWithoutNavigation_standsOnTheBrakesIdling() {
+    kit.start(CessnaControl::new);
+    for (int i = 0; i < 100; i++) {
+      state(standing());
+    }
+    assertThat(kit.percent("LEFT BRAKE")).isEqualTo(100.0);
+    assertThat(kit.percent("RIGHT BRAKE")).isEqualTo(100.0);
+    assertThat(kit.percent("THROTTLE")).isZero();
+  }
+
+  @Test
+  void callback_onTheRunwayWithNavigation_opensThrottleThenReleasesBrakes() {
+    kit.start(CessnaControl::new);
+    fly(standing(), Point.of(300.0, 0.0, -100.0), 40);
+    assertThat(kit.latest(ControlStatus.CHANNEL).orElseThrow().phase())
+        .isEqualTo(FlightPhase.RUN_UP);
+    assertThat(kit.percent("LEFT BRAKE")).isEqualTo(100.0);
+    fly(standing(), Point.of(300.0, 0.0, -100.0), 100);
+    assertThat(kit.latest(ControlStatus.CHANNEL).orElseThrow().phase()).isEqualTo(FlightPhase.ROLL);
+    assertThat(kit.percent("LEFT BRAKE")).isZero();
+    assertThat(kit.percent("THROTTLE")).isEqualTo(100.0);
+  }
+
+  @Test
+  void callback_stateLacksAttitude_saysSoAndCommandsNothing() {
+    kit.start(CessnaControl::new);
+    state(new StateInformation().x(0.0).y(0.0).z(0.0));
+    state(new StateInformation().x(0.0).y(0.0).z(0.0));
+    assertThat(kit.published(Channels.ACTUATION)).isEmpty();
+    assertThat(kit.log("Control")).filteredOn(line -> line.contains("state lacks")).hasSize(1);
+  }
+
+  @Test
+  void kill_inFlight_leavesActuatorsNeutral() {
+    CessnaControl control = kit.start(CessnaControl::new);
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 20);
+    control.kill();
+    assertThat(kit.percent("AILERON")).isZero();
+    assertThat(kit.percent("ELEVATOR")).isEqualTo(AircraftActuator.TRIMMED_ELEVATOR_PERCENT);
+    assertThat(kit.percent("THROTTLE")).isZero();
+    assertThat(kit.percent("MIXTURE")).isEqualTo(100.0);
+  }
+
+  private void set(String variable, String value) {
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange().serviceName("Control").variableName(variable).value(value));
+  }
+
+  private double bankDemandDeg() {
+    return Math.toDegrees(kit.latest(ControlStatus.CHANNEL).orElseThrow().bank().orElseThrow());
+  }
+
+  @Test
+  void configurationChange_ofTheBankLimitInATurn_fliesOnWithIt() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 100);
+    assertThat(bankDemandDeg()).isGreaterThan(20.0);
+    double throttle = kit.percent("THROTTLE");
+
+    set("BANK LIMIT", "12");
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 1);
+    assertThat(kit.percent("THROTTLE")).as("goes on").isCloseTo(throttle, within(2.0));
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 100);
+
+    assertThat(bankDemandDeg()).isCloseTo(12.0, within(0.1));
+    assertThat(kit.latest(ControlStatus.CHANNEL).orElseThrow().phase())
+        .isEqualTo(FlightPhase.CRUISE);
+  }
+
+  @Test
+  void configurationChange_toSpeedsThatDoNotGoTogether_isRefused() {
+    CessnaControl control = kit.start(CessnaControl::new);
+
+    set("STALL MARGIN", "2");
+    assertThat(control.getVariable("STALL MARGIN")).isEqualTo(1.2);
+    assertThat(kit.log("Control"))
+        .anyMatch(
+            line ->
+                line.contains(
+                    "STALL SPEED times STALL MARGIN is 52.4 m/s, expected less than CRUISE SPEED 40.0"));
+
+    set("FASTEST SPEED", "35");
+    assertThat(kit.log("Control"))
+        .anyMatch(line -> line.contains("CRUISE SPEED 40.0 m/s is above FASTEST SPEED 35.0 m/s"));
+  }
+
+  private void fly(AircraftState state, Point point, int steps) {
+    for (int i = 0; i < steps; i++) {
+      state(state);
+      NavigationPoint navigation = NavigationPoint.at(point);
+      navigation.timestamp(kit.clock().micros());
+      kit.publish(Channels.NAVIGATION, navigation);
+    }
+  }
+
+  private void state(StateInformation state) {
+    kit.advance(STEP_S);
+    kit.publish(Channels.STATE, state.copy());
+  }
+
+  /** Level at 40 m/s eastwards, 300 m up. */
+  private static AircraftState flying() {
+    AircraftState state = new AircraftState();
+    state.x(-157.9).y(21.3).z(300.0).xDot(40.0).yDot(0.0).zDot(0.0);
+    state.phi(0.0).theta(0.05).psi(Math.PI / 2).phiDot(0.0).thetaDot(0.0).psiDot(0.0);
+    state.fluidxDot(40.0).fluidyDot(0.0).fluidzDot(2.15);
+    return state.heightAboveGround(295.0).calibratedAirspeed(39.5).engineRpm(2300.0);
+  }
+
+  private static AircraftState standing() {
+    AircraftState state = new AircraftState();
+    state.x(-157.9).y(21.3).z(5.0).xDot(0.0).yDot(0.0).zDot(0.0);
+    state.phi(0.0).theta(0.05).psi(Math.PI / 2).phiDot(0.0).thetaDot(0.0).psiDot(0.0);
+    state.fluidxDot(0.0).fluidyDot(0.0).fluidzDot(0.0);
+    return state
+        .heightAboveGround(0.0)
+        .calibratedAirspeed(0.0)
+        .engineRpm(700.0)
+        .weightOnWheels(true);
+  }
+}

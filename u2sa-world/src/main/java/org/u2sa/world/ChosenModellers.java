@@ -1,0 +1,97 @@
+package org.u2sa.world;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.ServiceLoader;
+import java.util.TreeSet;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.service.HandOver;
+
+/** The modellers that MODELLERS names at the moment, of all that there are. */
+final class ChosenModellers {
+  static final String REACTIVE = "REACTIVE";
+  static final String OBJECTS = "OBJECTS";
+  static final String GRID = "GRID";
+  static final String LINES = "LINES";
+
+  private final Map<String, Modeller> all = new LinkedHashMap<>();
+  private Map<String, Modeller> chosen = new LinkedHashMap<>();
+
+  /**
+   * @param configuration of the World Modeler, from which all modellers declare their variables
+   */
+  ChosenModellers(Configurator configuration) {
+    all.put(REACTIVE, new ReactiveModeller(configuration));
+    all.put(OBJECTS, new ObjectMapModeller(configuration));
+    all.put(GRID, new GridModeller(configuration));
+    all.put(LINES, new LineModeller(configuration));
+    for (ModellerProvider provider : ServiceLoader.load(ModellerProvider.class)) {
+      all.putIfAbsent(provider.name(), provider.modeller(configuration));
+    }
+  }
+
+  /**
+   * The names in a text that commas part.
+   *
+   * @throws IllegalArgumentException naming what is no modeller
+   */
+  List<String> names(String text) {
+    List<String> names = new ArrayList<>();
+    for (String part : text.split(",")) {
+      String name = part.trim();
+      if (!all.containsKey(name)) {
+        throw new IllegalArgumentException(
+            "MODELLERS: \""
+                + name
+                + "\" is no modeller; expected some of "
+                + String.join(", ", new TreeSet<>(all.keySet()))
+                + " with commas between");
+      }
+      if (names.contains(name)) {
+        throw new IllegalArgumentException("MODELLERS: \"" + name + "\" stands twice");
+      }
+      names.add(name);
+    }
+    if (names.contains(REACTIVE) && names.contains(OBJECTS)) {
+      throw new IllegalArgumentException(
+          "MODELLERS: REACTIVE and OBJECTS would both publish the same objects; expected one");
+    }
+    return names;
+  }
+
+  /**
+   * Lets these and no others work from now on. Those that begin take over what those that end knew.
+   *
+   * @return those that begin
+   */
+  Collection<Modeller> choose(List<String> names, MapFrame frame, Sighting now) {
+    HandOver left = new HandOver(ChosenModellers.class.getName());
+    chosen.forEach(
+        (name, modeller) -> {
+          if (!names.contains(name)) {
+            modeller.handOver(left, now);
+          }
+        });
+    Map<String, Modeller> next = new LinkedHashMap<>();
+    List<Modeller> begun = new ArrayList<>();
+    for (String name : names) {
+      Modeller modeller = all.get(name);
+      next.put(name, modeller);
+      if (!chosen.containsKey(name)) {
+        begun.add(modeller);
+        modeller.enter(frame, now);
+        modeller.takeOver(left, now);
+      }
+    }
+    chosen = next;
+    return begun;
+  }
+
+  /** Those that work, by name, in the order of MODELLERS. */
+  Map<String, Modeller> working() {
+    return chosen;
+  }
+}

@@ -1,0 +1,80 @@
+package org.u2sa.world;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.schema.FieldValue;
+
+/**
+ * Which objects matter to the current task (thesis 3.2.3.3, 4.3.2). A goal says what it looks for
+ * in a field objectType or objectTypes, of whatever class it is. While every current goal does,
+ * passable objects of other types are left out. Everything else is published whatever the goal: a
+ * vehicle on its way to a buoy must not run into the gate.
+ */
+final class Relevance {
+  private static final String ONE = "objectType";
+  private static final String SEVERAL = "objectTypes";
+
+  private Set<String> wanted = Set.of(); // empty: all
+
+  /** Takes the current goals. */
+  void of(GoalList goals) {
+    Set<String> types = new TreeSet<>();
+    for (GoalInformation goal : goals.goals()) {
+      Set<String> its = types(goal);
+      if (its.isEmpty()) {
+        types.clear(); // a goal that says nothing may need anything
+        break;
+      }
+      types.addAll(its);
+    }
+    wanted = types;
+  }
+
+  private static Set<String> types(GoalInformation goal) {
+    Set<String> types = new TreeSet<>();
+    for (FieldValue field : goal.enumerateFields()) {
+      boolean names = field.name().equals(ONE) || field.name().equals(SEVERAL);
+      Optional<Object> value = names ? field.value() : Optional.empty();
+      if (value.isPresent()) {
+        Object given = value.get();
+        Collection<?> all = given instanceof Collection<?> list ? list : List.of(given);
+        all.forEach(type -> types.add(type.toString().trim()));
+      }
+    }
+    types.remove("");
+    return types;
+  }
+
+  /** Takes over from another World Modeler which types matter. */
+  void want(Collection<String> types) {
+    wanted = new TreeSet<>(types);
+  }
+
+  /** The types that the goals name; empty: all matter. */
+  Set<String> types() {
+    return wanted;
+  }
+
+  /** Those of the objects that matter. */
+  List<ObjectDescription> of(List<ObjectDescription> objects) {
+    if (wanted.isEmpty()) {
+      return objects;
+    }
+    List<ObjectDescription> relevant = new ArrayList<>();
+    for (ObjectDescription object : objects) {
+      boolean isPassable = object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent();
+      if (!isPassable || wanted.contains(object.objectType())) {
+        relevant.add(object);
+      }
+    }
+    return relevant;
+  }
+}

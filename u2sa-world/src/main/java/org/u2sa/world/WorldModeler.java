@@ -1,0 +1,352 @@
+package org.u2sa.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.ConfigurationException;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.shape.MovingSphere;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.world.xml.WorldFile;
+
+/**
+ * Keeps what is known of the surroundings (thesis 3.2.3.3): each sighting and scan goes, with the
+ * vehicle's state at the time when it was measured, to the {@link Modeller}s that MODELLERS names;
+ * what they know is published at RATE. In: sensed-objects, scans, state, goals. Out: objects, grid.
+ *
+ * <p>Without a state it works in BODY (thesis 4.3.2), and changes over when one comes.
+ */
+public final class WorldModeler extends PeriodicService {
+  private static final double RATE_HZ = 10.0;
+
+  private final ServiceContext context;
+  private final Settings<WorldSettings> settings = settings(WorldSettings.class);
+  private final ChosenModellers modellers = new ChosenModellers(this);
+  private final PoseHistory poses = new PoseHistory();
+  private final Arrivals arrivals = new Arrivals();
+  private final Relevance relevance = new Relevance();
+  private final SightingCount count = new SightingCount();
+  private MapFrame frame = MapFrame.BODY;
+  private List<ObjectDescription> known;
+  private long knownMicros; // since when what moves in the file has been moving
+  private long heardStateMicros; // of the run's clock, not of the state
+  private long gridDueMicros = Long.MIN_VALUE;
+
+  /** Called by the launcher. */
+  public WorldModeler(ServiceContext context) {
+    super(context, ServiceRole.WORLD_MODELER, "WorldModeler", RATE_HZ);
+    this.context = context;
+    registerPublisher(Channels.OBJECTS);
+    registerPublisher(Channels.GRID);
+    known = known();
+    knownMicros = clock().micros();
+    choose();
+    subscribe(Channels.STATE, this::onState);
+    subscribe(Channels.SENSED_OBJECTS, this::onArrival);
+    subscribe(Channels.SCANS, this::onArrival);
+    subscribe(Channels.GOALS, this::onGoals);
+  }
+
+  /** What is known beforehand. */
+  private List<ObjectDescription> known() {
+    List<ObjectDescription> all = file(settings.get().world());
+    return settings.get().worldMovers()
+        ? all
+        : all.stream().filter(object -> !moves(object)).collect(Collectors.toList());
+  }
+
+  /** The same, but what was around the vehicle stays where it was placed. */
+  private List<ObjectDescription> known(List<ObjectDescription> before) {
+    Map<String, ObjectDescription> placed =
+        before.stream()
+            .collect(Collectors.toMap(ObjectDescription::uid, each -> each, (a, b) -> a));
+    return known().stream()
+        .map(each -> isAround(each) ? placed.getOrDefault(each.uid(), each) : each)
+        .collect(Collectors.toList());
+  }
+
+  /** Without what is around the vehicle where it starts, until a state says where that is. */
+  private List<ObjectDescription> placed() {
+    return known.stream().filter(each -> !isAround(each)).collect(Collectors.toList());
+  }
+
+  private static boolean isAround(ObjectDescription object) {
+    return object.referenceFrame().isBody();
+  }
+
+  private static boolean moves(ObjectDescription object) {
+    boolean turns = object instanceof MovingSphere sphere && !sphere.trajectory().isEmpty();
+    return turns || object.motion().velocity().filter(v -> !v.equals(Point.ORIGIN)).isPresent();
+  }
+
+  private List<ObjectDescription> file(String path) {
+    return path.isEmpty()
+        ? List.of()
+        : WorldFile.load(context.configuration().resolve(path), context.messageTypes()).objects();
+  }
+
+  private void choose() {
+    List<String> names;
+    try {
+      names = modellers.names(settings.get().modellers());
+    } catch (IllegalArgumentException e) {
+      throw new ConfigurationException(e.getMessage(), e);
+    }
+    modellers.working().keySet().forEach(name -> remark(name, ""));
+    modellers
+        .choose(names, frame, now())
+        .forEach(modeller -> modeller.known(placed(), known(now())));
+  }
+
+  /** What is known beforehand is where it is since the file counts, whoever asks later. */
+  private Sighting known(Sighting now) {
+    return new Sighting(knownMicros, now.frame(), now.vehicle());
+  }
+
+  @Override
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    try {
+      modellers.names((String) values.get(WorldSettings.MODELLERS));
+      file((String) values.get(WorldSettings.WORLD));
+      return Optional.empty();
+    } catch (IllegalArgumentException | BadInputException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    if (variableNames.contains(WorldSettings.WORLD)
+        || variableNames.contains(WorldSettings.WORLD_MOVERS)) {
+      if (variableNames.contains(WorldSettings.WORLD)) {
+        known = known();
+        knownMicros = clock().micros();
+      } else {
+        known = known(known);
+      }
+      tellKnown(now());
+    }
+    if (variableNames.contains(WorldSettings.MODELLERS)) {
+      choose();
+    }
+  }
+
+  private void onState(StateInformation state) {
+    if (!poses.add(state)) {
+      count.badState();
+      return;
+    }
+    heardStateMicros = clock().micros();
+    if (!frame.takes(state)) {
+      enter(MapFrame.of(state));
+    }
+  }
+
+  private void enter(MapFrame next) {
+    log("the map goes on in " + next.frame() + ", before in " + frame.frame());
+    frame = next;
+    Sighting last = new Sighting(clock().micros(), next, poses.newest());
+    modellers.working().values().forEach(modeller -> modeller.enter(next, last));
+    tellKnown(last);
+    gridDueMicros = Long.MIN_VALUE;
+  }
+
+  /** What the file has around the vehicle stays where it is at the first state. */
+  private void tellKnown(Sighting now) {
+    if (!now.frame().frame().isBody()) {
+      known =
+          known.stream()
+              .map(
+                  each ->
+                      isAround(each) ? now.frame().placed(each, now.vehicle()).orElse(each) : each)
+              .collect(Collectors.toList());
+    }
+    Sighting since = known(now);
+    modellers.working().values().forEach(modeller -> modeller.known(placed(), since));
+  }
+
+  private void onArrival(U2SAData measured) {
+    if (measured.timestamp().isPresent()) {
+      arrivals.add(measured);
+    } else {
+      count.untimed();
+    }
+  }
+
+  private void onGoals(GoalList goals) {
+    relevance.of(goals);
+  }
+
+  @Override
+  protected void step(double nowS) {
+    long micros = clock().micros();
+    if (!frame.frame().isBody()
+        && micros - heardStateMicros > Clock.micros(settings.get().stateLostAfter())) {
+      log(LogLevelEnum.WARN, "no state any more");
+      enter(MapFrame.BODY);
+    }
+    // What is newer than the newest state may still get one between two.
+    long placeable =
+        frame.frame().isBody()
+            ? micros
+            : Math.max(poses.newestMicros(), micros - settings.get().waitMicros());
+    place(arrivals.upTo(placeable));
+    publish(micros);
+  }
+
+  /** Hands out measurements, those of one sensor and moment together. */
+  private void place(List<U2SAData> measured) {
+    List<ObjectDescription> together = new ArrayList<>();
+    for (U2SAData each : measured) {
+      if (each instanceof ObjectDescription object) {
+        if (!together.isEmpty() && !isSameFrame(together.get(0), object)) {
+          objects(together);
+          together = new ArrayList<>();
+        }
+        together.add(object);
+      }
+    }
+    if (!together.isEmpty()) {
+      objects(together);
+    }
+    for (U2SAData each : measured) {
+      if (each instanceof RangeScan scan) {
+        scan(scan);
+      }
+    }
+  }
+
+  private static boolean isSameFrame(ObjectDescription a, ObjectDescription b) {
+    return a.sensorName().equals(b.sensorName()) && a.timestamp().equals(b.timestamp());
+  }
+
+  private void objects(List<ObjectDescription> seen) {
+    Optional<Sighting> sighting = sighting(seen.get(0).timestamp().orElseThrow());
+    boolean needsState = seen.get(0).referenceFrame().isBody() != frame.frame().isBody();
+    if (sighting.isEmpty() && needsState) {
+      count.stateless();
+      return;
+    }
+    count.used();
+    Sighting placed =
+        sighting.orElse(
+            new Sighting(seen.get(0).timestamp().orElseThrow(), frame, Optional.empty()));
+    modellers.working().values().forEach(modeller -> modeller.objects(seen, placed));
+  }
+
+  private void scan(RangeScan scan) {
+    long first = scan.timestamp().orElseThrow();
+    Optional<Sighting> sighting = sighting(first);
+    if (sighting.isEmpty() || !scan.referenceFrame().isBody()) {
+      count.stateless();
+      return;
+    }
+    long span = Clock.micros(scan.timeIncrement() * Math.max(0, scan.ranges().size() - 1));
+    Optional<StateInformation> last =
+        span == 0 || frame.frame().isBody()
+            ? Optional.empty()
+            : poses.at(first + span, settings.get().gapMicros());
+    ScanPoses placed = new ScanPoses(sighting.get(), last);
+    count.scan();
+    modellers.working().values().forEach(modeller -> modeller.scan(scan, placed));
+  }
+
+  /** Empty if the map is on the earth or a plane, and where the vehicle was is not known. */
+  private Optional<Sighting> sighting(long micros) {
+    if (frame.frame().isBody()) {
+      return Optional.of(new Sighting(micros, frame, Optional.empty()));
+    }
+    try {
+      return poses
+          .at(micros, settings.get().gapMicros())
+          .map(vehicle -> new Sighting(micros, frame, Optional.of(vehicle)));
+    } catch (IllegalArgumentException e) { // speeds that lead beyond all numbers
+      count.badState();
+      return Optional.empty();
+    }
+  }
+
+  private Sighting now() {
+    return new Sighting(
+        clock().micros(), frame, frame.frame().isBody() ? Optional.empty() : poses.newest());
+  }
+
+  private void publish(long micros) {
+    Sighting now = now();
+    List<ObjectDescription> objects = new ArrayList<>();
+    modellers.working().values().forEach(modeller -> objects.addAll(modeller.objects(now)));
+    if (modellers.working().values().stream().noneMatch(Modeller::publishesKnown)) {
+      double sinceS = Clock.seconds(micros - knownMicros);
+      placed().forEach(object -> objects.add(object.after(sinceS)));
+    }
+    ObjectList list =
+        new ObjectList()
+            .objects(
+                settings.get().relevant() == WorldSettings.Relevant.ALL
+                    ? objects
+                    : relevance.of(objects));
+    list.timestamp(micros);
+    publish(Channels.OBJECTS, list);
+    if (micros >= gridDueMicros) {
+      gridDueMicros = micros + Clock.micros(1.0 / settings.get().gridRate());
+      for (Modeller modeller : modellers.working().values()) {
+        modeller.grid(now).ifPresent(grid -> publishGrid(grid, micros));
+      }
+    }
+    remark("PLACED", count + (arrivals.lost() == 0 ? "" : ", " + arrivals.lost() + " lost"));
+    modellers.working().forEach((name, modeller) -> remark(name, modeller.remark()));
+  }
+
+  private void publishGrid(OccupancyGrid grid, long micros) {
+    grid.timestamp(micros);
+    publish(Channels.GRID, grid);
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    poses.newest().ifPresent(newest -> state.message("STATE", newest));
+    frame.handOver(state);
+    state.text("WORLD", settings.get().world());
+    state.number("WORLD SINCE", Clock.seconds(knownMicros));
+    state.messages("KNOWN", known);
+    state.texts("WANTED TYPES", relevance.types());
+    Sighting now = now();
+    modellers.working().values().forEach(modeller -> modeller.handOver(state, now));
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    state.message("STATE", StateInformation.class).ifPresent(poses::add);
+    heardStateMicros = clock().micros();
+    relevance.want(state.texts("WANTED TYPES"));
+    frame = MapFrame.takenOver(state).orElse(frame);
+    if (state.text("WORLD").filter(settings.get().world()::equals).isPresent()) {
+      knownMicros = Clock.micros(state.number("WORLD SINCE").orElse(Clock.seconds(knownMicros)));
+      known = known(state.messages("KNOWN", ObjectDescription.class));
+    }
+    Sighting now = now();
+    for (Modeller modeller : modellers.working().values()) {
+      modeller.known(placed(), known(now));
+      modeller.enter(frame, now);
+      modeller.takeOver(state, now);
+    }
+  }
+}

@@ -1,0 +1,77 @@
+package org.u2sa.world;
+
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+
+/** The variables of the {@link WorldModeler} itself; each modeller has its own. */
+record WorldSettings(
+    @Variable(
+            ifAbsentText = "OBJECTS, GRID",
+            text =
+                "Modellers at work, separated by commas: REACTIVE (newest of each sensor), OBJECTS (object map), GRID (occupancy grid), LINES (painted lines), or an extension's.")
+        String modellers,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "World XML file with objects known beforehand, relative to the configuration file; empty: none.")
+        String world,
+    @Variable(
+            ifAbsentText = "true",
+            text =
+                "Whether objects of WORLD that move are known beforehand too; false: sensors have to find them, as traffic that no chart shows.")
+        boolean worldMovers,
+    @Variable(
+            unit = "Hz",
+            min = 0.01,
+            max = 100,
+            ifAbsent = 2,
+            text = "Grids published per second, at most RATE.")
+        double gridRate,
+    @Variable(
+            ifAbsentText = "GOAL",
+            text =
+                "GOAL leaves out, while every current goal names types of objects, passable ones (HINDRANCE) of other types; ALL publishes everything.")
+        Relevant relevant,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 10,
+            ifAbsent = 0.3,
+            text =
+                "Maximum time that a measurement waits for the state of its time; then the newest state is carried on to it.")
+        double waitForState,
+    @Variable(
+            unit = "s",
+            min = 0.001,
+            max = 10,
+            ifAbsent = 0.5,
+            text =
+                "Maximum time between two states to place a measurement between, and beyond the newest; without, the measurement is dropped.")
+        double stateGap,
+    @Variable(
+            unit = "s",
+            min = 0.1,
+            max = 3600,
+            ifAbsent = 3,
+            text = "Time without a state after which the map goes on in BODY.")
+        double stateLostAfter) {
+  /** Which objects are published. */
+  enum Relevant {
+    /** Those that the current goals need. */
+    GOAL,
+    /** All. */
+    ALL
+  }
+
+  static final String MODELLERS = "MODELLERS";
+  static final String WORLD = "WORLD";
+  static final String WORLD_MOVERS = "WORLD MOVERS";
+
+  long waitMicros() {
+    return Clock.micros(waitForState);
+  }
+
+  long gapMicros() {
+    return Clock.micros(stateGap);
+  }
+}

@@ -1,0 +1,41 @@
+package org.u2sa.world;
+
+import java.util.List;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/** An extension's modeller, found as one of another jar would be: it knows one lighthouse. */
+public final class LighthouseProvider implements ModellerProvider {
+  record Tuning(
+      @Variable(unit = "m", ifAbsent = 100, text = "Where the lighthouse stands, northward.")
+          double lighthouse) {}
+
+  @Override
+  public String name() {
+    return "LIGHTHOUSE";
+  }
+
+  @Override
+  public Modeller modeller(Configurator configuration) {
+    Settings<Tuning> tuning = configuration.settings(Tuning.class);
+    return new Modeller() {
+      @Override
+      public List<ObjectDescription> objects(Sighting now) {
+        return List.of(
+            new ObjectDescription()
+                .uid("lighthouse")
+                .referenceFrame(ReferenceFrame.LOCAL_NED)
+                .x(tuning.get().lighthouse())
+                .y(0.0));
+      }
+
+      @Override
+      public String remark() {
+        return "shines";
+      }
+    };
+  }
+}
