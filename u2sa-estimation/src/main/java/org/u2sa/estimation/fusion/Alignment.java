@@ -15,9 +15,13 @@ final class Alignment {
     }
     s.isolate(FilterState.ATTITUDE + 2, square(Math.PI / Math.sqrt(3.0)));
     s.isolate(FilterState.RATE + 2, square(tuning.turnSigma()));
-    if (tuning.wheelScaleSigma() > 0.0) {
-      s.isolate(FilterState.SCALE, square(tuning.wheelScaleSigma()));
-    }
+    wheelScale(s, tuning);
+  }
+
+  /** Wheels as exact as they are supposed to be at the start. */
+  static void wheelScale(FilterState s, FilterTuning tuning) {
+    s.x[FilterState.WHEEL_SCALE] = 0.0;
+    s.isolate(FilterState.SCALE, square(tuning.wheelScaleSigma()));
   }
 
   private static double square(double value) {

@@ -22,6 +22,7 @@ final class Fuser {
   private final MotionInput motion;
   private final SourceJudge judge;
   private final SpeedDoubt doubts;
+  private final RefusedScatter scatter;
   private final QuantityStart starts;
   private final PersistentErrors persistent;
   private final DelayErrors delays;
@@ -38,6 +39,7 @@ final class Fuser {
     motion = new MotionInput(tuning, trust);
     judge = new SourceJudge(tuning, trust);
     doubts = new SpeedDoubt(trust);
+    scatter = new RefusedScatter(tuning);
     starts = new QuantityStart(tuning);
     persistent = new PersistentErrors(tuning);
     delays = new DelayErrors(tuning);
@@ -155,9 +157,11 @@ final class Fuser {
       boolean isAlone = !judge.isCorroborated(s, source, quantity);
       boolean isJump = false;
       double wanderRate = persistent.wanderRate(s, slot);
-      if (SpeedDoubt.isOfPosition(quantity)
-          && isAlone
-          && doubts.isRaised(s, model, source, at, wanderRate)) {
+      boolean isPosition = SpeedDoubt.isOfPosition(quantity);
+      if (isPosition && scatter.isBeyondClaim(s, model, at, isAlone)) {
+        return;
+      }
+      if (isPosition && isAlone && doubts.isRaised(s, model, source, at, wanderRate)) {
         mustGiveWay = true;
       } else if (mustGiveWay) {
         QuantityStart.doubt(s, quantity, at);

@@ -101,10 +101,8 @@ final class SourceJudge {
     double streak = t[at + SourceTrust.STREAK];
     if (streak == 1.0) {
       t[at + SourceTrust.STREAK_SINCE] = s.micros;
-      t[at + SourceTrust.STREAK_FIRST] = model.innovation[0];
-      t[at + SourceTrust.STREAK_FIRST + 1] = model.rows > 1 ? model.innovation[1] : 0.0;
     }
-    noteJump(t, model, at);
+    RefusedScatter.note(t, model, at);
     double mean2 = 0.0;
     for (int i = 0; i < model.rows; i++) {
       double inClaims = model.innovation[i] / Math.sqrt(model.variance[i]);
@@ -119,20 +117,6 @@ final class SourceJudge {
     }
     double since = (s.micros - t[at + SourceTrust.STREAK_SINCE]) / MICROS;
     return streak >= RESET_AFTER && since >= tuning.resetAfterS() && isAlone;
-  }
-
-  private static void noteJump(double[] t, MeasurementModel model, int at) {
-    double first = model.innovation[0];
-    double second = model.rows > 1 ? model.innovation[1] : 0.0;
-    double jump =
-        Math.hypot(
-            first - t[at + SourceTrust.STREAK_NEWEST],
-            second - t[at + SourceTrust.STREAK_NEWEST + 1]);
-    boolean isFirst = t[at + SourceTrust.STREAK] == 1.0;
-    t[at + SourceTrust.STREAK_JUMP] =
-        isFirst ? 0.0 : Math.max(jump, t[at + SourceTrust.STREAK_JUMP]);
-    t[at + SourceTrust.STREAK_NEWEST] = first;
-    t[at + SourceTrust.STREAK_NEWEST + 1] = second;
   }
 
   /**

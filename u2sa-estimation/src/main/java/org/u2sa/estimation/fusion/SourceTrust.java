@@ -56,7 +56,8 @@ final class SourceTrust {
   static final int WANDER_MICROS = 35; // when it was learnt last
   static final int STREAK_NEWEST = 36; // newest innovation of the streak: two
   static final int STREAK_JUMP = 38; // largest change from one of its innovations to the next
-  private static final int QUANTITY_SIZE = 39;
+  static final int STREAK_STEPS2 = 39; // sum of their squares
+  private static final int QUANTITY_SIZE = 40;
 
   private static final double PRIOR = 10.0; // innovations that the claim is worth
   private static final double LARGEST = 25.0; // multiple of the variance that one innovation shows
@@ -152,6 +153,12 @@ final class SourceTrust {
     return shown < NOTEWORTHY ? 1.0 : Math.min(HIGHEST, shown);
   }
 
+  /** Begins anew to learn, from that factor. */
+  static void raise(double[] t, int at, double factor) {
+    t[at + FACTOR] = factor;
+    t[at + LEARNT] = PRIOR;
+  }
+
   /**
    * Learns from an innovation.
    *
@@ -164,11 +171,12 @@ final class SourceTrust {
       t[at + LEARNT] = PRIOR;
     }
     boolean hasPrevious = t[at + HAS_PREVIOUS] == model.rows;
+    boolean wasRefused = t[at + STREAK] > 0.0; // then nothing corrected the estimate
     double sum = 0.0;
     for (int i = 0; i < model.rows; i++) {
       double inClaims = model.innovation[i] / Math.sqrt(model.variance[i]);
       double step = inClaims - t[at + PREVIOUS + i];
-      double shown = step * step / 2.0 - expected[i] / model.variance[i];
+      double shown = step * step / 2.0 - (wasRefused ? 0.0 : expected[i] / model.variance[i]);
       sum += Math.min(shown, LARGEST * Math.max(1.0, t[at + FACTOR]));
       t[at + PREVIOUS + i] = inClaims;
     }

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
@@ -25,6 +27,7 @@ class ContradictionTest {
   private double reflectionM; // of the receiver's signals
   private boolean hasCompass = true;
   private boolean hasTurnRate = true;
+  private boolean wasBiased; // the wheels
 
   /** At a true speed, with wheels that show another, around a bend now and then. */
   private void drive(double seconds, double speed, double wheels) {
@@ -68,6 +71,7 @@ class ContradictionTest {
 
   private void look() {
     worst = Math.max(worst, filter.at(micros).isOnEarth() ? off() : 0.0);
+    wasBiased |= filter.sources().at(micros).toString().contains("Wheels, standing=BIASED");
   }
 
   private double headingOff() {
@@ -149,6 +153,33 @@ class ContradictionTest {
     worst = 0.0;
     drive(120.0, 1.0, 1.0);
     assertThat(worst).isLessThan(4.0);
+  }
+
+  /** The first heading is wrong: positions are refused for it, and show their noise meanwhile. */
+  @Test
+  void add_noCompassAndNoiseOfTheClaim_positionIsFoundAgain() {
+    random.setSeed(105);
+    hasCompass = false;
+    drive(30.0, 2.0, 2.0);
+    worst = 0.0;
+    drive(60.0, 2.0, 2.0);
+    assertThat(worst).isLessThan(2.0);
+  }
+
+  /** The first position may be off by 7 m, and nobody knows better until its noise has shown. */
+  @ParameterizedTest
+  @CsvSource({"113, 1.0", "113, 2.0", "116, 2.0", "131, 2.0", "133, 2.0"})
+  void add_noiseOfManyClaims_claimGivesWayBeforeWheelsAndPosition(long seed, double speed) {
+    random.setSeed(seed);
+    gpsSigma = 3.0;
+    claim = 0.05;
+    drive(30.0, speed, speed);
+    assertThat(worst).isLessThan(8.0);
+    worst = 0.0;
+    drive(120.0, speed, speed);
+    assertThat(worst).isLessThan(2.0);
+    assertThat(wasBiased).isFalse();
+    assertThat(filter.resets()).isZero();
   }
 
   @Test
