@@ -45,7 +45,7 @@ final class HeadingSearch {
     return Quaternions.psi(r);
   }
 
-  /** Forgets the fixes: from the next on it begins anew. */
+  /** Discards the fixes; the search restarts with the next one. */
   static void restart(FilterState s) {
     s.search[FIX_MICROS] = 0.0;
   }
@@ -141,7 +141,7 @@ final class HeadingSearch {
     }
     double apart = Math.hypot(h[H], h[H + 1]) - 1.0;
     if (apart * apart > UNLIKELY * UNLIKELY * (h[HH] + SLIP * SLIP)) {
-      restart(s); // it slipped, or turned unseen: from here anew
+      restart(s); // slipped, or turned unnoticed
       return;
     }
     double of = Math.max(SLIP, sigma);

@@ -153,7 +153,7 @@ final class SourceTrust {
     return shown < NOTEWORTHY ? 1.0 : Math.min(HIGHEST, shown);
   }
 
-  /** Begins anew to learn, from that factor. */
+  /** Restarts learning from that factor. */
   static void raise(double[] t, int at, double factor) {
     t[at + FACTOR] = factor;
     t[at + LEARNT] = PRIOR;
