@@ -54,7 +54,7 @@ final class HouseRules {
           Map.entry("planning", List.of("messages", "interfaces", "service", "device")),
           Map.entry("control", List.of("messages", "interfaces", "service", "device")),
           Map.entry("drivers", List.of("messages", "interfaces", "service", "device")),
-          Map.entry("vision", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("vision", List.of("messages", "interfaces", "service", "device", "world")),
           Map.entry("sim", List.of("messages", "interfaces", "service", "device")),
           Map.entry("recorder", List.of("messages", "interfaces", "service")),
           Map.entry(

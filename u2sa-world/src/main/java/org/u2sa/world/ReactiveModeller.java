@@ -15,6 +15,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.service.HandOver;
+import org.u2sa.world.modeller.Modeller;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.Sighting;
 
 /**
  * Remembers of each sensor what it saw last, in the frame in which it saw it, and passes that on

@@ -25,6 +25,11 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.Modeller;
+import org.u2sa.world.modeller.PoseHistory;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.Sighting;
 import org.u2sa.world.xml.WorldFile;
 
 /**

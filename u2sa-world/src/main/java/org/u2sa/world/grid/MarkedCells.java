@@ -1,0 +1,56 @@
+package org.u2sa.world.grid;
+
+import java.util.Arrays;
+
+/** Cells of a window that one scan changes, each once, with what they held before. */
+final class MarkedCells {
+  private final GridWindow window;
+  private final byte unchanged;
+  private int[] cells = new int[4_096];
+  private byte[] before = new byte[4_096];
+  private int count;
+
+  /**
+   * @param unchanged cells that hold this need no mark, as they would keep it
+   */
+  MarkedCells(GridWindow window, byte unchanged) {
+    this.window = window;
+    this.unchanged = unchanged;
+  }
+
+  /**
+   * Marks the cell of a place, given in cells, unless it is marked already or not in the window.
+   */
+  void mark(double column, double row) {
+    int side = window.side();
+    if (!(column >= 0.0 && row >= 0.0 && column < side && row < side)) {
+      return;
+    }
+    mark((int) row * side + (int) column);
+  }
+
+  /** Marks a cell of the window, unless it is marked already. */
+  void mark(int cell) {
+    byte[] all = window.cells();
+    byte held = all[cell];
+    if (held == unchanged || held == LogOdds.MARK) {
+      return;
+    }
+    if (count == cells.length) {
+      cells = Arrays.copyOf(cells, 2 * count);
+      before = Arrays.copyOf(before, 2 * count);
+    }
+    cells[count] = cell;
+    before[count++] = held;
+    all[cell] = LogOdds.MARK;
+  }
+
+  /** Gives each marked cell its new value, by the one it held less {@link Byte#MIN_VALUE}. */
+  void replace(byte[] values) {
+    byte[] all = window.cells();
+    for (int i = 0; i < count; i++) {
+      all[cells[i]] = values[before[i] - Byte.MIN_VALUE];
+    }
+    count = 0;
+  }
+}
