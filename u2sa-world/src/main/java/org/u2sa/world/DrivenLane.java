@@ -6,11 +6,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Sides of the lane that the vehicle has driven in, also where no line was seen beside it. At each
- * driven place the lines to the left and to the right are looked for square to the way. Where one
- * is missing, the lane goes on as wide as it was: between two places where both lines are known,
- * and as far as the other line leads within a lane's width of the way. Metres from the map's
- * anchor.
+ * Boundaries of the lane the vehicle has driven in, including stretches where no line was seen. At each driven position, lines are searched to the left and right, perpendicular to the path. Where one is missing, the lane keeps its width: between two positions where both lines are known, and as far as the other line extends within a lane's width of the path. Coordinates in metres from the map's anchor.
  */
 final class DrivenLane {
   private static final double STEP_M = 0.3; // spacing of positions
@@ -22,7 +18,7 @@ final class DrivenLane {
   private static final double STRAND_M = 0.9; // farther positions belong to another stretch
   private static final double JUMP_M = 0.6; // maximum lateral jump of a side between positions
   private static final double SPREAD = 0.15; // tolerance added per metre without that side
-  private static final double OWN_SHARE = 0.75; // of its distance: nothing stands nearer to the way
+  private static final double OWN_SHARE = 0.75; // fraction of its distance to keep from the path
   private static final double BRIDGE_GAPS = 2.0; // consecutive gaps in the paint
   private static final double BEHIND_M = 6.0; // path kept open for backing out
   private static final long HELD_UP_MICROS = 25 * Clock.MICROS_PER_SECOND;
@@ -106,8 +102,8 @@ final class DrivenLane {
     LanePlace earlier = from > 0 ? places.get(from - 1) : null;
     double widthM = // of the lane; NaN if in no lane
         earlier == null ? Double.NaN : earlier.left.awayM + earlier.right.awayM;
-    double missedM = 0.0; // since both lines were seen
-    double blindM = 0.0; // since any was seen
+    double missedM = 0.0; // distance since both lines were seen
+    double blindM = 0.0; // distance since any line was seen
     int inRow = 0;
     for (int i = from; i < places.size(); i++) {
       LanePlace place = places.get(i);

@@ -6,11 +6,11 @@ import java.util.Iterator;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The vehicle's recent path. Two lines it has driven between are the sides of its lane; others may belong to adjacent lanes. Metres from the map's anchor.
+ * The vehicle's recent path. Two lines it has driven between are the sides of its lane; others may belong to adjacent lanes. Coordinates in metres from the map's anchor.
  */
 final class DrivenWay {
   private static final double STEP_M = 0.3;
-  private static final int MOST = 200; // positions: 60 m
+  private static final int MOST = 200; // positions, i.e. 60 m
 
   private final Deque<Point> places = new ArrayDeque<>();
 

@@ -12,8 +12,8 @@ final class FreeRanges {
   private final BeamDirections directions = new BeamDirections();
   private double farthest; // farthest echo of this scanner so far [m]
   private double[] ends = {}; // end of each beam [m]; 0: no information
-  private double[] free = {}; // beside each beam [m]
-  private double[] slants = {0.0}; // of each beam and the one before
+  private double[] free = {}; // free length of each beam [m]
+  private double[] slants = {0.0}; // inverse distance of the line between adjacent ends
   private boolean[] echoes = {};
   private int beams;
 

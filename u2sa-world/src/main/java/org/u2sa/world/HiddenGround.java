@@ -34,7 +34,7 @@ final class HiddenGround {
     List<Double> ranges = scan.ranges();
     List<Boolean> returns = scan.returns();
     List<Double> angles = scan.angles();
-    int beams = Math.min(ranges.size(), returns.size()); // the sizes may differ in a faulty message
+    int beams = Math.min(ranges.size(), returns.size()); // the message may be faulty
     beams = angles.isEmpty() ? beams : Math.min(beams, angles.size());
     if (beams > x.length) {
       x = Arrays.copyOf(x, 2 * beams);

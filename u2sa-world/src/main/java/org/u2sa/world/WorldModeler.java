@@ -63,7 +63,7 @@ public final class WorldModeler extends PeriodicService {
     subscribe(Channels.GOALS, this::onGoals);
   }
 
-  /** What is known beforehand. */
+  /** A priori objects of the world file. */
   private List<ObjectDescription> known() {
     List<ObjectDescription> all = file(settings.get().world());
     return settings.get().worldMovers()
@@ -71,7 +71,7 @@ public final class WorldModeler extends PeriodicService {
         : all.stream().filter(object -> !moves(object)).collect(Collectors.toList());
   }
 
-  /** Same, but objects defined relative to the vehicle stay where they were placed. */
+  /** Reloads the a priori objects; those defined relative to the vehicle stay where they were. */
   private List<ObjectDescription> known(List<ObjectDescription> before) {
     Map<String, ObjectDescription> placed =
         before.stream()
@@ -201,7 +201,7 @@ public final class WorldModeler extends PeriodicService {
       log(LogLevelEnum.WARN, "no state any more");
       enter(MapFrame.BODY);
     }
-    // measurements newer than the newest state may still be interpolated
+    // measurements newer than the newest state wait: it may become possible to interpolate
     long placeable =
         frame.frame().isBody()
             ? micros
