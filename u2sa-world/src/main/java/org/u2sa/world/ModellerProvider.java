@@ -3,7 +3,7 @@ package org.u2sa.world;
 import org.u2sa.interfaces.configuration.Configurator;
 
 /**
- * Brings a modeller that the variable MODELLERS of {@link WorldModeler} can name; found through
+ * Provider of a modeller that can be selected with the variable MODELLERS of {@link WorldModeler}; found through
  * {@link java.util.ServiceLoader}.
  */
 public interface ModellerProvider {
@@ -11,7 +11,7 @@ public interface ModellerProvider {
   String name();
 
   /**
-   * A modeller for one World Modeler.
+   * Creates a modeller for one World Modeler.
    *
    * @param configuration the World Modeler's, from which the modeller declares and reads variables
    */
