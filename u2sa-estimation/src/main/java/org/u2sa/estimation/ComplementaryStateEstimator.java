@@ -15,18 +15,19 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * The simple choice between passing on and fusing: what measures a value slowly but for good (a
- * position, a heading) pulls the estimate with a time constant, what measures its rate fast (a
- * velocity, a turn rate) carries it on between (complementary filter, Higgins 1975). In:
- * sensed-state. Out: state, at the time of the newest measurement, in GLOBAL; nothing but position
- * and heading with their rates. A measurement older than the newest, such as the fix of a receiver
- * that needs 0.1 s for it, is carried ahead to the state's time by the measured rates.
+ * A simple alternative between pass-through and full fusion: slow but drift-free measurements of a
+ * value (position, heading) pull the estimate with a time constant; fast measurements of its rate
+ * (velocity, turn rate) propagate it in between (complementary filter, Higgins 1975). In:
+ * sensed-state. Out: state, at the time of the newest measurement, in GLOBAL; only position and
+ * heading with their rates. A measurement older than the newest, such as a GPS fix with 0.1 s
+ * latency, is extrapolated to the state's time by the measured rates.
  *
- * <p>Standard deviations are those of the sources, as the pull weighs them. It judges no source.
+ * <p>Each standard deviation is that of the value's latest source. Sources are not checked for
+ * faults.
  */
 public final class ComplementaryStateEstimator extends StateEstimator {
   private static final double FULL_TURN = 2.0 * Math.PI;
-  private static final double EARTH_RADIUS_M = 6_371_000.0; // a pull needs no better
+  private static final double EARTH_RADIUS_M = 6_371_000.0; // accurate enough for a correction
   private static final double DEG_PER_M = Math.toDegrees(1.0 / EARTH_RADIUS_M);
 
   private record Tuning(
@@ -51,14 +52,14 @@ public final class ComplementaryStateEstimator extends StateEstimator {
                   "Age at which a measured rate, position or heading no longer counts, late ones included.")
           double staleAfter) {}
 
-  /** A value that is pulled by what measures it, and moved on by its rate. */
+  /** A value that is pulled by its measurements and propagated by its rate. */
   private static final class Channel {
     private double value;
     private double sigma;
     private double rate;
     private boolean hasValue;
     private boolean hasRate;
-    private final Map<String, Long> pulls = new TreeMap<>(); // by source: measured then [µs]
+    private final Map<String, Long> pulls = new TreeMap<>(); // last measurement by source [µs]
     private long pulledMicros;
     private long rateMicros;
 
@@ -68,19 +69,22 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
     void rate(double newRate, long micros) {
       if (hasRate && micros < rateMicros) {
-        return; // a later rate is known
+        return; // a newer rate is known
       }
       rate = newRate;
       hasRate = true;
       rateMicros = micros;
     }
 
-    /** How much the rate has changed the value in that time. */
+    /** Change of the value over that time at the current rate. */
     double moved(double seconds, double perUnit) {
       return hasRate ? rate * seconds * perUnit : 0.0;
     }
 
-    /** Each source pulls for the time since its own measurement before: any may be late. */
+    /**
+     * Each source is weighted by the time since its own previous measurement, because any source
+     * may be late.
+     */
     void pull(String source, double apart, double newSigma, double timeS, long micros) {
       Long before = pulls.put(source, micros);
       double seconds =
@@ -107,15 +111,15 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   private final Map<String, StateInformation> newest = new TreeMap<>();
   private long micros = Long.MIN_VALUE;
 
-  /** Called by the launcher. */
+  /** Launcher constructor. */
   public ComplementaryStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");
-    tuning = settings(Tuning.class).get(); // another one counts from the next start
+    tuning = settings(Tuning.class).get(); // changes take effect at the next start
   }
 
   @Override
   protected Optional<StateInformation> estimate(StateInformation sensed) {
-    if (isFromTheFuture(sensed)) { // everything else would be too late from then on
+    if (isFromTheFuture(sensed)) { // would make all later measurements look too old
       return Optional.empty();
     }
     long measuredAt = sensed.timestamp().orElseThrow();
@@ -182,7 +186,7 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     pull(heading, 1.0, sensed, StateField.PSI, StateField.PSI_SIGMA);
   }
 
-  /** Lets a measured value pull, carried ahead to the state's time by its rate. */
+  /** Pulls a channel toward a measured value, extrapolated to the state's time by its rate. */
   private void pull(
       Channel channel,
       double perUnit,

@@ -13,8 +13,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.service.U2SAService;
 
 /**
- * Says in a service's log and health report when states lack for long what the vehicle needs, and
- * when they have it again.
+ * Reports in a service's log and health report when published states have lacked needed numbers for
+ * too long, and when they are complete again.
  */
 final class Completeness {
   private final U2SAService service;
@@ -24,7 +24,7 @@ final class Completeness {
   private String said = "";
 
   /**
-   * @param withinMicros how long a number may be absent [µs]
+   * @param withinMicros time for which a number may be absent [µs]
    */
   Completeness(U2SAService service, List<StateField> needed, long withinMicros) {
     this.service = service;
@@ -33,9 +33,9 @@ final class Completeness {
   }
 
   /**
-   * The numbers of those names, which commas part.
+   * Parses a comma-separated list of field names.
    *
-   * @throws IllegalArgumentException if there is none
+   * @throws IllegalArgumentException if a name is unknown
    */
   static List<StateField> fields(String names) {
     List<StateField> fields = new ArrayList<>();
@@ -58,15 +58,15 @@ final class Completeness {
   }
 
   /**
-   * Takes a look at a state that is published.
+   * Checks a published state.
    *
-   * @param sensors that it was made of
+   * @param sensors measurements it was made of
    */
   void look(StateInformation state, Collection<StateInformation> sensors) {
     long now = state.timestamp().orElseThrow();
     List<StateField> missing = new ArrayList<>();
     for (StateField field : needed) {
-      seenMicros.putIfAbsent(field, now); // from the first state on it has its time
+      seenMicros.putIfAbsent(field, now); // the grace period starts at the first state
       if (state.number(field).isPresent()) {
         seenMicros.put(field, now);
       } else if (now - seenMicros.get(field) > withinMicros) {

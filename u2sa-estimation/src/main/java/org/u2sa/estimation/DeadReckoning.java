@@ -9,14 +9,13 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Carries a measured position and attitude ahead to a later moment by the rates that were measured
- * with them, and lets their standard deviations grow with what may have happened since: nothing new
- * was measured.
+ * Extrapolates a measured position and attitude to a later time using the rates measured with them,
+ * and increases their standard deviations for the unmeasured motion since.
  *
- * @param velocitySigmaMps of a velocity that comes without one [m/s]
- * @param accelerationMps2 by which the velocity may have changed, 1 σ [m/s²]
- * @param unknownSpeedMps that the vehicle may have where no velocity is measured, 1 σ [m/s]
- * @param unknownTurnRadPerS that it may turn at where no rate is measured, 1 σ [rad/s]
+ * @param velocitySigmaMps standard deviation of a velocity that has none [m/s]
+ * @param accelerationMps2 unmeasured acceleration, 1 σ [m/s²]
+ * @param unknownSpeedMps speed if no velocity is measured, 1 σ [m/s]
+ * @param unknownTurnRadPerS turn rate if none is measured, 1 σ [rad/s]
  */
 record DeadReckoning(
     double velocitySigmaMps,
@@ -25,7 +24,7 @@ record DeadReckoning(
     double unknownTurnRadPerS) {
   private static final double FULL_TURN = 2.0 * Math.PI;
 
-  /** A vector or angles: each with its rate and standard deviations. */
+  /** Fields of one component of position or attitude: value, rate and their standard deviations. */
   private record Axis(StateField value, StateField rate, StateField sigma, StateField rateSigma) {}
 
   private static final Axis[] POSITION = {
@@ -40,7 +39,7 @@ record DeadReckoning(
     new Axis(StateField.PSI, StateField.PSI_DOT, StateField.PSI_SIGMA, StateField.PSI_DOT_SIGMA)
   };
 
-  /** The measurement as it may be counted on at that time; itself if it is of then. */
+  /** Extrapolates a measurement to the given time; returns it unchanged if it is not older. */
   StateInformation at(long micros, StateInformation measured) {
     double ageS = Clock.seconds(micros - measured.timestamp().orElse(micros));
     if (ageS <= 0.0) {
@@ -95,7 +94,7 @@ record DeadReckoning(
     return rest < 0.0 ? rest + FULL_TURN : rest;
   }
 
-  /** σ² = σ0² + (σ_rate t)² + (a t² / 2)²: errors that have nothing to do with each other. */
+  /** σ² = σ0² + (σ_rate t)² + (a t² / 2)², assuming independent errors. */
   private static void grow(
       Axis axis,
       StateInformation state,

@@ -22,15 +22,14 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Fuses whatever proprioceptive sources there are into one state with honest standard deviations
- * (thesis 3.2.3.1, 5.1), by an {@link ErrorStateFilter}. A source is known by its messages alone
- * and registered at the first. In: sensed-state. Out: state, carried ahead to now; local-state, a
- * dead reckoning that never jumps.
+ * Fuses all available proprioceptive sources into one state with consistent standard deviations
+ * (thesis 3.2.3.1, 5.1), using an {@link ErrorStateFilter}. Sources are known only by their
+ * messages and registered on the first one. In: sensed-state. Out: state, predicted to the current
+ * time; local-state, a dead-reckoned pose that never jumps.
  *
- * <p>What a sensor says beyond what every state has, such as whether weight is on the wheels, is
- * passed on.
+ * <p>Sensor fields beyond the common state fields, such as weight on wheels, are passed on.
  *
- * <p>Health remarks say of each source whether it is used, gated, biased, frozen or silent.
+ * <p>Health remarks report for each source whether it is used, gated, biased, frozen or silent.
  */
 public final class FusingStateEstimator extends StateEstimator {
   private static final String LOCAL = "LOCAL STATE";
@@ -39,7 +38,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private static final int REPORTS_REMEMBERED = 10;
   private static final int WARN_OF_LATE = 100;
   private static final double OWN_FIELDS_FRESH_S = 2.0;
-  private static final String START = "start"; // of the source that the surveyed start is
+  private static final String START = "start"; // source name of the surveyed start
 
   private final FusionVariables variables;
   private final ErrorStateFilter filter;
@@ -57,10 +56,10 @@ public final class FusingStateEstimator extends StateEstimator {
   private boolean isStartTold;
   private boolean isHeadingTold;
 
-  /** Called by the launcher. */
+  /** Launcher constructor. */
   public FusingStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");
-    variables = settings(FusionVariables.class).get(); // another one counts from the next start
+    variables = settings(FusionVariables.class).get(); // changes take effect at the next start
     filter = new ErrorStateFilter(variables.tuning());
     reader = new MeasurementReader(variables.sigmas());
     leverArms = new LeverArms(variables.leverArms());
@@ -100,7 +99,8 @@ public final class FusingStateEstimator extends StateEstimator {
   }
 
   /**
-   * The heading in which it was put, and the place, as soon as a receiver says where it is about.
+   * Feeds the surveyed start heading to the filter, and the surveyed position once a receiver has
+   * given an approximate one.
    */
   private void tellStart() {
     if (!isHeadingTold && variables.startPsiSigma() > 0.0) {
@@ -130,7 +130,7 @@ public final class FusingStateEstimator extends StateEstimator {
     return OwnFields.with(state, saysMore(micros));
   }
 
-  /** The newest sensor that says more than any state has, unless it fell silent. */
+  /** Newest measurement with additional fields, unless that sensor has gone silent. */
   private List<StateInformation> saysMore(long now) {
     return newest.values().stream()
         .filter(OwnFields::isRicher)
@@ -154,7 +154,7 @@ public final class FusingStateEstimator extends StateEstimator {
     }
     for (Report report : filter.sources().at(now)) {
       if (report.source().equals(START) && report.standing() == Standing.SILENT) {
-        continue; // it has said what it had to
+        continue; // a one-time source is expected to be silent
       }
       remark(report.source(), report.text());
       Standing before = standings.put(report.source(), report.standing());
@@ -201,13 +201,12 @@ public final class FusingStateEstimator extends StateEstimator {
   @Override
   protected void takeOver(HandOver state) {
     state.message(LOCAL, StateInformation.class).ifPresent(odometry::resume);
-    isStartTold = true; // it has left there
+    isStartTold = true; // the vehicle has left the start
     isHeadingTold = true;
     if (!FilterMemory.read(filter, state::text)) {
       for (StateInformation each : state.messages("MEASUREMENTS", StateInformation.class)) {
         filter.add(
-            leverArms.place(
-                reader.read(each, measurement))); // of another estimator: a start at least
+            leverArms.place(reader.read(each, measurement))); // other estimator: at least a start
       }
     }
   }

@@ -6,7 +6,8 @@ import org.u2sa.estimation.fusion.UsualSigmas;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * The fusing State Estimator's variables. Where 0 means the domain's value, the domain knows best.
+ * Variables of the fusing State Estimator. Where 0 selects the domain's value, that value is
+ * recommended.
  */
 record FusionVariables(
     @Variable(

@@ -4,7 +4,9 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.u2sa.estimation.fusion.Measurement;
 
-/** Where on the vehicle sensors sit, by their names, as a text of the configuration has it. */
+/**
+ * Mounting positions of sensors on the vehicle, by sensor name, parsed from a configuration text.
+ */
 final class LeverArms {
   private static final String FORM = "expected \"SENSOR = FORWARD LEFT DOWN; …\" in metres";
   private static final double FARTHEST_M = 100.0;
@@ -13,7 +15,7 @@ final class LeverArms {
 
   /**
    * @param text "IoioService GPS = 0.4 0 -0.6; WaterSpeedSensor = -0.2 0 0.1"; empty: none
-   * @throws IllegalArgumentException naming the part that cannot be read
+   * @throws IllegalArgumentException naming the invalid part
    */
   LeverArms(String text) {
     for (String part : text.split(";")) {
@@ -54,9 +56,9 @@ final class LeverArms {
     return metres;
   }
 
-  /** Puts a measurement to where its sensor sits. */
+  /** Adds the sensor's mounting position to a measurement. */
   Measurement place(Measurement m) {
     double[] arm = arms.get(m.source());
-    return arm == null ? m : m.mounted(arm[0], -arm[1], arm[2]); // the filter's y is to the right
+    return arm == null ? m : m.mounted(arm[0], -arm[1], arm[2]); // the filter's y points right
   }
 }

@@ -12,7 +12,7 @@ import java.util.OptionalDouble;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 
-/** The newest measurement of each sensor, and the state that they make together. */
+/** Keeps the newest measurement of each sensor and combines them into a state. */
 final class NewestMeasurements {
   private static final String SIGMA = "Sigma";
   private static final Map<StateField, StateField> SIGMAS = sigmas();
@@ -22,14 +22,14 @@ final class NewestMeasurements {
   private final Map<String, StateInformation> bySensor = new HashMap<>();
 
   /**
-   * @param staleMicros older than the newest by more, a measurement no longer counts [µs]
+   * @param staleMicros maximum age of a measurement relative to the newest one [µs]
    */
   NewestMeasurements(long staleMicros, DeadReckoning reckoning) {
     this.staleMicros = staleMicros;
     this.reckoning = reckoning;
   }
 
-  /** Which number says how sure each number is. */
+  /** Maps each field to the field of its standard deviation. */
   private static Map<StateField, StateField> sigmas() {
     Map<String, StateField> byName = new HashMap<>();
     for (StateField field : StateField.values()) {
@@ -46,13 +46,13 @@ final class NewestMeasurements {
   }
 
   /**
-   * The state with one more measurement: that measurement, and what it lacks from the newest ones
-   * of other sensors in the same frame.
+   * Adds a measurement and returns the state: that measurement, completed by the newest ones of
+   * other sensors in the same frame.
    *
-   * @param sensed has a timestamp
-   * @return empty if another sensor measured later: the state would go back in time. What was
-   *     sensed counts from the next measurement on. Empty, too, for what is measured along the
-   *     vehicle's own axes while others know where it is
+   * @param sensed measurement, which must have a timestamp
+   * @return empty if another sensor's measurement is newer, because the state must not go back in
+   *     time; the measurement is then used from the next one on. Also empty for a measurement in a
+   *     body frame while other sensors measure in an external frame
    */
   Optional<StateInformation> with(StateInformation sensed) {
     long now = sensed.timestamp().orElseThrow();
@@ -62,7 +62,7 @@ final class NewestMeasurements {
     for (StateInformation each : bySensor.values()) {
       boolean isComparable =
           each.referenceFrame().equals(sensed.referenceFrame())
-              && micros(each) - now <= staleMicros; // else another clock's
+              && micros(each) - now <= staleMicros; // else from a different clock
       if (each != sensed && isComparable) {
         others.add(each);
       }
@@ -80,7 +80,10 @@ final class NewestMeasurements {
     return Optional.of(state);
   }
 
-  /** Speeds of wheels, say, would take the place of the vehicle's position on the state channel. */
+  /**
+   * Whether a body-frame measurement, such as wheel speeds, would displace the vehicle's position
+   * on the state channel.
+   */
   private boolean isOutshone(StateInformation sensed) {
     return sensed.referenceFrame().isBody()
         && bySensor.values().stream().anyMatch(other -> !other.referenceFrame().isBody());
@@ -101,12 +104,12 @@ final class NewestMeasurements {
     return measured.timestamp().orElseThrow();
   }
 
-  /** The newest of each sensor that counts still. */
+  /** Newest measurement of each sensor, without stale ones. */
   Collection<StateInformation> all() {
     return bySensor.values();
   }
 
-  /** Goes on from what another estimator had heard. */
+  /** Restores the measurements of another estimator. */
   void takeOver(Collection<StateInformation> measured) {
     measured.forEach(each -> bySensor.put(each.sensorName(), each));
   }

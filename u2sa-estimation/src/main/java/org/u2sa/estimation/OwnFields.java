@@ -6,15 +6,15 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
 
-/** What one sensor says beyond what every state has, such as whether weight is on the wheels. */
+/** Passes on sensor fields beyond the common state fields, such as weight on wheels. */
 final class OwnFields {
   private OwnFields() {}
 
   /**
-   * A copy of a state. Where a sensor says more than any state has, it is a message of that one's
-   * class, with what only that one says.
+   * Copies a state. If a sensor's message class has additional fields, the copy is of that class
+   * and includes these fields.
    *
-   * @param sensors the first that says more counts
+   * @param sensors the first one with additional fields is used
    */
   static StateInformation with(StateInformation state, Collection<StateInformation> sensors) {
     if (state.getClass() == StateInformation.class) {
@@ -27,7 +27,10 @@ final class OwnFields {
     return state.copy();
   }
 
-  /** Rates and forces are measurements, which are no part of a state. */
+  /**
+   * Whether a sensor has additional fields. Angular rates and specific forces do not count: they
+   * are not part of a state.
+   */
   static boolean isRicher(StateInformation sensor) {
     return sensor.getClass() != StateInformation.class && !(sensor instanceof InertialMeasurement);
   }

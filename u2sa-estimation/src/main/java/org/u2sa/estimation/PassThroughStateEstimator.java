@@ -8,15 +8,15 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Takes what sensors measured for the state (thesis 4.5.2.2, 4.6.2.2): each field that a
- * measurement's presence vector names is copied to a new message, each field that a subclass of the
- * message adds too. In: sensed-state. Out: state, at the time of the newest measurement.
+ * Uses the measurements as the state (thesis 4.5.2.2, 4.6.2.2): copies each present field of a
+ * measurement, including those added by a message subclass, to a new message. In: sensed-state.
+ * Out: state, at the time of the newest measurement.
  *
- * <p>With several sensors, such as a GPS and a compass (thesis 4.6.3), what one does not measure is
- * taken from the newest measurement of another in the same frame: position and attitude are carried
- * ahead to the state's time by the rates measured with them, their standard deviations grow with
- * age, and what is older than STALE AFTER drops out. It does not fuse: of two that measure the
- * same, the newest counts.
+ * <p>With several sensors, such as a GPS and a compass (thesis 4.6.3), fields that one does not
+ * measure are filled in from the newest measurement of another in the same frame: position and
+ * attitude are extrapolated to the state's time by the rates measured with them, their standard
+ * deviations grow with age, and measurements older than STALE AFTER are discarded. There is no
+ * fusion: if two sensors measure the same quantity, the newest measurement wins.
  */
 public final class PassThroughStateEstimator extends StateEstimator {
   private record Limits(
@@ -73,10 +73,10 @@ public final class PassThroughStateEstimator extends StateEstimator {
   private final NewestMeasurements measurements;
   private final Completeness completeness;
 
-  /** Called by the launcher. */
+  /** Launcher constructor. */
   public PassThroughStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");
-    Limits limits = settings(Limits.class).get(); // another one counts from the next start
+    Limits limits = settings(Limits.class).get(); // changes take effect at the next start
     DeadReckoning reckoning =
         new DeadReckoning(
             limits.velocitySigma(),

@@ -8,22 +8,25 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Numbers that no sensor of a vehicle on or near the earth measures. A message may hold any finite
- * double; squared in an estimator, 1e200 becomes infinite, and the next difference is no number.
+ * Rejects values that no sensor of a vehicle on or near the earth can measure. A message may hold
+ * any finite double; squared in an estimator, 1e200 overflows to infinity and then yields NaN.
  */
 final class Plausibility {
   private static final double MAX_M = 1e8; // from any origin: twice around the earth
   private static final double MAX_MPS = 1e4; // orbital speed is 7.9e3 m/s
   private static final double MAX_MPS2 = 1e4; // a thousand times gravity
   private static final double MAX_RAD = 1e3;
-  private static final double MAX_RAD_PER_S = 1e3; // of gyroscopes: up to 70 rad/s
+  private static final double MAX_RAD_PER_S = 1e3; // gyroscopes measure up to 70 rad/s
   private static final double MAX_RAD_PER_S2 = 1e5;
-  private static final double MAX_LONGITUDE_DEG = 360.0; // some count eastward only
+  private static final double MAX_LONGITUDE_DEG = 360.0; // some sources use 0…360°
   private static final double MAX_LATITUDE_DEG = 90.0;
 
   private Plausibility() {}
 
-  /** What is impossible in a measurement: "x 1.0E200, outside ±360.0 deg"; empty if nothing. */
+  /**
+   * First implausible value of a measurement, such as "x 1.0E200, outside ±360.0 deg"; empty if
+   * none.
+   */
   static Optional<String> objection(StateInformation sensed) {
     boolean isGlobal = sensed.referenceFrame().equals(ReferenceFrame.GLOBAL);
     for (StateField field : StateField.values()) {

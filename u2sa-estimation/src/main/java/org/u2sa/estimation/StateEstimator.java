@@ -12,25 +12,24 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Makes the best estimate of the vehicle's state from what sensors measured (thesis 3.2.3.1). In:
- * sensed-state. Out: state.
+ * Base class of services that estimate the vehicle's state from sensor measurements (thesis
+ * 3.2.3.1). In: sensed-state. Out: state.
  *
- * <p>A subclass writes {@link #estimate}. The estimate's sensorName becomes this service's name, so
- * that receivers tell estimates of two estimators apart; its timestamp is that of the measurement,
- * unless the subclass sets another. Measurements that nothing near the earth can cause are ignored,
- * and so are those of sensors beyond the first 32.
+ * <p>A subclass implements {@link #estimate}. The estimate's sensorName is set to this service's
+ * name, so that receivers can tell estimators apart; its timestamp defaults to that of the
+ * measurement. Implausible measurements are ignored, as are sensors beyond the first 32.
  */
 public abstract class StateEstimator extends EventDrivenService {
-  private static final double FUTURE_S = 0.5; // clocks of sensors may differ by this much
+  private static final double FUTURE_S = 0.5; // tolerated clock difference between sensors
   private static final int WARN_OF_IGNORED = 100;
-  private static final int MAX_SOURCES = 32; // each costs time and memory in every estimate
+  private static final int MAX_SOURCES = 32; // each costs time and memory per estimate
 
   private final Set<String> sources = new HashSet<>(); // names of sensors
   private long ignored;
   private long refused;
 
   /**
-   * @param serviceName the name, unless the variable SERVICE NAME says another
+   * @param serviceName default name; the variable SERVICE NAME overrides it
    */
   protected StateEstimator(ServiceContext context, String serviceName) {
     super(context, ServiceRole.STATE_ESTIMATOR, serviceName);
@@ -39,10 +38,10 @@ public abstract class StateEstimator extends EventDrivenService {
   }
 
   /**
-   * The estimate after one more measurement; empty if it gives no reason to publish one. Called on
-   * the service's thread, in the order of arrival.
+   * Updates the estimate with a measurement; empty if there is nothing to publish. Called on the
+   * service's thread, in order of arrival.
    *
-   * @param sensed frozen; its presence vector says what the sensor measured
+   * @param sensed frozen; its presence vector marks the measured fields
    * @return a new message, not frozen
    */
   protected abstract Optional<StateInformation> estimate(StateInformation sensed);
@@ -60,7 +59,7 @@ public abstract class StateEstimator extends EventDrivenService {
     if (sources.contains(sensed.sensorName())
         || sources.size() < MAX_SOURCES && sources.add(sensed.sensorName())) {
       estimate(sensed).ifPresent(estimate -> publishEstimate(estimate, sensed));
-    } else if (Long.bitCount(++refused) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+    } else if (Long.bitCount(++refused) == 1) { // exponential back-off of the log
       trouble(
           String.format(
               "more than %s sensors, \"%s\" is one too many: %s measurements ignored so far",
@@ -68,14 +67,16 @@ public abstract class StateEstimator extends EventDrivenService {
     }
   }
 
-  /** Tells people, not each time, of a measurement that does not count. */
+  /** Reports an ignored measurement, rate-limited. */
   final void ignore(StateInformation sensed, String why) {
     if (ignored++ % WARN_OF_IGNORED == 0) {
       trouble("ignored a measurement of " + sensed.sensorName() + ", which " + why);
     }
   }
 
-  /** Whether a measurement is to be ignored because its time is still to come; people are told. */
+  /**
+   * Whether a measurement must be ignored because its timestamp is in the future; reports it if so.
+   */
   final boolean isFromTheFuture(StateInformation sensed) {
     double aheadS = Clock.seconds(sensed.timestamp().orElseThrow() - clock().micros());
     if (aheadS <= FUTURE_S) {

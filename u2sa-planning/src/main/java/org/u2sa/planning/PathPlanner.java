@@ -35,20 +35,20 @@ public class PathPlanner extends EventDrivenService {
   private final EndOfMission end;
   private final Avoidance avoidance;
   private Optional<GoalList> goals = Optional.empty();
-  // The list that was taken over arrives again because it is retained.
+  // The list handed over; it arrives again because it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
   private Optional<GoalInformation> goal = Optional.empty(); // pursued
-  private Optional<GoalInformation> finished = Optional.empty(); // the newest reported
-  private Optional<Place> holdAt = Optional.empty(); // the last place reached or given up
+  private Optional<GoalInformation> finished = Optional.empty(); // last one reported
+  private Optional<Place> holdAt = Optional.empty(); // last place reached or given up
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private String foreseen = ""; // UID of the goal expected next
   private long reportedMicros;
   private long stateMicros = Long.MIN_VALUE; // arrival of the last state
-  private long missionMicros = Long.MIN_VALUE; // when it began, had its time always counted
+  private long missionMicros = Long.MIN_VALUE; // mission start if its time had always counted
   private String complaint = ""; // last one logged, to log it once
   private String threshold = ""; // last remark on the current goal's threshold
 
-  /** Called by the launcher. */
+  /** Launcher constructor. */
   public PathPlanner(ServiceContext context) {
     this(context, planner -> new ChosenGuidance(planner, planner::lines));
   }
@@ -233,7 +233,10 @@ public class PathPlanner extends EventDrivenService {
     return new GoalChoice(goals.get()).goal(preferred, option -> distanceM(option, state));
   }
 
-  /** By what the list says; if it does not, the mission began with its first goals. */
+  /**
+   * Start of the mission, from the list's elapsed time if given, else from the arrival of the first
+   * goals [µs].
+   */
   private long missionBegan(GoalList list) {
     long now = clock().micros();
     if (list.elapsed().isPresent()) {
@@ -246,7 +249,7 @@ public class PathPlanner extends EventDrivenService {
     return missionMicros == Long.MIN_VALUE ? now : missionMicros;
   }
 
-  /** For how long the mission has been pursued [s]. */
+  /** Time for which the mission has been pursued [s]. */
   private double missionS() {
     return missionMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(clock().micros() - missionMicros);
   }

@@ -19,7 +19,7 @@ public final class VectorFieldPlanner extends PathPlanner {
               text = "Angle at which a vehicle far off the line returns to it.")
           double interceptAngle) {}
 
-  /** Called by the launcher. */
+  /** Launcher constructor. */
   public VectorFieldPlanner(ServiceContext context) {
     super(context, VectorFieldPlanner::guidance);
   }

@@ -8,8 +8,8 @@ import java.util.List;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * What came in and waits until the state of its time is known. The oldest goes when there is too
- * much: a scanner is never worth the vehicle's memory.
+ * Bounded queue of measurements waiting for the vehicle state of their time. Drops the oldest when
+ * full, so that a fast scanner cannot exhaust the memory.
  */
 final class Arrivals {
   private static final int MOST = 20_000;
@@ -17,7 +17,7 @@ final class Arrivals {
   private final Deque<U2SAData> waiting = new ArrayDeque<>();
   private long lost;
 
-  /** Takes a message that has a timestamp. */
+  /** Queues a message, which must have a timestamp. */
   void add(U2SAData message) {
     if (waiting.size() == MOST) {
       waiting.removeFirst();
@@ -26,7 +26,7 @@ final class Arrivals {
     waiting.add(message);
   }
 
-  /** Takes out all that was measured up to a time, oldest first; of one time in the order heard. */
+  /** Removes all messages measured up to a time, oldest first; equal times in order of arrival. */
   List<U2SAData> upTo(long micros) {
     List<U2SAData> due = new ArrayList<>();
     waiting.removeIf(
@@ -41,7 +41,7 @@ final class Arrivals {
     return due;
   }
 
-  /** How many were lost because too many waited. */
+  /** Number of messages dropped because the queue was full. */
   long lost() {
     return lost;
   }

@@ -16,7 +16,7 @@ import org.u2sa.world.modeller.ModellerProvider;
 import org.u2sa.world.modeller.Sighting;
 import org.u2sa.world.object.ObjectMapModeller;
 
-/** The modellers that MODELLERS names at the moment, of all that there are. */
+/** The modellers currently selected by MODELLERS, out of all available ones. */
 final class ChosenModellers {
   static final String REACTIVE = "REACTIVE";
   static final String OBJECTS = "OBJECTS";
@@ -26,7 +26,8 @@ final class ChosenModellers {
   private Map<String, Modeller> chosen = new LinkedHashMap<>();
 
   /**
-   * @param configuration of the World Modeler, from which all modellers declare their variables
+   * @param configuration configuration of the World Modeler, in which all modellers declare their
+   *     variables
    */
   ChosenModellers(Configurator configuration) {
     all.put(REACTIVE, new ReactiveModeller(configuration));
@@ -38,9 +39,9 @@ final class ChosenModellers {
   }
 
   /**
-   * The names in a text that commas part.
+   * Parses comma-separated names.
    *
-   * @throws IllegalArgumentException naming what is no modeller
+   * @throws IllegalArgumentException naming the unknown modeller
    */
   List<String> names(String text) {
     List<String> names = new ArrayList<>();
@@ -67,9 +68,9 @@ final class ChosenModellers {
   }
 
   /**
-   * Lets these and no others work from now on. Those that begin take over what those that end knew.
+   * Activates exactly these modellers. New ones take over the knowledge of those deactivated.
    *
-   * @return those that begin
+   * @return the newly activated modellers
    */
   Collection<Modeller> choose(List<String> names, MapFrame frame, Sighting now) {
     HandOver left = new HandOver(ChosenModellers.class.getName());
@@ -94,7 +95,7 @@ final class ChosenModellers {
     return begun;
   }
 
-  /** Those that work, by name, in the order of MODELLERS. */
+  /** Active modellers by name, in the order of MODELLERS. */
   Map<String, Modeller> working() {
     return chosen;
   }

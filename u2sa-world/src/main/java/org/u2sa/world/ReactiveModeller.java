@@ -20,8 +20,8 @@ import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.Sighting;
 
 /**
- * Remembers of each sensor what it saw last, in the frame in which it saw it, and passes that on
- * (thesis 4.1.1.2); scans become point clouds. What is known beforehand is passed on with it.
+ * Publishes the latest detections of each sensor, in their original frames (thesis 4.1.1.2), with
+ * scans as point clouds, together with the a priori objects.
  */
 final class ReactiveModeller implements Modeller {
   private record Tuning(

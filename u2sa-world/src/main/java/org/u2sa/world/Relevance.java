@@ -13,10 +13,10 @@ import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.schema.FieldValue;
 
 /**
- * Which objects matter to the current task (thesis 3.2.3.3, 4.3.2). A goal says what it looks for
- * in a field objectType or objectTypes, of whatever class it is. While every current goal does,
- * passable objects of other types are left out. Everything else is published whatever the goal: a
- * vehicle on its way to a buoy must not run into the gate.
+ * Selects the objects relevant to the current task (thesis 3.2.3.3, 4.3.2). A goal of any class can
+ * name what it looks for in a field objectType or objectTypes. While every current goal does so,
+ * passable objects of other types are omitted. Everything else is always published: a vehicle on
+ * its way to a buoy must not run into the gate.
  */
 final class Relevance {
   private static final String ONE = "objectType";
@@ -24,13 +24,13 @@ final class Relevance {
 
   private Set<String> wanted = Set.of(); // empty: all
 
-  /** Takes the current goals. */
+  /** Sets the current goals. */
   void of(GoalList goals) {
     Set<String> types = new TreeSet<>();
     for (GoalInformation goal : goals.goals()) {
       Set<String> its = types(goal);
       if (its.isEmpty()) {
-        types.clear(); // a goal that says nothing may need anything
+        types.clear(); // a goal without types may need anything
         break;
       }
       types.addAll(its);
@@ -53,17 +53,17 @@ final class Relevance {
     return types;
   }
 
-  /** Takes over from another World Modeler which types matter. */
+  /** Restores the relevant types of a predecessor. */
   void want(Collection<String> types) {
     wanted = new TreeSet<>(types);
   }
 
-  /** The types that the goals name; empty: all matter. */
+  /** Types named by the goals; empty means all. */
   Set<String> types() {
     return wanted;
   }
 
-  /** Those of the objects that matter. */
+  /** Filters the relevant objects. */
   List<ObjectDescription> of(List<ObjectDescription> objects) {
     if (wanted.isEmpty()) {
       return objects;

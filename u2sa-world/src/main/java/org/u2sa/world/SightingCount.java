@@ -1,6 +1,6 @@
 package org.u2sa.world;
 
-/** How many measurements found their way into the map, for the health report. */
+/** Counts measurements used and dropped, for the health report. */
 final class SightingCount {
   private long sightings;
   private long scans;
@@ -8,27 +8,27 @@ final class SightingCount {
   private long untimed;
   private long badStates;
 
-  /** What one sensor saw at one moment was used. */
+  /** Counts one sensor's detections of one time as used. */
   void used() {
     sightings++;
   }
 
-  /** A scan was used. */
+  /** Counts a scan as used. */
   void scan() {
     scans++;
   }
 
-  /** A measurement was dropped: where the vehicle was at its time is not known. */
+  /** Counts a measurement dropped because the vehicle state of its time is unknown. */
   void stateless() {
     stateless++;
   }
 
-  /** A measurement was dropped: it does not say when it was made. */
+  /** Counts a measurement dropped because it has no timestamp. */
   void untimed() {
     untimed++;
   }
 
-  /** A state was dropped: it lacks place, heading or time. */
+  /** Counts a state dropped because it lacks position, heading or time. */
   void badState() {
     badStates++;
   }

@@ -33,11 +33,12 @@ import org.u2sa.world.modeller.Sighting;
 import org.u2sa.world.xml.WorldFile;
 
 /**
- * Keeps what is known of the surroundings (thesis 3.2.3.3): each sighting and scan goes, with the
- * vehicle's state at the time when it was measured, to the {@link Modeller}s that MODELLERS names;
- * what they know is published at RATE. In: sensed-objects, scans, state, goals. Out: objects, grid.
+ * Maintains the world model (thesis 3.2.3.3): passes each sighting and scan, with the vehicle's
+ * state at its measurement time, to the {@link Modeller}s selected by MODELLERS, and publishes
+ * their results at RATE. In: sensed-objects, scans, state, goals. Out: objects, grid.
  *
- * <p>Without a state it works in BODY (thesis 4.3.2), and changes over when one comes.
+ * <p>Without a vehicle state it works in BODY (thesis 4.3.2) and switches frames when a state
+ * arrives.
  */
 public final class WorldModeler extends PeriodicService {
   private static final double RATE_HZ = 10.0;
@@ -51,11 +52,11 @@ public final class WorldModeler extends PeriodicService {
   private final SightingCount count = new SightingCount();
   private MapFrame frame = MapFrame.BODY;
   private List<ObjectDescription> known;
-  private long knownMicros; // since when what moves in the file has been moving
-  private long heardStateMicros; // of the run's clock, not of the state
+  private long knownMicros; // start time of the motion of the file's moving objects
+  private long heardStateMicros; // run clock, not the state's timestamp
   private long gridDueMicros = Long.MIN_VALUE;
 
-  /** Called by the launcher. */
+  /** Launcher constructor. */
   public WorldModeler(ServiceContext context) {
     super(context, ServiceRole.WORLD_MODELER, "WorldModeler", RATE_HZ);
     this.context = context;
@@ -70,7 +71,7 @@ public final class WorldModeler extends PeriodicService {
     subscribe(Channels.GOALS, this::onGoals);
   }
 
-  /** What is known beforehand. */
+  /** A priori objects of the world file. */
   private List<ObjectDescription> known() {
     List<ObjectDescription> all = file(settings.get().world());
     return settings.get().worldMovers()
@@ -78,7 +79,7 @@ public final class WorldModeler extends PeriodicService {
         : all.stream().filter(object -> !moves(object)).collect(Collectors.toList());
   }
 
-  /** The same, but what was around the vehicle stays where it was placed. */
+  /** Reloads the a priori objects; those defined relative to the vehicle stay where they were. */
   private List<ObjectDescription> known(List<ObjectDescription> before) {
     Map<String, ObjectDescription> placed =
         before.stream()
@@ -88,7 +89,7 @@ public final class WorldModeler extends PeriodicService {
         .collect(Collectors.toList());
   }
 
-  /** Without what is around the vehicle where it starts, until a state says where that is. */
+  /** Omits objects defined relative to the start pose until a state gives that pose. */
   private List<ObjectDescription> placed() {
     return known.stream().filter(each -> !isAround(each)).collect(Collectors.toList());
   }
@@ -121,7 +122,10 @@ public final class WorldModeler extends PeriodicService {
         .forEach(modeller -> modeller.known(placed(), known(now())));
   }
 
-  /** What is known beforehand is where it is since the file counts, whoever asks later. */
+  /**
+   * A priori objects count as known from the time the file was loaded, whichever modeller asks
+   * later.
+   */
   private Sighting known(Sighting now) {
     return new Sighting(knownMicros, now.frame(), now.vehicle());
   }
@@ -174,7 +178,7 @@ public final class WorldModeler extends PeriodicService {
     gridDueMicros = Long.MIN_VALUE;
   }
 
-  /** What the file has around the vehicle stays where it is at the first state. */
+  /** Fixes the file's vehicle-relative objects at the first state. */
   private void tellKnown(Sighting now) {
     if (!now.frame().frame().isBody()) {
       known =
@@ -208,7 +212,7 @@ public final class WorldModeler extends PeriodicService {
       log(LogLevelEnum.WARN, "no state any more");
       enter(MapFrame.BODY);
     }
-    // What is newer than the newest state may still get one between two.
+    // measurements newer than the newest state wait: it may become possible to interpolate
     long placeable =
         frame.frame().isBody()
             ? micros
@@ -217,7 +221,7 @@ public final class WorldModeler extends PeriodicService {
     publish(micros);
   }
 
-  /** Hands out measurements, those of one sensor and moment together. */
+  /** Dispatches measurements, grouped by sensor and time. */
   private void place(List<U2SAData> measured) {
     List<ObjectDescription> together = new ArrayList<>();
     for (U2SAData each : measured) {
@@ -274,7 +278,7 @@ public final class WorldModeler extends PeriodicService {
     modellers.working().values().forEach(modeller -> modeller.scan(scan, placed));
   }
 
-  /** Empty if the map is on the earth or a plane, and where the vehicle was is not known. */
+  /** Empty if the map is GLOBAL or local and the vehicle's pose at that time is unknown. */
   private Optional<Sighting> sighting(long micros) {
     if (frame.frame().isBody()) {
       return Optional.of(new Sighting(micros, frame, Optional.empty()));
@@ -283,7 +287,7 @@ public final class WorldModeler extends PeriodicService {
       return poses
           .at(micros, settings.get().gapMicros())
           .map(vehicle -> new Sighting(micros, frame, Optional.of(vehicle)));
-    } catch (IllegalArgumentException e) { // speeds that lead beyond all numbers
+    } catch (IllegalArgumentException e) { // speeds that overflow the coordinates
       count.badState();
       return Optional.empty();
     }

@@ -3,7 +3,7 @@ package org.u2sa.world;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
-/** The variables of the {@link WorldModeler} itself; each modeller has its own. */
+/** Variables of the {@link WorldModeler} itself; each modeller has its own. */
 record WorldSettings(
     @Variable(
             ifAbsentText = "OBJECTS, GRID",
@@ -57,9 +57,9 @@ record WorldSettings(
         double stateLostAfter) {
   /** Which objects are published. */
   enum Relevant {
-    /** Those that the current goals need. */
+    /** Objects relevant to the current goals. */
     GOAL,
-    /** All. */
+    /** All objects. */
     ALL
   }
 

@@ -1,10 +1,13 @@
 package org.u2sa.estimation.fusion;
 
-/** Sets parts of the state that were unknown or have proved wrong, with their uncertainty. */
+/**
+ * Initialises or resets parts of the state that were unknown or proved wrong, with their
+ * uncertainty.
+ */
 final class Alignment {
   private Alignment() {}
 
-  /** A state that knows nothing yet. */
+  /** Initialises a state with nothing known. */
   static void start(FilterState s, long micros, FilterTuning tuning) {
     double speed = tuning.domain().speedSigmaMps();
     s.micros = micros;
@@ -18,7 +21,7 @@ final class Alignment {
     wheelScale(s, tuning);
   }
 
-  /** Wheels as exact as they are supposed to be at the start. */
+  /** Resets the wheel-speed scale to its initial uncertainty. */
   static void wheelScale(FilterState s, FilterTuning tuning) {
     s.x[FilterState.WHEEL_SCALE] = 0.0;
     s.isolate(FilterState.SCALE, square(tuning.wheelScaleSigma()));
@@ -56,7 +59,7 @@ final class Alignment {
     s.isolate(FilterState.VELOCITY + axis, variance);
   }
 
-  /** Turns the nominal attitude about the vertical to that heading [rad]. */
+  /** Rotates the nominal attitude about the vertical to the given heading [rad]. */
   static void heading(FilterState s, double psi, double variance) {
     double[] r = new double[9];
     Quaternions.matrix(s.x, FilterState.Q, r);
@@ -72,7 +75,7 @@ final class Alignment {
     Quaternions.matrix(s.x, FilterState.Q, r);
     Quaternions.fromEuler(phi, theta, Quaternions.psi(r), s.x, FilterState.Q);
     s.hasTilt = true;
-    double variance = square(Math.max(phiSigma, thetaSigma)); // along north and east: either
+    double variance = square(Math.max(phiSigma, thetaSigma)); // the north and east axes mix both
     s.isolate(FilterState.ATTITUDE, variance);
     s.isolate(FilterState.ATTITUDE + 1, variance);
     for (int i = 0; i < 2; i++) {

@@ -3,23 +3,24 @@ package org.u2sa.estimation.fusion;
 import java.util.Arrays;
 
 /**
- * By how much later than its time says each of the first {@link #SLOTS} position sources measures,
- * as states of the filter (on-line temporal calibration; Li and Mourikis, IJRR 33(7), 2014): a
- * position that is fused as of t was measured at t - τ, and is short by v τ. Velocities do not
- * teach τ: of a vehicle that shakes, no sample says by how much they changed in that time.
+ * Residual delays of the first {@link #SLOTS} position sources, estimated as filter states (online
+ * temporal calibration; Li and Mourikis, IJRR 33(7), 2014): a position fused at time t was measured
+ * at t - τ and lags by v τ. Velocity measurements do not help to estimate τ: on a vibrating
+ * vehicle, no sample tells how much they changed in that time.
  *
- * <p>While nothing tells τ, as on a straight at constant speed, the position stays uncertain along
- * the way by as much as τ is; turns and changes of speed teach it where other sensors know of them.
+ * <p>While τ is unobservable, as on a straight at constant speed, the position stays uncertain
+ * along track in proportion to the uncertainty of τ; turns and speed changes make it observable if
+ * other sensors measure them.
  */
 final class DelayErrors {
   static final int NONE = -1;
   static final int SLOTS = 3;
 
-  static final double MAX_S = 0.5; // no receiver is later, and none measures ahead of time
+  static final double MAX_S = 0.5; // bounds delays to [0, MAX_S]
 
-  private static final double NOISE = 1e-3; // of a delay, s per √s
-  private static final double LEAST_S = 0.03; // worth telling
-  private static final double SIGMAS = 3.0; // by which it must be known for that
+  private static final double NOISE = 1e-3; // random walk of a delay, s per √s
+  private static final double LEAST_S = 0.03; // minimum delay to report
+  private static final double SIGMAS = 3.0; // required significance
 
   private final double sigmaS;
 
@@ -27,7 +28,7 @@ final class DelayErrors {
     sigmaS = tuning.delaySigmaS();
   }
 
-  /** Of a state that has heard nobody. */
+  /** Slots of a state without any source. */
   static int[] nobody() {
     int[] sources = new int[SLOTS];
     Arrays.fill(sources, FilterState.NO_SOURCE);
@@ -39,9 +40,10 @@ final class DelayErrors {
   }
 
   /**
-   * Which slot holds the source's delay, from its first position on.
+   * Slot of the source's delay; assigns a free one at its first position.
    *
-   * @return NONE if the quantity does not tell of it, or all slots are taken
+   * @return NONE if the quantity is not a position, delays are not estimated, or all slots are
+   *     taken
    */
   int slot(FilterState s, SensedQuantity quantity, int source) {
     if (sigmaS <= 0.0 || !isPosition(quantity)) {
@@ -61,7 +63,7 @@ final class DelayErrors {
     return NONE;
   }
 
-  /** The state has just taken its position from this source: it is as late. */
+  /** Correlates the position with the delay after the position was initialised from this source. */
   static void share(FilterState s, int slot) {
     if (slot == NONE) {
       return;
@@ -77,7 +79,7 @@ final class DelayErrors {
     }
   }
 
-  /** p(t - τ) ≈ p - v τ. */
+  /** Adds the delay to the measurement model: p(t - τ) ≈ p - v τ. */
   static void look(
       FilterState s, Measurement m, SensedQuantity quantity, MeasurementModel model, int slot) {
     if (slot == NONE) {
@@ -95,7 +97,7 @@ final class DelayErrors {
     }
   }
 
-  /** Lets the delays wander. */
+  /** Adds the random-walk noise of the delays. */
   static void wander(FilterState s, double dt) {
     for (int slot = 0; slot < SLOTS; slot++) {
       if (s.delaySource[slot] != FilterState.NO_SOURCE) {
@@ -104,12 +106,14 @@ final class DelayErrors {
     }
   }
 
-  /** What makes a delay negative, or large, is another error, such as a reflected signal. */
+  /**
+   * Clamps a delay to its valid range: estimates outside stem from other errors, such as multipath.
+   */
   static double possible(double seconds) {
     return Math.min(MAX_S, Math.max(0.0, seconds));
   }
 
-  /** By how much later a source measures than it says [s], 0 if that is too little or not sure. */
+  /** Estimated delay of a source [s]; 0 if too small or not significant. */
   static double lateS(FilterState s, int source) {
     for (int slot = 0; slot < SLOTS; slot++) {
       double late = s.x[FilterState.DELAYS + slot];

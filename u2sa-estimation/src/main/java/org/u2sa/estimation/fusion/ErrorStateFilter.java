@@ -1,23 +1,23 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Error-state extended Kalman filter (Solà 2017, arXiv 1711.02508) over whatever sources there are:
- * each is known by its name only, from its first measurement on. Measurements may come late and in
- * any order: they are fused where they belong in time, and all later ones again after them, as soon
- * as somebody asks. So of several that come late before that, each is fused again once only.
+ * Error-state extended Kalman filter (Solà 2017, arXiv 1711.02508) that accepts any sources; each
+ * is identified by name, from its first measurement on. Measurements may arrive late and out of
+ * order: they are inserted at their time, and all later ones are fused again, lazily at the next
+ * query, so that several late arrivals cost only one replay.
  *
- * <p>Belongs to one thread. Allocates nothing once all sources are known.
+ * <p>Not thread-safe. Does not allocate once all sources are known.
  */
 public final class ErrorStateFilter {
   private static final double LONGEST_GAP_S = 600.0;
 
-  /** What became of a measurement. */
+  /** Result of adding a measurement. */
   public enum Outcome {
-    /** It is the newest. */
+    /** It is the newest measurement. */
     FUSED,
-    /** It was late and is put into its place. */
+    /** It was late and was inserted at its time. */
     REPLAYED,
-    /** It was older than the horizon, and is lost. */
+    /** It was older than the horizon and was discarded. */
     TOO_LATE
   }
 
@@ -32,7 +32,7 @@ public final class ErrorStateFilter {
   private long late;
   private long replayed;
 
-  /** A filter that knows nothing yet. */
+  /** Creates an uninitialised filter. */
   public ErrorStateFilter(FilterTuning tuning) {
     this.tuning = tuning;
     trust = new SourceTrust(tuning.window());
@@ -42,7 +42,7 @@ public final class ErrorStateFilter {
     horizonMicros = (long) Math.ceil(tuning.horizonS() * 1e6);
   }
 
-  /** Takes a measurement, which is copied. */
+  /** Adds a copy of a measurement. */
   public Outcome add(Measurement m) {
     double ageS = history.isStarted() ? (micros() - m.micros()) * 1e-6 : 0.0;
     if (ageS > tuning.horizonS()) {
@@ -53,7 +53,7 @@ public final class ErrorStateFilter {
       history.restart(new FilterState());
     }
     if (history.isFull() && history.fused() == 0) {
-      fuse(); // the state after the oldest is what remains of it
+      fuse(); // the oldest entry lives on only in the state after it
     }
     history.forget(micros() - horizonMicros);
     int source = trust.source(m.source());
@@ -75,7 +75,7 @@ public final class ErrorStateFilter {
     history.allFused();
   }
 
-  /** The estimate, carried ahead to that time [µs] if it is later than the newest measurement. */
+  /** Estimate at the newest measurement, predicted to the given time [µs] if that is later. */
   public Estimate at(long micros) {
     ahead.copyFrom(state());
     if (ahead.isStarted) {
@@ -89,22 +89,22 @@ public final class ErrorStateFilter {
     return history.micros();
   }
 
-  /** Measurements that were older than the horizon. */
+  /** Number of measurements discarded as older than the horizon. */
   public long late() {
     return late;
   }
 
-  /** Measurements that came late, and were fused where they belong. */
+  /** Number of late measurements that were fused at their time. */
   public long replayed() {
     return replayed;
   }
 
-  /** How often a quantity began anew because all its sources contradicted it. */
+  /** Number of resets of a quantity that all its sources contradicted. */
   public long resets() {
     return state().resets;
   }
 
-  /** What is known of the sources. */
+  /** Reports on the sources. */
   public SourceReports sources() {
     return new SourceReports(state(), trust, tuning);
   }
@@ -119,7 +119,7 @@ public final class ErrorStateFilter {
     return history.before(history.count());
   }
 
-  /** Goes on from another state, as after a restart. */
+  /** Resumes from another state, e.g. after a restart. */
   void resume(FilterState from) {
     history.restart(from);
   }

@@ -1,8 +1,8 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * The filter's answer at one time: a view that lasts until the filter is asked again. Quantities
- * that are not known yet say so in the has… methods.
+ * The filter's estimate at one time: a view that is valid until the next query. The has… methods
+ * tell which quantities are known.
  */
 public final class Estimate {
   private static final double VERTICAL = 0.02; // cos θ below which the heading's rate is undefined
@@ -21,20 +21,20 @@ public final class Estimate {
     model.attitudeSigmas(s, attitudeSigmas);
   }
 
-  /** Its time [µs]. */
+  /** Time of the estimate [µs]. */
   public long micros() {
     return s.micros;
   }
 
-  /** Whether the place on earth is known. */
+  /** Whether the geodetic position is known. */
   public boolean isOnEarth() {
     return s.hasPlace;
   }
 
   /**
-   * Whether the horizontal position, on earth or from a local origin, is known well enough. On the
-   * ground it is not, however small its sigma yet, where nothing says any more how fast the vehicle
-   * goes: it can stand and wait.
+   * Whether the horizontal position, geodetic or from a local origin, is known well enough. For a
+   * ground vehicle it is not once no source measures its speed any more, however small the sigma
+   * still is: such a vehicle can stop and wait.
    */
   public boolean hasPosition() {
     boolean isSure = Math.max(positionSigmaM(0), positionSigmaM(1)) <= tuning.lostSigmaM();
@@ -54,7 +54,7 @@ public final class Estimate {
     return s.hasHeading && attitudeSigmas[2] < Math.PI / 2.0;
   }
 
-  /** Whether roll and pitch are measured, by whatever source. */
+  /** Whether any source measures roll and pitch. */
   public boolean hasTilt() {
     return s.hasTilt;
   }
@@ -64,7 +64,7 @@ public final class Estimate {
     return s.hasFlow;
   }
 
-  /** Whether forces drive the velocity. */
+  /** Whether specific forces drive the velocity. */
   public boolean isStrapdown() {
     return s.isStrapdown;
   }
@@ -99,7 +99,7 @@ public final class Estimate {
     return s.x[FilterState.V + axis];
   }
 
-  /** Its standard deviation [m/s]. */
+  /** Standard deviation of the velocity [m/s]. */
   public double velocitySigmaMps(int axis) {
     return sigma(FilterState.VELOCITY + axis);
   }
@@ -137,7 +137,7 @@ public final class Estimate {
     return s.x[FilterState.W + axis];
   }
 
-  /** Its standard deviation [rad/s]. */
+  /** Standard deviation of the angular rate [rad/s]. */
   public double bodyRateSigma(int axis) {
     int bias = FilterState.GYRO_BIAS + axis;
     double own = s.variance(FilterState.RATE + axis);
@@ -162,17 +162,17 @@ public final class Estimate {
     return s.x[FilterState.BF + axis];
   }
 
-  /** Wind or current: north, east [m/s], where it blows to. */
+  /** Wind or current, north or east component of the direction it flows to [m/s]. */
   public double flowMps(int axis) {
     return s.x[FilterState.FLOW_NORTH + axis];
   }
 
-  /** Its standard deviation [m/s]. */
+  /** Standard deviation of wind or current [m/s]. */
   public double flowSigmaMps(int axis) {
     return sigma(FilterState.FLOW + axis);
   }
 
-  /** Wheel speeds measured are so much too high, as a share. */
+  /** Relative scale error of the wheel speeds; positive if they read too high. */
   public double wheelScale() {
     return s.x[FilterState.WHEEL_SCALE];
   }
@@ -191,7 +191,7 @@ public final class Estimate {
     model.fluid(s, speeds, sigmas);
   }
 
-  /** Covariance of position and velocity errors (north, east, down), for tests of consistency. */
+  /** Covariance of position and velocity errors (north, east, down), for consistency tests. */
   double covariance(int row, int column) {
     return s.p.data[row * FilterState.N + column];
   }

@@ -7,15 +7,15 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Writes an estimate as a state: in GLOBAL where the place on earth is known, else in LOCAL_NED.
- * What is not known is absent; what is there has its standard deviation.
+ * Converts an estimate to a state message: in GLOBAL if the geodetic position is known, else in
+ * LOCAL_NED. Unknown fields are absent; present ones have standard deviations.
  */
 public final class EstimateWriter {
   private static final double VERTICAL = 0.02; // cos θ
 
   private EstimateWriter() {}
 
-  /** The message, without a sensor's name. */
+  /** Creates the message, without a sensor name. */
   public static StateInformation write(Estimate e) {
     StateInformation state =
         new StateInformation()

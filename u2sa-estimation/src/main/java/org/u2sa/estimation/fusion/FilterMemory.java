@@ -6,9 +6,9 @@ import java.util.function.BiConsumer;
 import java.util.function.Function;
 
 /**
- * Writes a filter's state as texts and reads it back, so that another filter of the same version
- * goes on where it was: numbers exactly, as hexadecimal doubles, and of the covariance, which is
- * symmetric, one half. What sources have shown of themselves is learnt anew.
+ * Serialises a filter's state as text and restores it, so that another filter of the same version
+ * resumes where it left off. Numbers are exact (hexadecimal doubles); only half of the symmetric
+ * covariance is stored. Source statistics are not stored but learned again.
  */
 public final class FilterMemory {
   private static final String NOMINAL = "FILTER NOMINAL 3";
@@ -23,7 +23,7 @@ public final class FilterMemory {
 
   private FilterMemory() {}
 
-  /** Writes each text by its name. */
+  /** Writes the texts, each under its name. */
   public static void write(ErrorStateFilter filter, BiConsumer<String, String> to) {
     FilterState s = filter.state();
     if (!s.isStarted) {
@@ -51,7 +51,7 @@ public final class FilterMemory {
     }
   }
 
-  /** The rows of a symmetric matrix, each up to the diagonal. */
+  /** Lower triangle of a symmetric matrix, row by row. */
   private static double[] half(double[] p) {
     double[] half = new double[HALF];
     int at = 0;
@@ -84,7 +84,7 @@ public final class FilterMemory {
   /**
    * Reads the texts into a filter that has fused nothing yet.
    *
-   * @return false if there are none, or of another version
+   * @return false if absent or of another version
    * @throws IllegalArgumentException if they are damaged
    */
   public static boolean read(ErrorStateFilter filter, Function<String, Optional<String>> from) {

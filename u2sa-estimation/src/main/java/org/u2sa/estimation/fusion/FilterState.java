@@ -3,24 +3,24 @@ package org.u2sa.estimation.fusion;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * Nominal state, covariance of its error, and what the sources have shown of themselves so far, at
- * one time. Flat arrays, so that a moment is kept and brought back by copying them.
+ * Nominal state, error covariance and source statistics at one time. Flat arrays, so that a state
+ * is saved and restored by copying them.
  *
  * <p>Error state, 33 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
- * attitude (a small turn about north, east and down [rad]: Solà 2017, section 7, global angular
+ * attitude (a small rotation about north, east and down [rad]: Solà 2017, section 7, global angular
  * errors), gyroscope bias [rad/s], accelerometer bias [m/s²] and angular rate [rad/s] (each along
  * BODY_FRD), wind or current (north, east [m/s]), wheel-speed scale, {@link PersistentErrors} of
  * sources (positions, north and east [m]; headings [rad]), {@link DelayErrors} of position sources
  * [s].
  *
- * <p>The nominal position is geodetic, in double precision, as soon as a source says where on earth
- * the vehicle is: error vectors are along north, east and down at the vehicle itself, so there is
- * no tangent plane to leave. North, east and down from the start are kept beside it.
+ * <p>The nominal position is geodetic, in double precision, as soon as a source provides one. Error
+ * vectors are along north, east and down at the vehicle itself, so there is no tangent plane with a
+ * limited range. The position relative to the start (north, east, down) is kept as well.
  */
 final class FilterState {
   static final int N = 21 + PersistentErrors.STATES + DelayErrors.SLOTS;
   static final int NO_SOURCE = -1;
-  static final int RESUMED = -2; // some source, whose biases are known
+  static final int RESUMED = -2; // unknown source, whose biases are known
   static final int POSITION = 0;
   static final int VELOCITY = 3;
   static final int ATTITUDE = 6;
@@ -32,7 +32,7 @@ final class FilterState {
   static final int PERSISTENT = 21;
   static final int DELAY = PERSISTENT + PersistentErrors.STATES;
 
-  // Nominal state, by index of x.
+  // Nominal state: indices into x.
   static final int LATITUDE = 0; // rad
   static final int LONGITUDE = 1; // rad
   static final int ALTITUDE = 2; // m
@@ -49,16 +49,16 @@ final class FilterState {
   static final int GYRO_DENSITY = 31; // variance times interval [rad²/s]
   static final int FORCE_DENSITY = 32; // m²/s³
   static final int INPUT_INTERVAL = 33; // s, running mean
-  static final int LEVELLING = 34; // sum of forces while aligning: three numbers
-  static final int LEVELLED = 37; // how many
+  static final int LEVELLING = 34; // sum of specific forces during levelling, three axes
+  static final int LEVELLED = 37; // number of summands
   static final int PERSISTENT_ERRORS = 38; // in the order of the error state
-  static final int PERSISTENT_VARIANCE = PERSISTENT_ERRORS + PersistentErrors.STATES; // of a slot
+  static final int PERSISTENT_VARIANCE = PERSISTENT_ERRORS + PersistentErrors.STATES; // by slot
   static final int DELAYS = PERSISTENT_VARIANCE + PersistentErrors.SLOTS; // s, by slot
   private static final int SIZE = DELAYS + DelayErrors.SLOTS;
 
   private static final double A = 6_378_137.0; // semi-major axis [m], WGS-84 (NIMA TR8350.2)
   private static final double E2 = 6.694379990141316e-3; // first eccentricity squared
-  private static final double POLE = 1e-6; // cosine of latitude that is not divided by
+  private static final double POLE = 1e-6; // minimum cosine of latitude to divide by
 
   final double[] x = new double[SIZE];
   final DMatrixRMaj p = new DMatrixRMaj(N, N);
@@ -74,25 +74,25 @@ final class FilterState {
   boolean hasTilt;
   boolean hasFlow;
   boolean isInertial; // angular rates drive the attitude
-  boolean isStrapdown; // and forces the velocity
+  boolean isStrapdown; // and specific forces the velocity
   long startedMicros;
-  long gyroMicros; // of the newest inertial input
+  long gyroMicros; // time of the newest inertial input
   long forceMicros;
   int gyroSource = NO_SOURCE;
-  int speedSource = NO_SOURCE; // whose speed drives the prediction, see MotionInput
+  int speedSource = NO_SOURCE; // source whose speed drives the prediction, see MotionInput
   int turnSource = NO_SOURCE;
-  double heldMps; // what it measured last
+  double heldMps; // last value measured by it
   double heldRadPerS;
-  long heldMicros; // when the speed was measured
-  long speedUntilMicros; // unless it is renewed
+  long heldMicros; // time of that speed
+  long speedUntilMicros; // expiry unless renewed
   long turnUntilMicros;
-  long positionMicros; // newest measurement of each that was used
+  long positionMicros; // time of the newest measurement used, also below
   long velocityMicros;
   long headingMicros;
   long fluidMicros;
   long constraintMicros;
-  long movingMicros; // since when the direction of motion is good enough to stand for a heading
-  long accusedMicros; // when an inertial source was found to lie; 0: never
+  long movingMicros; // when the direction of motion became usable as heading
+  long accusedMicros; // when an inertial source was found faulty; 0: never
   long resets;
   final int[] persistentSource = PersistentErrors.nobody(); // by slot
   final int[] delaySource = DelayErrors.nobody(); // by slot
@@ -148,7 +148,7 @@ final class FilterState {
     return p.data[i * N + i];
   }
 
-  /** Makes an error independent of all others, with that variance. */
+  /** Makes an error state independent of all others, with the given variance. */
   void isolate(int i, double variance) {
     for (int k = 0; k < N; k++) {
       p.data[i * N + k] = 0.0;
@@ -157,14 +157,14 @@ final class FilterState {
     p.data[i * N + i] = variance;
   }
 
-  /** Radius of curvature northward, at the altitude [m]. */
+  /** Meridian radius of curvature at the vehicle's altitude [m]. */
   double northRadiusM() {
     double sin = StrictMath.sin(x[LATITUDE]);
     double w2 = 1.0 - E2 * sin * sin;
     return A * (1.0 - E2) / (w2 * Math.sqrt(w2)) + x[ALTITUDE];
   }
 
-  /** Distance from the earth's axis [m], which a radian of longitude is multiplied by. */
+  /** Distance from the earth's axis [m], i.e. length of a radian of longitude. */
   double axisDistanceM() {
     double sin = StrictMath.sin(x[LATITUDE]);
     double radius = A / Math.sqrt(1.0 - E2 * sin * sin) + x[ALTITUDE];

@@ -1,31 +1,30 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * What the filter is told of vehicle and sensors.
+ * Filter parameters of vehicle and sensors.
  *
- * @param domain gives the defaults for motion
- * @param accelerationNoise by which the horizontal velocity wanders without an accelerometer [m/s
- *     per √s]
- * @param verticalNoise the same of the vertical velocity [m/s per √s]
- * @param turnSigma turn rate where none is measured, 1 σ [rad/s]
- * @param sideSlipSigma speed sideways, 1 σ [m/s]
- * @param constraintS time between two statements that the vehicle does not slip sideways [s]; 0:
- *     none
- * @param gyroBiasSigma bias of an angular rate at the start, 1 σ [rad/s]
- * @param gyroBiasNoise by which it wanders [rad/s per √s]
- * @param forceBiasSigma bias of a specific force at the start, 1 σ [m/s²]
- * @param forceBiasNoise by which it wanders [m/s² per √s]
- * @param flowSigma wind or current at the start, 1 σ of each component [m/s]
- * @param wheelScaleSigma error of the wheel-speed scale at the start, 1 σ; 0: not estimated
- * @param gate normal deviations beyond which a measurement is gated
- * @param window measurements over which a source's true standard deviation is learnt
- * @param positionCorrelationS time for which a position error persists [s]; 0: each is new
- * @param headingCorrelationS time for which a heading error persists [s]; 0: each is new
- * @param delaySigmaS by how much later than it says a position source may measure, 1 σ [s]; 0: none
- * @param resetAfterS time after which a quantity that all sources contradict starts anew [s]
+ * @param domain provides the motion defaults
+ * @param accelerationNoise random walk of the horizontal velocity without an accelerometer [m/s per
+ *     √s]
+ * @param verticalNoise random walk of the vertical velocity without an accelerometer [m/s per √s]
+ * @param turnSigma turn rate if none is measured, 1 σ [rad/s]
+ * @param sideSlipSigma sideslip velocity, 1 σ [m/s]
+ * @param constraintS interval of the no-sideslip constraint [s]; 0: none
+ * @param gyroBiasSigma initial gyroscope bias, 1 σ [rad/s]
+ * @param gyroBiasNoise its random walk [rad/s per √s]
+ * @param forceBiasSigma initial accelerometer bias, 1 σ [m/s²]
+ * @param forceBiasNoise its random walk [m/s² per √s]
+ * @param flowSigma initial wind or current, 1 σ per component [m/s]
+ * @param wheelScaleSigma initial error of the wheel-speed scale, 1 σ; 0: not estimated
+ * @param gate number of standard deviations beyond which a measurement is gated
+ * @param window number of measurements over which a source's actual standard deviation is learned
+ * @param positionCorrelationS correlation time of position errors [s]; 0: independent errors
+ * @param headingCorrelationS correlation time of heading errors [s]; 0: independent errors
+ * @param delaySigmaS residual delay of a position source, 1 σ [s]; 0: none
+ * @param resetAfterS time after which a quantity contradicted by all sources is reset [s]
  * @param lostSigmaM horizontal standard deviation beyond which the position is lost [m]
  * @param horizonS age at which a late measurement is still fused [s]
- * @param history measurements kept for that
+ * @param history number of measurements kept for that
  */
 public record FilterTuning(
     MotionDomain domain,
@@ -50,7 +49,7 @@ public record FilterTuning(
     double horizonS,
     int history) {
 
-  /** Useful values for a domain. */
+  /** Default values for a domain. */
   public static FilterTuning of(MotionDomain domain) {
     boolean isGround = domain == MotionDomain.GROUND;
     return new FilterTuning(

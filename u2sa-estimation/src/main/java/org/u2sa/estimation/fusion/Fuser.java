@@ -1,17 +1,17 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Fuses one measurement into a state: carries the state ahead, begins what was unknown, and
- * corrects by each vector that the gate lets through and the source is trusted with.
+ * Fuses one measurement into a state: predicts the state, initialises unknown quantities, and
+ * updates with each vector that passes the gate and comes from a trusted source.
  */
 final class Fuser {
   private static final double MICROS = 1e6;
-  private static final double UNUSED_INERTIAL_SIGMA = 1.0; // m/s²: acceleration taken for gravity
-  private static final double TRACK_SIGMA_RAD = 0.2; // of a direction of motion as heading
+  private static final double UNUSED_INERTIAL_SIGMA = 1.0; // m/s² mistaken for gravity
+  private static final double TRACK_SIGMA_RAD = 0.2; // sigma of the course used as heading
   private static final double TRACK_AFTER_S = 3.0;
   private static final double FLUID_FRESH_S = 2.0;
   private static final double SPEED_FRESH_S = 2.0;
-  private static final double STANDING_MPS = 0.1; // by the wheels
+  private static final double STANDING_MPS = 0.1; // wheel speed
   private static final double READABLE_SIGMAS = 3.0;
 
   private final FilterTuning tuning;
@@ -49,14 +49,15 @@ final class Fuser {
   }
 
   /**
-   * χ² of that many degrees of freedom, as far out as z normal deviations (Wilson, Hilferty 1931).
+   * χ² threshold for that many degrees of freedom, equivalent to z standard deviations (Wilson,
+   * Hilferty 1931).
    */
   static double threshold(int rows, double z) {
     double spread = 2.0 / (9.0 * rows);
     return rows * Math.pow(1.0 - spread + z * Math.sqrt(spread), 3.0);
   }
 
-  /** Fuses a measurement that is not older than the state. */
+  /** Fuses a measurement, which must not be older than the state. */
   void fuse(FilterState s, Measurement m, int source) {
     if (!s.isStarted) {
       Alignment.start(s, m.micros(), tuning);
@@ -184,7 +185,7 @@ final class Fuser {
     }
   }
 
-  /** Positions and wheels together tell a heading that nothing measures. */
+  /** Searches for an unmeasured heading from positions and wheel speeds. */
   private void searchHeading(FilterState s, int source) {
     if (!s.hasHeading && model.rows == 2) {
       double north = model.predicted[0] + model.innovation[0];
@@ -195,8 +196,8 @@ final class Fuser {
   }
 
   /**
-   * A pitot tube reads about nothing in slow air, whether that comes from the front, the side or
-   * behind: near its noise it says nothing of the wind.
+   * Whether an airspeed is usable. A pitot tube reads about zero in slow air from any direction, so
+   * near its noise floor it carries no information about the wind.
    */
   private boolean isReadable(Measurement m) {
     return tuning.domain() != MotionDomain.AIR
@@ -212,7 +213,7 @@ final class Fuser {
             || quantity == SensedQuantity.ALTITUDE
             || quantity == SensedQuantity.LOCAL_PLACE;
     if (persists && tuning.positionCorrelationS() > 0.0) {
-      // Errors that persist for τ tell as much as independent ones at every 2 τ.
+      // Errors with correlation time τ carry as much information as independent ones every 2 τ.
       double interval = Math.max(1e-3, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
       double repeats = 1.0 + 2.0 * tuning.positionCorrelationS() / interval;
       update.weigh(model, SourceTrust.factor(s, at) * repeats);
@@ -248,8 +249,8 @@ final class Fuser {
   }
 
   /**
-   * Where nothing measures the heading, a moving vehicle is taken to look where it goes. Where only
-   * positions tell its velocity, and wheels turn, {@link HeadingSearch} knows better.
+   * Uses the course of a moving vehicle as its heading if nothing measures that. If its velocity
+   * follows from positions only and the wheels turn, {@link HeadingSearch} is more accurate.
    */
   private void headingOfMotion(FilterState s) {
     double vn = s.x[FilterState.V];
@@ -270,7 +271,7 @@ final class Fuser {
   }
 
   /**
-   * Says at times that the vehicle does not slip: over ground, or through the fluid it flies in.
+   * Periodically applies the no-sideslip constraint: over ground, or through the surrounding fluid.
    */
   private void constrain(FilterState s) {
     boolean isDue = (s.micros - s.constraintMicros) / MICROS >= tuning.constraintS();
@@ -279,7 +280,7 @@ final class Fuser {
     }
     boolean isGround = tuning.domain() == MotionDomain.GROUND;
     boolean isInFlow = s.hasFlow && (s.micros - s.fluidMicros) / MICROS < FLUID_FRESH_S;
-    // Where nothing says how fast it goes, "not sideways" by an uncertain heading would seem to.
+    // Without a speed source, the constraint with an uncertain heading would act as one.
     if (isGround && InertialInput.isAided(s, SPEED_FRESH_S) || isInFlow) {
       s.constraintMicros = s.micros;
       model.noSlip(s, tuning.sideSlipSigma(), !isGround, isGround);

@@ -1,41 +1,41 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Finds the heading where nothing measures it. Speed and turn rate of the wheels say which way the
- * vehicle went by its own axes, positions say which way it went on earth: the angle between the two
- * is the heading, forward or in reverse. What it went by its own axes is added up along the nominal
- * heading, whose start is arbitrary until the heading is known.
+ * Estimates the heading if no source measures it. Speed and turn rate of the wheels give the
+ * displacement in the vehicle's axes, positions give it on the earth: the angle between the two is
+ * the heading, whether driving forward or in reverse. The wheel displacement is integrated along
+ * the nominal heading, whose initial value is arbitrary until the heading is known.
  *
- * <p>A fix is z = c + h w + e, as complex numbers (north, i east): h turns the way w by the heading
- * that is sought, e is new with each fix, and c wanders as the receiver's error does that persists
- * (a reflected signal stays for half a minute and more). This is linear, so a Kalman filter of c
- * and h is exact, however little is known of the heading. Nobody knows which part of the claimed
- * variance is new and which persists, so each is taken to be all of it.
+ * <p>A fix is z = c + h w + e, as complex numbers (north, i east): h rotates the wheel displacement
+ * w by the unknown heading, e is white noise, and c drifts like the receiver's correlated error
+ * (multipath lasts for half a minute or more). The model is linear, so a Kalman filter of c and h
+ * is exact however uncertain the heading. The split of the claimed variance into white and
+ * correlated noise is unknown, so each is assumed to have all of it.
  */
 final class HeadingSearch {
   private static final int FORWARD = 0; // newest speed along the vehicle [m/s]
   private static final int FORWARD_MICROS = 1;
-  private static final int WAY = 2; // since the first fix, along the nominal heading: north, east
-  private static final int FIRST = 4; // fix: north, east [m]
-  private static final int FIX_MICROS = 6; // of the newest; 0: there is none
+  private static final int WAY = 2; // since the first fix, by nominal heading: north, east
+  private static final int FIRST = 4; // first fix: north, east [m]
+  private static final int FIX_MICROS = 6; // time of the newest fix; 0: none
   private static final int SOURCE = 7;
-  private static final int TURN_VARIANCE = 8; // of turns since the first fix that nobody measured
-  private static final int C = 9; // from the first fix [m]
+  private static final int TURN_VARIANCE = 8; // of unmeasured turns since the first fix
+  private static final int C = 9; // relative to the first fix [m]
   private static final int H = 11;
-  private static final int CC = 13; // variances of each axis of c and h
+  private static final int CC = 13; // variances per axis of c and h
   private static final int HH = 14;
   private static final int CH = 15; // covariance E(c h*)
   static final int NUMBERS = 17;
 
   private static final double FRESH_S = 1.0;
-  private static final double SILENT_S = 5.0; // then another source may tell the heading
-  private static final double UNKNOWN = 100.0; // variance of each axis of h, whose length is 1
-  private static final double MAX_SIGMA_RAD = 0.15; // a way of some ten sigmas of the positions
+  private static final double SILENT_S = 5.0; // then another source may be used
+  private static final double UNKNOWN = 100.0; // variance per axis of h, whose length is 1
+  private static final double MAX_SIGMA_RAD = 0.15; // displacement of about ten position sigmas
   private static final double UNLIKELY =
-      3.0; // standard deviations of a way that is not the wheels'
-  private static final double SLIP = 0.1; // share of the way
-  private static final double UNMEASURED = 0.01; // rad² per second of turns that nobody measures
-  private static final double USUAL = 4.0; // normalised squared innovation; more is not believed
+      3.0; // standard deviations by which the displacements may differ
+  private static final double SLIP = 0.1; // fraction of the displacement
+  private static final double UNMEASURED = 0.01; // rad²/s of unmeasured turns
+  private static final double USUAL = 4.0; // NIS above which a fix is down-weighted
 
   private HeadingSearch() {}
 
@@ -50,7 +50,7 @@ final class HeadingSearch {
     s.search[FIX_MICROS] = 0.0;
   }
 
-  /** Takes note of a speed along the vehicle. */
+  /** Integrates a forward speed. */
   static void speed(FilterState s, Measurement m) {
     double[] h = s.search;
     double forward = m.value(SensedQuantity.BODY_VELOCITY, 0);
@@ -69,7 +69,7 @@ final class HeadingSearch {
     h[FORWARD_MICROS] = s.micros;
   }
 
-  /** Newest speed along the vehicle [m/s]; NaN if none is fresh. */
+  /** Newest forward speed [m/s]; NaN if none is fresh. */
   static double forwardMps(FilterState s) {
     boolean isFresh =
         s.search[FORWARD_MICROS] > 0.0 && (s.micros - s.search[FORWARD_MICROS]) * 1e-6 < FRESH_S;
@@ -77,12 +77,12 @@ final class HeadingSearch {
   }
 
   /**
-   * Takes note of a position, where the heading is not known, and sets the heading if the positions
-   * of this source tell it.
+   * Processes a position while the heading is unknown, and sets the heading once the positions of
+   * this source determine it.
    *
-   * @param north of the position [m]
-   * @param variance of it, of each axis [m²]
-   * @param persistsS time for which its error persists [s]; 0: each is new
+   * @param north north coordinate of the position [m]
+   * @param variance variance of the position per axis [m²]
+   * @param persistsS correlation time of its error [s]; 0: independent errors
    */
   static void position(
       FilterState s, int source, double north, double east, double variance, double persistsS) {
@@ -109,7 +109,7 @@ final class HeadingSearch {
     }
   }
 
-  /** Corrects c and h by a fix. */
+  /** Updates c and h with a fix. */
   private static void update(double[] h, double north, double east, double fixVariance) {
     double wn = h[WAY];
     double we = h[WAY + 1];
@@ -132,7 +132,7 @@ final class HeadingSearch {
     h[CH + 1] -= (kce * khn - kcn * khe) * variance;
   }
 
-  /** Sets the heading, if it is known well enough. */
+  /** Sets the heading if it is accurate enough. */
   private static void tell(FilterState s) {
     double[] h = s.search;
     double sigma = Math.sqrt(h[HH] + h[TURN_VARIANCE]);
@@ -141,7 +141,7 @@ final class HeadingSearch {
     }
     double apart = Math.hypot(h[H], h[H + 1]) - 1.0;
     if (apart * apart > UNLIKELY * UNLIKELY * (h[HH] + SLIP * SLIP)) {
-      restart(s); // slipped, or turned unnoticed
+      restart(s); // slip or an unmeasured turn
       return;
     }
     double of = Math.max(SLIP, sigma);

@@ -4,32 +4,32 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 
 /**
- * The last measurements in the order of their times, and states after them to go on from. The
- * newest all keep their states, since what comes late mostly comes by a few; of older ones every
- * eighth does, and a measurement that is that late has a few more fused again. States are large,
- * and the fewer they are, the more of them stay in the processor's caches.
+ * Time-ordered buffer of recent measurements with snapshots of the state after them, from which
+ * fusion can resume. The newest entries all keep a snapshot, because late measurements are mostly
+ * late by a few entries; of older ones, every eighth does, so a later one causes a few more to be
+ * fused again. States are large, and the fewer there are, the more of them fit into the CPU caches.
  */
 final class History {
-  private static final int RECENT = 32; // measurements that all keep the state after them
-  private static final int STRIDE = 8; // of the others every so manyth does
+  private static final int RECENT = 32; // newest measurements, which all keep the state after them
+  private static final int STRIDE = 8; // interval of snapshots among the older ones
 
-  /** A measurement, and what it led to. */
+  /** A measurement and the state after it. */
   static final class Entry {
     final Measurement measurement = new Measurement();
     int source;
-    private FilterState after; // null: not kept, or there has been none yet
+    private FilterState after; // null if not kept or not fused yet
   }
 
   private final Entry[] ring;
   private final Deque<FilterState> spare = new ArrayDeque<>();
-  private FilterState base = new FilterState(); // before the oldest entry
+  private FilterState base = new FilterState(); // state before the oldest entry
   private int first;
   private int count;
-  private int fused; // entries from the oldest on whose states are what they led to
-  private int thinned; // entries from the oldest on of which only some keep their states
+  private int fused; // number of oldest entries that are fused
+  private int thinned; // number of oldest entries already thinned
 
   /**
-   * @param capacity measurements kept at least, once so many have come
+   * @param capacity minimum number of measurements kept
    */
   History(int capacity) {
     ring = new Entry[capacity + STRIDE];
@@ -46,12 +46,15 @@ final class History {
     return ring[(first + index) % ring.length];
   }
 
-  /** The state before an entry, if all before are fused and the one before keeps its state. */
+  /**
+   * State before an entry; requires that all earlier entries are fused and the previous one keeps
+   * its state.
+   */
   FilterState before(int index) {
     return index == 0 ? base : at(index - 1).after;
   }
 
-  /** Where the state after an entry is to be written: that before it, so far. */
+  /** State to be updated to the one after an entry; initialised with the state before it. */
   FilterState after(int index) {
     Entry entry = at(index);
     if (entry.after == null) {
@@ -61,7 +64,7 @@ final class History {
     return entry.after;
   }
 
-  /** Begins anew from a state. */
+  /** Clears the history and restarts from a state. */
   void restart(FilterState from) {
     base.copyFrom(from);
     first = 0;
@@ -74,12 +77,12 @@ final class History {
     return count == ring.length;
   }
 
-  /** How many entries, from the oldest on, are fused; all later ones have yet to be, in order. */
+  /** Number of entries fused, from the oldest; all later ones must still be fused, in order. */
   int fused() {
     return fused;
   }
 
-  /** Takes note that all entries are fused. */
+  /** Marks all entries as fused and thins out old snapshots. */
   void allFused() {
     fused = count;
     for (; thinned < count - RECENT; thinned++) {
@@ -92,7 +95,8 @@ final class History {
   }
 
   /**
-   * Whether a state is kept less than a stride before an entry; that before the oldest always is.
+   * Whether a state less than a stride before an entry is kept; the one before the oldest always
+   * is.
    */
   private boolean isNearKept(int index) {
     for (int i = index - 1; i > index - STRIDE; i--) {
@@ -103,7 +107,7 @@ final class History {
     return false;
   }
 
-  /** Whether anything has ever led here. */
+  /** Whether there is a measurement or a started state. */
   boolean isStarted() {
     return count > 0 || base.isStarted;
   }
@@ -113,17 +117,16 @@ final class History {
     return count > 0 ? at(count - 1).measurement.micros() : base.micros;
   }
 
-  /** Whether a measurement of that time would come before all that is known to have led here. */
+  /** Whether a measurement of that time would precede the oldest state. */
   boolean isBefore(long micros) {
     return base.isStarted && micros < base.micros;
   }
 
   /**
-   * Puts a measurement into its place: by time, at the same time by the source's name. If it is
-   * full, the oldest must be fused.
+   * Inserts a measurement in order of time, then source name. If the history is full, the oldest
+   * entry must be fused.
    *
-   * @return its index, and it and all after it have to be fused; -1 if it is older than what is
-   *     kept
+   * @return its index, from which on entries must be fused; -1 if it is older than the history
    */
   int insert(Measurement m, int source) {
     if (isBefore(m.micros())) {
@@ -147,15 +150,15 @@ final class History {
     count++;
     fused = Math.min(fused, index);
     while (fused > 0 && at(fused - 1).after == null) {
-      fused--; // back to a state to go on from
+      fused--; // back to the latest snapshot
     }
     thinned = Math.min(thinned, fused);
     return index;
   }
 
   /**
-   * Forgets the oldest entries, if they are fused, as far as they are older than that time and one
-   * of them keeps its state, which remains.
+   * Removes fused entries older than the given time, up to the last one with a snapshot, which
+   * becomes the base.
    */
   void forget(long micros) {
     int end = endOfOldest();
@@ -165,7 +168,7 @@ final class History {
     }
   }
 
-  /** How many of the oldest entries there are up to the first that keeps its state; 0 for none. */
+  /** Number of oldest entries up to and including the first with a snapshot; 0 if none. */
   private int endOfOldest() {
     for (int i = 0; i < fused; i++) {
       if (at(i).after != null) {
@@ -187,7 +190,10 @@ final class History {
     thinned = Math.max(0, thinned - entries);
   }
 
-  /** The oldest is filled anew next: a short history stays in the processor's caches. */
+  /**
+   * Recycles the oldest entry for the next insertion, so that a short history stays in the CPU
+   * caches.
+   */
   private void recycleOldest() {
     Entry oldest = at(0);
     int next = (first + count) % ring.length;

@@ -1,20 +1,20 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * The newest angular rates and specific force of one inertial sensor, which drive the prediction
- * while they are fresh, and what is needed before they may: tilt and heading.
+ * Uses the newest angular rates and specific force of one inertial sensor to drive the prediction
+ * while they are fresh, and initialises the tilt that the specific force requires.
  */
 final class InertialInput {
   private static final double SHORTEST_SAMPLE_S = 1e-3;
-  private static final double SHORTEST_S = 0.15; // an input is held for so long at least
+  private static final double SHORTEST_S = 0.15; // minimum hold time of an input
   private static final double LONGEST_S = 0.6;
   private static final double INTERVALS = 3.0;
   private static final double MEAN_SHARE = 0.05;
   private static final double TYPICAL_INTERVAL_S = 0.02;
   private static final int SAMPLES_TO_LEVEL = 20;
-  private static final double LEVEL_SIGMA_RAD = 0.06; // 0.6 m/s² of acceleration taken for gravity
-  private static final double STEADY = 0.15; // share by which |f| may differ from gravity
-  static final double UNAIDED_S = 5.0; // dead reckoning by forces is worth no more
+  private static final double LEVEL_SIGMA_RAD = 0.06; // as 0.6 m/s² mistaken for gravity
+  private static final double STEADY = 0.15; // relative deviation of |f| from gravity
+  static final double UNAIDED_S = 5.0; // unaided dead reckoning is useless after this
 
   private final FilterTuning tuning;
   private final double[] held = new double[6];
@@ -25,7 +25,7 @@ final class InertialInput {
     this.tuning = tuning;
   }
 
-  /** Lets an input go that has not been renewed, and goes over to what can still be done. */
+  /** Drops an input that was not renewed and falls back to the next prediction mode. */
   static void expire(FilterState s) {
     double limitS =
         Math.min(LONGEST_S, Math.max(SHORTEST_S, INTERVALS * s.x[FilterState.INPUT_INTERVAL]));
@@ -41,13 +41,13 @@ final class InertialInput {
     }
   }
 
-  /** Whether a source said in the last seconds where the vehicle is, or how fast it goes. */
+  /** Whether any source measured position or velocity within the given time [s]. */
   static boolean isAided(FilterState s, double lastS) {
     long aided = Math.max(s.positionMicros, s.velocityMicros);
     return aided > 0 && (s.micros - aided) * 1e-6 <= lastS;
   }
 
-  /** Whether this source drives the prediction, or may from now on. */
+  /** Whether this source drives the prediction or may start to. */
   boolean isMain(FilterState s, int source, long micros) {
     return s.gyroSource < 0
         || s.gyroSource == source
@@ -56,8 +56,8 @@ final class InertialInput {
   }
 
   /**
-   * Carries the state ahead to the measurement's time by the mean of this input and the one before,
-   * and holds this one from there on.
+   * Predicts the state to the measurement's time using the mean of this input and the previous one,
+   * then holds this one.
    */
   void take(FilterState s, Measurement m, int source, ProcessModel model) {
     boolean hasForce = m.isWhole(SensedQuantity.SPECIFIC_FORCE);
@@ -88,7 +88,7 @@ final class InertialInput {
     model.predict(s, m.micros());
     System.arraycopy(held, 0, x, FilterState.GYRO, 3);
     if (s.gyroSource != source && s.gyroSource != FilterState.RESUMED) {
-      begin(s); // another sensor has other biases
+      begin(s); // a different sensor has different biases
     }
     s.isInertial = true;
     s.gyroSource = source;
@@ -120,8 +120,9 @@ final class InertialInput {
   }
 
   /**
-   * A sample's noise lasts for its interval; the change from sample to sample says how much the
-   * motion between them may differ from their mean (uniformly spread: a twelfth).
+   * Sets the noise densities: a sample's noise lasts for its interval, and the change between
+   * samples bounds how far the motion between them differs from their mean (uniform distribution:
+   * variance 1/12).
    */
   private static void density(FilterState s, Measurement m, double gyroJump, double forceJump) {
     double[] x = s.x;
@@ -142,7 +143,10 @@ final class InertialInput {
     }
   }
 
-  /** Roll and pitch from the direction of specific force, which is gravity's while it is steady. */
+  /**
+   * Initialises roll and pitch from the direction of specific force, which is that of gravity while
+   * its magnitude is close to g.
+   */
   private static void level(FilterState s) {
     if (s.hasTilt) {
       return;

@@ -1,27 +1,27 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Compares the inertial sensor that drives the prediction with those that stand by. Any that
- * differs from it by more than biases and noise allow is left out and named. The driving one is
- * itself left out, and another takes its place, if no other supports it and either two others agree
- * against it for some time, or one differs from it while other kinds of sensors contradict the
- * estimate. Of three that all differ from each other, none can be told from the others by what they
- * say: the one that drives goes on until other sensors contradict it.
+ * Compares the inertial sensor that drives the prediction with those on standby. Any that differs
+ * from it by more than biases and noise allow is excluded and reported. The driving sensor itself
+ * is excluded and replaced if no other agrees with it and either two others agree with each other
+ * against it for some time, or one differs while other kinds of sensors contradict the estimate. If
+ * three all differ from each other, the faulty one cannot be identified: the driving one is kept
+ * until other sensors contradict it.
  *
- * <p>Their mean is not taken: a sample of another sensor is up to an interval old, and on a turning
- * vehicle that is a larger error than the noise that would average out. The comparison is of means
- * over some ten samples, in which the delay averages out.
+ * <p>Sensors are not averaged: another sensor's sample is up to an interval old, and on a turning
+ * vehicle that error exceeds the noise averaging would remove. The comparison uses means over about
+ * ten samples, which average out the delay.
  */
 final class InertialVote {
-  private static final int AXES = 6; // rates, then forces
+  private static final int AXES = 6; // angular rates, then specific forces
   private static final double FRESH_INTERVALS = 3.0;
-  private static final double MEAN_SHARE = 0.1; // of a new difference in the mean difference
+  private static final double MEAN_SHARE = 0.1; // weight of a new difference in the mean
   private static final double UNLIKELY = 4.0; // standard deviations
-  private static final double AGREED = 25.0; // samples in a row: two liars meet by chance
-  private static final double LEFT_OUT_S = 30.0; // a turn shows a lie that a straight line hides
-  private static final double SHORTEST_S = 1e-3; // between samples
-  private static final double LONGEST_S = 0.6; // over which a rate's change is known
-  private static final double MISLED_RAD = 0.5; // by a lie, until it is noticed
+  private static final double AGREED = 25.0; // consecutive samples: faults may agree by chance
+  private static final double LEFT_OUT_S = 30.0; // long, as faults may only show in turns
+  private static final double SHORTEST_S = 1e-3; // minimum sample interval
+  private static final double LONGEST_S = 0.6; // maximum interval to differentiate a rate
+  private static final double MISLED_RAD = 0.5; // assumed error until a fault is detected
   private static final double MISLED_MPS = 3.0;
 
   private final FilterTuning tuning;
@@ -35,7 +35,7 @@ final class InertialVote {
     this.trust = trust;
   }
 
-  /** Takes note that a source measures all rates; the numbers are those that it is heard with. */
+  /** Records a source that measures all angular rates, along with its latest values. */
   void heard(FilterState s, Measurement m, int source) {
     int at = trust.of(s, source, SensedQuantity.BODY_RATES);
     boolean hasForce = m.isWhole(SensedQuantity.SPECIFIC_FORCE);
@@ -47,7 +47,8 @@ final class InertialVote {
   }
 
   /**
-   * Sensors in different places feel different forces where the vehicle turns, and all are right.
+   * Removes lever-arm effects: while the vehicle turns, sensors at different places correctly
+   * measure different specific forces.
    */
   private void release(FilterState s, Measurement m, int own) {
     double[] t = s.trust;
@@ -64,7 +65,7 @@ final class InertialVote {
     LeverArm.release(m, rate, change, t, own + SourceTrust.RELEASED);
   }
 
-  /** Whether a source has lately differed from one that is believed. */
+  /** Whether a source was recently excluded; updates its mark. */
   boolean isLeftOut(FilterState s, int source) {
     int at = trust.of(s, source, SensedQuantity.BODY_RATES);
     double since = s.trust[at + SourceTrust.STREAK_SINCE];
@@ -74,9 +75,9 @@ final class InertialVote {
   }
 
   /**
-   * Whether the source that drives the prediction may go on.
+   * Whether the source that drives the prediction remains trusted; excludes it otherwise.
    *
-   * @param m what it measured
+   * @param m its measurement
    * @param isDoubted whether other sensors contradict the estimate
    */
   boolean isBelieved(FilterState s, Measurement m, int main, boolean isDoubted) {
@@ -115,7 +116,7 @@ final class InertialVote {
         && age <= FRESH_INTERVALS * s.trust[at + SourceTrust.INTERVAL];
   }
 
-  /** Where the mean difference of an axis from the main source is kept. */
+  /** Index of a source's mean difference from the main source on an axis. */
   private int mean(FilterState s, int source, int axis) {
     int at = trust.of(s, source, SensedQuantity.BODY_RATES);
     return at + (axis < 3 ? SourceTrust.STREAK_MEAN : SourceTrust.RUN_START) + axis % 3;
@@ -149,7 +150,7 @@ final class InertialVote {
     return differs;
   }
 
-  /** Whether two that differ from the main source do so alike. */
+  /** Whether two sources that differ from the main source agree with each other. */
   private boolean agree(FilterState s, int one, int other) {
     for (int axis = 0; axis < AXES; axis++) {
       double apart = s.trust[mean(s, one, axis)] - s.trust[mean(s, other, axis)];
@@ -160,12 +161,15 @@ final class InertialVote {
     return true;
   }
 
-  /** The estimate needs time to come back: until then both would be doubted in turns. */
+  /**
+   * Whether enough time has passed since the last exclusion. The estimate needs time to recover;
+   * before that, two sensors would be excluded in turn.
+   */
   private static boolean mayAccuse(FilterState s) {
     return s.accusedMicros == 0 || (s.micros - s.accusedMicros) * 1e-6 > LEFT_OUT_S;
   }
 
-  /** The main source is left out, and those that it was compared with are as good as new. */
+  /** Excludes the main source and clears the record of those compared with it. */
   private void accuse(FilterState s, int main) {
     for (int source = 0; source < trust.sources(); source++) {
       if (s.trust[trust.of(s, source) + SourceTrust.INERTIAL] > 0.0) {

@@ -5,10 +5,10 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * Corrects state and covariance by one measurement vector. The covariance is updated in Joseph's
- * form, written out for a gain K and G = P Hᵀ: P - K Gᵀ - G Kᵀ + K S Kᵀ, which stays positive
- * whatever the rounding of K (Bucy and Joseph 1968). Only errors that the measurement tells of are
- * looked at, and of the covariance one half: the other one is the same.
+ * Updates state and covariance with one measurement vector. The covariance update is in Joseph
+ * form, written for a gain K and G = P Hᵀ: P - K Gᵀ - G Kᵀ + K S Kᵀ, which stays positive definite
+ * despite rounding of K (Bucy and Joseph 1968). Only nonzero columns of H and rows of G are
+ * processed, and only the lower half of the symmetric covariance.
  */
 final class KalmanUpdate {
   private static final int N = FilterState.N;
@@ -19,19 +19,19 @@ final class KalmanUpdate {
   private final DMatrixRMaj s = new DMatrixRMaj(3, 3);
   private final DMatrixRMaj inverse = new DMatrixRMaj(3, 3);
   private final double[] dx = new double[N];
-  private final int[] used = new int[N]; // columns of H that are not 0, rising
-  private final int[] touched = new int[N]; // rows of G that are not 0, rising
+  private final int[] used = new int[N]; // nonzero columns of H, ascending
+  private final int[] touched = new int[N]; // nonzero rows of G, ascending
   private int uses;
   private int touches;
   private int rows;
 
-  /** Variance of each component by the state's own uncertainty: diagonal of H P Hᵀ. */
+  /** Variance of each component due to the state's uncertainty: diagonal of H P Hᵀ. */
   final double[] expected = new double[3];
 
   /**
-   * Prepares for a measurement.
+   * Computes gain inputs and innovation statistics of a measurement.
    *
-   * @param factor by which the claimed variances are multiplied
+   * @param factor factor on the claimed variances
    * @return normalised innovation squared, χ² distributed with as many degrees of freedom as rows
    */
   double prepare(FilterState state, MeasurementModel m, double factor) {
@@ -72,7 +72,7 @@ final class KalmanUpdate {
       Arrays.fill(column, 0.0);
       for (int c = 0; c < uses; c++) {
         double factor = h[row * N + used[c]];
-        int from = used[c] * N; // P is symmetric, and its rows lie together
+        int from = used[c] * N; // P is symmetric; rows are contiguous
         for (int i = 0; i < N; i++) {
           column[i] += factor * p[from + i];
         }
@@ -94,7 +94,7 @@ final class KalmanUpdate {
     }
   }
 
-  /** {@link #prepare} with another factor, for the same measurement. */
+  /** Repeats {@link #prepare} for the same measurement with another factor. */
   double weigh(MeasurementModel m, double factor) {
     for (int i = 0; i < rows; i++) {
       s.data[i * rows + i] = expected[i] + factor * m.variance[i];
@@ -109,7 +109,7 @@ final class KalmanUpdate {
     return nis;
   }
 
-  /** Corrects the state by what was prepared. */
+  /** Applies the prepared update to the state. */
   void apply(FilterState state, MeasurementModel m) {
     Arrays.fill(dx, 0.0);
     for (int a = 0; a < touches; a++) {
@@ -137,9 +137,8 @@ final class KalmanUpdate {
   }
 
   /**
-   * Moves the correction to the most likely one whose delays are possible, along the covariance
-   * (projection of the estimate, Simon 2010): to cut only the delay would leave its share of the
-   * innovation to other states.
+   * Projects the correction onto valid delays along the covariance (estimate projection, Simon
+   * 2010): clamping only the delay would leave its share of the innovation to other states.
    */
   private void constrain(FilterState state) {
     for (int slot = 0; slot < DelayErrors.SLOTS; slot++) {
@@ -155,7 +154,7 @@ final class KalmanUpdate {
     }
   }
 
-  /** A number of the product of a matrix of columns and a square one. */
+  /** Element of the product of a matrix stored by columns and a square one. */
   private double product(double[][] columns, int row, double[] square, int column) {
     double sum = 0.0;
     for (int c = 0; c < rows; c++) {

@@ -1,10 +1,11 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * What a sensor measures that does not sit at the vehicle's reference point. With its place l along
- * BODY_FRD it is at p + R l, moves with v + R (ω × l) and feels ω̇ × l + ω × (ω × l) more than the
- * reference point does (Groves, Principles of GNSS, Inertial, and Multisensor Integrated Navigation
- * Systems, 2nd ed., section 14.3; Titterton and Weston, 2nd ed., section 12.3).
+ * Lever-arm corrections for a sensor that is not at the vehicle's reference point. With its offset
+ * l along BODY_FRD it is at p + R l, moves with v + R (ω × l) and is accelerated by ω̇ × l + ω × (ω
+ * × l) more than the reference point (Groves, Principles of GNSS, Inertial, and Multisensor
+ * Integrated Navigation Systems, 2nd ed., section 14.3; Titterton and Weston, 2nd ed., section
+ * 12.3).
  */
 final class LeverArm {
   private final double[] l = new double[3];
@@ -15,9 +16,9 @@ final class LeverArm {
   private boolean isThere;
   private boolean hasHeading;
   private double unknown2; // square of a horizontal arm of unknown direction
-  private double swingNoise2; // variance of ω × l by the gyroscopes' noise
+  private double swingNoise2; // variance of ω × l due to gyroscope noise
 
-  /** Takes a measurement's place, and the state's attitude and rates. */
+  /** Sets the lever arm from a measurement, and attitude and rates from the state. */
   void look(FilterState s, Measurement m) {
     isThere = false;
     for (int i = 0; i < 3; i++) {
@@ -50,17 +51,17 @@ final class LeverArm {
     }
   }
 
-  /** How far the sensor is from the reference point: north, east or down [m]; 0 if that is open. */
+  /** Offset of the sensor from the reference point, north, east or down [m]; 0 if unknown. */
   double apartM(int axis) {
     return isThere && (hasHeading || axis == 2) ? arm[axis] : 0.0;
   }
 
-  /** Variance of {@link #apartM} where the heading is not known [m²]. */
+  /** Variance of {@link #apartM} due to an unknown heading [m²]. */
   double apartVariance(int axis) {
     return isThere && axis < 2 ? unknown2 : 0.0;
   }
 
-  /** Adds to the position of a row: north, east or down. */
+  /** Adds the lever arm to a position row: north, east or down. */
   void position(FilterState s, MeasurementModel to, int axis, double sign) {
     if (isThere) {
       to.shift(sign * apartM(axis), apartVariance(axis));
@@ -70,7 +71,7 @@ final class LeverArm {
     }
   }
 
-  /** Adds to the velocity of a row: north, east or down. */
+  /** Adds the lever arm to a velocity row: north, east or down. */
   void velocity(FilterState s, MeasurementModel to, int axis) {
     if (!isThere) {
       return;
@@ -87,7 +88,7 @@ final class LeverArm {
     rates(s, to, r2 * l[1] - r1 * l[2], r0 * l[2] - r2 * l[0], r1 * l[0] - r0 * l[1]);
   }
 
-  /** Adds to the velocity of a row along BODY_FRD. */
+  /** Adds the lever arm to a velocity row along BODY_FRD. */
   void bodyVelocity(FilterState s, MeasurementModel to, int axis) {
     if (isThere) {
       to.shift(swing[axis], swingNoise2);
@@ -100,7 +101,7 @@ final class LeverArm {
     }
   }
 
-  /** A vector of the earth's axes turns by δθ × it. */
+  /** Sets the attitude columns: a vector a in earth axes changes by δθ × a. */
   private static void attitude(
       FilterState s, MeasurementModel to, double[] of, int axis, double sign) {
     int next = (axis + 1) % 3;
@@ -113,7 +114,7 @@ final class LeverArm {
     }
   }
 
-  /** By each angular rate; with gyroscopes these are known but for their biases. */
+  /** Sets the angular-rate columns; with gyroscopes, only the biases are uncertain. */
   private static void rates(
       FilterState s, MeasurementModel to, double byX, double byY, double byZ) {
     int at = s.isInertial ? FilterState.GYRO_BIAS : FilterState.RATE;
@@ -126,11 +127,11 @@ final class LeverArm {
   }
 
   /**
-   * Takes off a specific force what the sensor feels for being away from the reference point.
+   * Removes the lever-arm acceleration from a specific force.
    *
-   * @param rate angular rates, from that index on [rad/s]
-   * @param change of the rates [rad/s²]
-   * @param force three numbers from that index on, changed [m/s²]
+   * @param rate angular rates [rad/s]
+   * @param change angular accelerations [rad/s²]
+   * @param force specific force, modified in place: three numbers starting at that index [m/s²]
    */
   static void release(Measurement m, double[] rate, double[] change, double[] force, int from) {
     double x = m.mounted(0);

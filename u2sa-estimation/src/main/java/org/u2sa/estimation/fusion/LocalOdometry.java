@@ -4,14 +4,13 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Position and heading in a frame of its own, which begins where and as the vehicle stood first and
- * never jumps: speeds along the vehicle and turn rates are added up, corrections of position and
- * heading are not. It drifts; what it says of two moments close to each other is what counts.
+ * Dead-reckoned position and heading in a local frame that starts at the vehicle's first pose and
+ * never jumps: body velocities and turn rates are integrated, position and heading corrections are
+ * not. It drifts, so only differences over short times are meaningful.
  */
 public final class LocalOdometry {
-  private static final double LONGEST_STEP_S = 10.0; // after longer silence nothing is added
-  private static final double CORRELATION_S =
-      1.0; // an error of speed or turn rate persists so long
+  private static final double LONGEST_STEP_S = 10.0; // longer gaps are not integrated
+  private static final double CORRELATION_S = 1.0; // correlation time of speed and turn-rate errors
 
   private boolean hasBegun;
   private long micros;
@@ -22,7 +21,7 @@ public final class LocalOdometry {
   private double positionVariance;
   private double psiVariance;
 
-  /** Moves on to an estimate's time. Empty estimates, without heading, only begin it. */
+  /** Integrates up to an estimate's time. Starts at the first estimate with a heading. */
   public void moveTo(Estimate e) {
     double seconds = (e.micros() - micros) * 1e-6;
     if (!hasBegun || seconds > LONGEST_STEP_S || seconds < 0.0) {
@@ -49,7 +48,7 @@ public final class LocalOdometry {
     psiVariance += seconds * CORRELATION_S * e.bodyRateSigma(2) * e.bodyRateSigma(2);
   }
 
-  /** The local state, in LOCAL_NED. */
+  /** Creates the local state, in LOCAL_NED. */
   public StateInformation write(Estimate e) {
     double turned = psi - e.psi();
     double cos = StrictMath.cos(turned);
@@ -79,7 +78,7 @@ public final class LocalOdometry {
     return state;
   }
 
-  /** Goes on from a local state that was published before. */
+  /** Resumes from a previously published local state. */
   public void resume(StateInformation local) {
     hasBegun = true;
     micros = local.timestamp().orElseThrow();

@@ -1,14 +1,14 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * What a source measured at one moment, in the filter's axes and units: up to three numbers of each
- * {@link SensedQuantity}, with their standard deviations. Made once and filled again and again, so
- * that the filter allocates nothing.
+ * A source's measurement at one time, in the filter's axes and units: up to three components of
+ * each {@link SensedQuantity} with their standard deviations. Reusable, so that the filter need not
+ * allocate.
  */
 public final class Measurement {
   private static final int WIDTH = 3;
 
-  /** How many numbers it keeps of all quantities. */
+  /** Total number of values. */
   static final int SIZE = SensedQuantity.count() * WIDTH;
 
   private final double[] values = new double[SIZE];
@@ -20,7 +20,7 @@ public final class Measurement {
   private String source = "";
   private long micros;
 
-  /** Empties it for a measurement of that source and time [µs]. */
+  /** Clears it for a measurement with the given source and time [µs]. */
   public Measurement begin(String newSource, long newMicros) {
     source = newSource;
     micros = newMicros;
@@ -50,7 +50,8 @@ public final class Measurement {
   }
 
   /**
-   * Where the sensor sits, from the vehicle's reference point along BODY_FRD [m]; 0 after begin.
+   * Sets the sensor's offset from the vehicle's reference point along BODY_FRD [m]; begin resets it
+   * to 0.
    */
   public Measurement mounted(double forward, double right, double down) {
     mounted[0] = forward;
@@ -111,10 +112,10 @@ public final class Measurement {
   }
 
   /**
-   * Something of known place, seen from the vehicle.
+   * Sets range and bearing of a landmark with a known position.
    *
-   * @param range to it on the map [m]
-   * @param bearing to it [rad], clockwise from the vehicle's nose
+   * @param range horizontal range [m]
+   * @param bearing bearing [rad], clockwise from the vehicle's nose
    */
   public Measurement sighting(double range, double bearing, double rangeSigma, double sigma) {
     set(SensedQuantity.LANDMARK, 0, range, rangeSigma);
@@ -122,7 +123,7 @@ public final class Measurement {
     return this;
   }
 
-  /** Where that is, in the local frame: north and east [m]. */
+  /** Position of the landmark in the local frame: north and east [m]. */
   public Measurement ofLocal(double north, double east) {
     landmark[0] = north;
     landmark[1] = east;
@@ -130,7 +131,7 @@ public final class Measurement {
     return this;
   }
 
-  /** Where that is, on WGS-84 [deg]. */
+  /** Position of the landmark on WGS-84 [deg]. */
   public Measurement ofPlace(double latitudeDeg, double longitudeDeg) {
     landmark[0] = Math.toRadians(latitudeDeg);
     landmark[1] = Math.toRadians(longitudeDeg);
@@ -138,7 +139,7 @@ public final class Measurement {
     return this;
   }
 
-  /** Latitude and longitude [rad], or north and east [m]. */
+  /** Landmark position: latitude and longitude [rad], or north and east [m]. */
   double landmark(int component) {
     return landmark[component];
   }
@@ -182,17 +183,17 @@ public final class Measurement {
     return this;
   }
 
-  /** Who measured. */
+  /** Name of the source. */
   public String source() {
     return source;
   }
 
-  /** When [µs]. */
+  /** Time of the measurement [µs]. */
   public long micros() {
     return micros;
   }
 
-  /** Whether there is anything that the filter can use. */
+  /** Whether it holds no usable values. */
   public boolean isEmpty() {
     for (byte each : present) {
       if (each != 0) {
@@ -222,7 +223,7 @@ public final class Measurement {
     return sigmas[quantity.ordinal() * WIDTH + component];
   }
 
-  /** Whether all numbers are those of another one. */
+  /** Whether all values equal those saved in an array. */
   boolean hasValuesOf(double[] kept, int from) {
     for (int i = 0; i < values.length; i++) {
       if (values[i] != kept[from + i]) {

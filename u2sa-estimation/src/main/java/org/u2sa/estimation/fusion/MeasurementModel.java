@@ -3,17 +3,16 @@ package org.u2sa.estimation.fusion;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * What each quantity would be measured as in the present state, and how that depends on the state's
- * error: innovation, Jacobian and claimed variance of each component that is present (Solà 2017,
- * section 6.1, with global angular errors).
+ * Measurement model of each quantity: innovation, Jacobian with respect to the error state, and
+ * claimed variance of each present component (Solà 2017, section 6.1, with global angular errors).
  */
 final class MeasurementModel {
   private static final int N = FilterState.N;
   private static final double FULL_TURN = 2.0 * Math.PI;
-  private static final double NEAREST_M = 0.1; // of a landmark
-  private static final double STEEP = 0.02; // cos θ below which roll and heading are not told apart
+  private static final double NEAREST_M = 0.1; // minimum range of a landmark
+  private static final double STEEP = 0.02; // cos θ near gimbal lock
 
-  /** Jacobian: the first {@link #rows} rows count. */
+  /** Jacobian; only the first {@link #rows} rows are valid. */
   final DMatrixRMaj h = new DMatrixRMaj(3, N);
 
   final double[] innovation = new double[3];
@@ -26,9 +25,9 @@ final class MeasurementModel {
   private final double[] v = new double[3];
 
   /**
-   * Fills the fields.
+   * Evaluates the model for one quantity of a measurement.
    *
-   * @return false if the state does not know enough to compare
+   * @return false if the state cannot predict this quantity
    */
   boolean look(FilterState s, Measurement m, SensedQuantity quantity) {
     h.reshape(3, N);
@@ -75,7 +74,9 @@ final class MeasurementModel {
     }
   }
 
-  /** The statement that the vehicle does not move sideways, nor, on the ground, up or down. */
+  /**
+   * Evaluates the no-slip constraint: no sideways motion and, on the ground, no vertical motion.
+   */
   void noSlip(FilterState s, double sigma, boolean throughFluid, boolean hasVertical) {
     h.reshape(3, N);
     h.zero();
@@ -95,14 +96,14 @@ final class MeasurementModel {
     rows++;
   }
 
-  /** Changes what the last row is predicted as. */
+  /** Shifts the prediction of the last row. */
   void shift(double more, double addedVariance) {
     innovation[rows - 1] -= more;
     predicted[rows - 1] += more;
     variance[rows - 1] += addedVariance;
   }
 
-  /** Sets a number in the last row of the Jacobian. */
+  /** Sets an element in the last row of the Jacobian. */
   void setLast(int column, double value) {
     h.data[(rows - 1) * N + column] = value;
   }
@@ -111,7 +112,7 @@ final class MeasurementModel {
     h.data[rows * N + column] = value;
   }
 
-  /** Sets one more number of the Jacobian. */
+  /** Sets an element of the Jacobian. */
   void add(int row, int column, double value) {
     h.data[row * N + column] = value;
   }
@@ -126,7 +127,7 @@ final class MeasurementModel {
         double metres =
             i == 0 ? apart * northRadius : Math.IEEEremainder(apart, FULL_TURN) * axisDistance;
         row(metres, 0.0, m.sigma(SensedQuantity.PLACE, i));
-        predicted[rows - 1] = s.x[FilterState.NORTH + i]; // metres: for how far it moved
+        predicted[rows - 1] = s.x[FilterState.NORTH + i]; // in metres, for displacement checks
         lever.position(s, this, i, 1.0);
       }
     }
@@ -166,7 +167,7 @@ final class MeasurementModel {
     }
   }
 
-  /** Velocity over ground, or through the fluid, into v. */
+  /** Stores the velocity over ground or through the fluid in v. */
   private void along(FilterState s, boolean throughFluid) {
     v[0] = s.x[FilterState.V] - (throughFluid ? s.x[FilterState.FLOW_NORTH] : 0.0);
     v[1] = s.x[FilterState.V + 1] - (throughFluid ? s.x[FilterState.FLOW_NORTH + 1] : 0.0);
@@ -177,7 +178,7 @@ final class MeasurementModel {
     return r[axis] * v[0] + r[3 + axis] * v[1] + r[6 + axis] * v[2];
   }
 
-  /** Rᵀ v: by δv its columns are Rᵀ, by δθ Rᵀ [v]×, by δ(wind) -Rᵀ. */
+  /** Jacobian row of Rᵀ v: Rᵀ for δv, Rᵀ [v]× for δθ, -Rᵀ for δ(wind). */
   private void vehicleRow(FilterState s, int axis, boolean throughFluid) {
     double b0 = r[axis];
     double b1 = r[3 + axis];
@@ -213,7 +214,7 @@ final class MeasurementModel {
     }
   }
 
-  /** The last row's speed is measured so many times as large. */
+  /** Applies a scale factor to the last row's speed. */
   private void scale(double by) {
     double speed = predicted[rows - 1];
     for (int k = 0; k < N; k++) {
@@ -255,20 +256,20 @@ final class MeasurementModel {
     return rows > 0;
   }
 
-  /** φ = atan2(R32, R33), each of which turns with δθ × its column. */
+  /** Jacobian row of φ = atan2(R32, R33), whose columns change by δθ × column. */
   private void rollRow(double cos2) {
     set(FilterState.ATTITUDE, (r[8] * r[4] - r[7] * r[5]) / cos2);
     set(FilterState.ATTITUDE + 1, (-r[8] * r[1] + r[7] * r[2]) / cos2);
   }
 
-  /** θ = -asin(R31). */
+  /** Jacobian row of θ = -asin(R31). */
   private void pitchRow(double cos2) {
     double cos = Math.sqrt(cos2);
     set(FilterState.ATTITUDE, -r[3] / cos);
     set(FilterState.ATTITUDE + 1, r[0] / cos);
   }
 
-  /** ψ = atan2(R21, R11). */
+  /** Jacobian row of ψ = atan2(R21, R11). */
   private boolean headingRow(boolean hasTilt) {
     double cos2 = r[0] * r[0] + r[3] * r[3];
     if (cos2 < STEEP * STEEP) {
@@ -292,7 +293,7 @@ final class MeasurementModel {
     return true;
   }
 
-  /** Euler rates of body rates (Stevens and Lewis, 2nd ed., section 1.3). */
+  /** Model of Euler rates from body rates (Stevens and Lewis, 2nd ed., section 1.3). */
   private boolean eulerRates(FilterState s, Measurement m) {
     double cos = Math.sqrt(r[7] * r[7] + r[8] * r[8]);
     if (cos < STEEP) {
@@ -325,7 +326,10 @@ final class MeasurementModel {
     return rows > 0;
   }
 
-  /** Rates that do not drive the prediction: fewer than three, or of a second inertial sensor. */
+  /**
+   * Model of body rates that do not drive the prediction: fewer than three, or from a second
+   * inertial sensor.
+   */
   private void bodyRates(FilterState s, Measurement m) {
     for (int i = 0; i < 3; i++) {
       if (m.has(SensedQuantity.BODY_RATES, i) && (s.hasTilt || i == 2) && !s.isInertial) {
@@ -339,7 +343,7 @@ final class MeasurementModel {
     }
   }
 
-  /** f = Rᵀ (0, 0, -g) + b for a vehicle that hardly accelerates. */
+  /** Model of specific force, f = Rᵀ (0, 0, -g) + b, for a vehicle that hardly accelerates. */
   private void gravity(FilterState s, Measurement m) {
     double g = ProcessModel.gravity(s);
     for (int axis = 0; axis < 3; axis++) {
@@ -356,8 +360,8 @@ final class MeasurementModel {
   }
 
   /**
-   * Range and bearing of a known place. Near it both bend: what the curvature may hide is added to
-   * the variances (second-order terms, Jazwinski 1970, section 9.3).
+   * Model of range and bearing to a landmark. Both are strongly nonlinear at short range, so
+   * second-order terms are added to the variances (Jazwinski 1970, section 9.3).
    */
   private boolean landmark(FilterState s, Measurement m) {
     boolean isOnEarth = m.isLandmarkOnEarth();
@@ -378,7 +382,7 @@ final class MeasurementModel {
     row(m.value(SensedQuantity.LANDMARK, 0), range, m.sigma(SensedQuantity.LANDMARK, 0));
     variance[0] += spread * spread / (2.0 * range2);
     if (!headingRow(s.hasTilt)) {
-      return true; // the nose points up: what is left is the range
+      return true; // nose points up: only the range is usable
     }
     for (int i = 0; i < 3; i++) {
       h.data[N + FilterState.ATTITUDE + i] *= -1.0;
@@ -393,7 +397,7 @@ final class MeasurementModel {
     return true;
   }
 
-  /** Standard deviations of roll, pitch and heading [rad] in a state. */
+  /** Computes the standard deviations of roll, pitch and heading of a state [rad]. */
   void attitudeSigmas(FilterState s, double[] to) {
     h.reshape(3, N);
     h.zero();
@@ -410,7 +414,7 @@ final class MeasurementModel {
     }
   }
 
-  /** Speeds through the fluid along BODY_FRD, and their standard deviations [m/s]. */
+  /** Computes the speeds through the fluid along BODY_FRD and their standard deviations [m/s]. */
   void fluid(FilterState s, double[] speeds, double[] sigmas) {
     h.reshape(3, N);
     h.zero();

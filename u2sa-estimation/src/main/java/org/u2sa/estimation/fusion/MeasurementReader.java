@@ -7,12 +7,12 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Reads what a message measures from the message alone (thesis 5.1): its presence vector says which
- * numbers, its frame along which axes, its sigmas how well. Accelerations over ground, and position
- * and attitude against a vehicle's own axes, say nothing that the filter can use.
+ * Converts a message to a measurement from the message alone (thesis 5.1): the presence vector
+ * defines the fields, the frame the axes, and the sigmas the accuracy. Accelerations over ground,
+ * and position and attitude in body frames, are not used.
  */
 public final class MeasurementReader {
-  private static final double MIN_SIGMA = 1e-3; // what claims to be perfect is not
+  private static final double MIN_SIGMA = 1e-3; // no measurement is perfect
   private static final double MIN_ANGLE = 1e-4;
 
   private static final StateField[] POSITION = {StateField.X, StateField.Y, StateField.Z};
@@ -40,7 +40,7 @@ public final class MeasurementReader {
 
   private final UsualSigmas usual;
 
-  /** A reader that takes those sigmas where a message has none. */
+  /** Creates a reader that uses the given sigmas if a message has none. */
   public MeasurementReader(UsualSigmas usual) {
     this.usual = usual;
   }
@@ -48,8 +48,8 @@ public final class MeasurementReader {
   /**
    * Reads a message.
    *
-   * @param message has a timestamp
-   * @throws IllegalArgumentException if it cannot be read, as an x without a y on a grid
+   * @param message message, which must have a timestamp
+   * @throws IllegalArgumentException if it cannot be converted, such as an x without a y on a grid
    */
   public Measurement read(StateInformation message, Measurement to) {
     to.begin(message.sensorName(), message.timestamp().orElseThrow());
@@ -73,7 +73,7 @@ public final class MeasurementReader {
     return honest(claimed, ifAbsent, isAngle ? MIN_ANGLE : MIN_SIGMA);
   }
 
-  /** Nobody measures without error: who claims that, or less than nothing, claims nothing. */
+  /** Replaces a zero or negative sigma by the default and enforces a minimum. */
   private static double honest(OptionalDouble claimed, double ifAbsent, double least) {
     double sigma = claimed.orElse(ifAbsent);
     return Math.max(least, sigma > 0.0 ? sigma : ifAbsent);
@@ -127,7 +127,9 @@ public final class MeasurementReader {
     vector(s, to, SensedQuantity.EULER_RATES, RATES, RATE_SIGMAS, usual.rate());
   }
 
-  /** Along BODY, whose y is to the left, unless the message is in FRD. */
+  /**
+   * Reads speeds through the fluid, along BODY, whose y points left, unless the message is in FRD.
+   */
   private void readFluid(StateInformation s, Measurement to, double ySign) {
     for (int i = 0; i < 3; i++) {
       OptionalDouble speed = s.number(FLUID[i]);
@@ -155,7 +157,7 @@ public final class MeasurementReader {
 
   private void readInertial(InertialMeasurement m, Measurement to) {
     ReferenceFrame frame = m.referenceFrame();
-    boolean isBody = frame.equals(ReferenceFrame.BODY); // left-handed: roll and yaw turn round
+    boolean isBody = frame.equals(ReferenceFrame.BODY); // left-handed: roll and yaw change sign
     boolean isFlu = frame.equals(ReferenceFrame.BODY_FLU);
     double roll = isBody ? -1.0 : 1.0;
     double pitch = isFlu ? -1.0 : 1.0;

@@ -1,22 +1,23 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Measured speed along the vehicle and measured turn rate as inputs of the prediction where no
- * inertial sensor drives it (velocity motion model, Thrun, Burgard and Fox 2005, section 5.3): the
- * vehicle keeps the newest values until the next come, their errors are independent from sample to
- * sample and along the vehicle's own axes, and on the ground it goes where its wheels point. What
- * comes too rarely, or is noisier than what the filter supposes without it, stays a measurement.
+ * Uses measured forward speed and turn rate as inputs of the prediction if no inertial sensor
+ * drives it (velocity motion model, Thrun, Burgard and Fox 2005, section 5.3): the newest values
+ * are held until the next arrive, their errors are independent between samples and along the
+ * vehicle's axes, and on the ground the vehicle moves where its wheels point. Values that arrive
+ * too rarely, or are noisier than the filter's assumptions without them, are fused as measurements
+ * instead.
  */
 final class MotionInput {
-  private static final double SHORTEST_S = 0.15; // an input is held for so long at least
+  private static final double SHORTEST_S = 0.15; // minimum hold time of an input
   private static final double INTERVALS = 3.0;
   private static final double LONGEST_INTERVAL_S = 0.5;
-  private static final double KNOWN_AFTER = 3.0; // messages: then the interval is known
+  private static final double KNOWN_AFTER = 3.0; // messages until the interval is known
   private static final double UNLIKELY = 4.0; // standard deviations
-  private static final double LEVEL = 0.95; // cos of a tilt at which a turn is one about down
-  private static final double UNIFORM = 12.0; // variance of what lies anywhere in a span of 1
+  private static final double LEVEL = 0.95; // cos of the tilt up to which yaw rate is heading rate
+  private static final double UNIFORM = 12.0; // inverse variance of the uniform distribution
 
-  private static final double SLOW_MPS = 0.1; // below which a vehicle slips hardly at all
+  private static final double SLOW_MPS = 0.1; // slip is negligible below this speed
 
   private final FilterTuning tuning;
   private final SourceTrust trust;
@@ -29,7 +30,7 @@ final class MotionInput {
     this.trust = trust;
   }
 
-  /** Lets inputs go that have not been renewed. */
+  /** Drops inputs that were not renewed. */
   static void expire(FilterState s) {
     if (s.micros >= s.speedUntilMicros) {
       s.speedSource = FilterState.NO_SOURCE;
@@ -48,9 +49,9 @@ final class MotionInput {
   }
 
   /**
-   * Between two samples the vehicle went by their mean: sets that for the way to m, and makes up
-   * for what was left out so far. A turn rate needs no such care: what is late when a turn begins
-   * comes back when it ends.
+   * Uses the mean of two speed samples between them: sets it for the prediction to m and corrects
+   * the displacement so far. Turn rates need no such correction: the lag at the start of a turn
+   * cancels at its end.
    */
   void meet(FilterState s, Measurement m, int source) {
     boolean isNext = drivesSpeed(s) && s.speedSource == source;
@@ -81,12 +82,12 @@ final class MotionInput {
     return s.trust[trust.of(s, source) + SourceTrust.INTERVAL];
   }
 
-  /** Variance of what a speed may change by from sample to sample. */
+  /** Variance of the speed change between samples. */
   private double speedChange2(FilterState s, int source) {
     return tuning.accelerationNoise() * tuning.accelerationNoise() * intervalS(s, source);
   }
 
-  /** Variance of what a turn rate may change by from sample to sample. */
+  /** Variance of the turn-rate change between samples. */
   private double turnChange2(FilterState s, int source) {
     double share = Math.min(1.0, 2.0 * intervalS(s, source) / ProcessModel.RATE_MEMORY_S);
     return tuning.turnSigma() * tuning.turnSigma() * share;
@@ -99,9 +100,9 @@ final class MotionInput {
   }
 
   /**
-   * Whether a vector is to drive the prediction.
+   * Whether a vector should drive the prediction.
    *
-   * @param factor by which its claimed variances are multiplied
+   * @param factor factor on its claimed variances
    */
   boolean takes(FilterState s, Measurement m, int source, SensedQuantity quantity, double factor) {
     if (!isSteady(s, source)) {
@@ -134,7 +135,7 @@ final class MotionInput {
     return value * value;
   }
 
-  /** By how much the state may have changed unseen since the last sample, for the gate. */
+  /** Adds the variance of the unmeasured change since the last sample, for the gate. */
   void expect(FilterState s, int source, SensedQuantity quantity, int rows, double[] expected) {
     boolean isSpeed = quantity == SensedQuantity.BODY_VELOCITY;
     for (int i = 0; i < rows; i++) {
@@ -142,7 +143,7 @@ final class MotionInput {
     }
   }
 
-  /** Lets a vector drive the prediction from now on. */
+  /** Makes a vector drive the prediction. */
   void take(
       FilterState s,
       Measurement m,
@@ -177,7 +178,7 @@ final class MotionInput {
     double change = isRenewed ? rate - s.heldRadPerS : 0.0;
     s.heldRadPerS = rate;
     double sigma2 =
-        factor * square(m.sigma(quantity, 2)) + change * change / 4.0; // held late by half
+        factor * square(m.sigma(quantity, 2)) + change * change / 4.0; // held: late by half
     int error = FilterState.RATE + 2;
     if (isGyro) {
       f.reset();
@@ -191,7 +192,8 @@ final class MotionInput {
   }
 
   /**
-   * v = R u: δv = -[v]× δθ + R δu, where the wheels' scale is part of δu (Solà 2017, section 7).
+   * Sets the velocity to v = R u, with δv = -[v]× δθ + R δu, where δu includes the wheel scale
+   * error (Solà 2017, section 7).
    */
   private void speed(
       FilterState s, Measurement m, MeasurementModel model, double factor, boolean isRenewed) {
@@ -231,7 +233,7 @@ final class MotionInput {
     }
   }
 
-  /** δv by δθ: -[v]×. */
+  /** Sets the block of δv for δθ: -[v]×. */
   private void turned(FilterState s) {
     double vn = s.x[FilterState.V];
     double ve = s.x[FilterState.V + 1];

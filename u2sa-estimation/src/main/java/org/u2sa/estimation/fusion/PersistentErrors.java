@@ -3,21 +3,21 @@ package org.u2sa.estimation.fusion;
 import java.util.Arrays;
 
 /**
- * The parts of measurement errors that persist from one measurement to the next, as states of the
- * filter: first-order Gauss-Markov processes (Brown and Hwang, 3rd ed., section 5.3), two for each
- * of the first {@link #POSITION_SOURCES} position sources, as a receiver's error wanders for
- * minutes, and one for each of the first {@link #HEADING_SOURCES} heading sources, as a compass's
- * deviation stays while the vehicle keeps its direction.
+ * Time-correlated measurement errors as filter states: first-order Gauss-Markov processes (Brown
+ * and Hwang, 3rd ed., section 5.3), two for each of the first {@link #POSITION_SOURCES} position
+ * sources, because a receiver's error drifts over minutes, and one for each of the first {@link
+ * #HEADING_SOURCES} heading sources, because a compass's deviation is constant while the vehicle
+ * keeps its direction.
  *
- * <p>No source alone tells its error from the vehicle's motion, so both stay uncertain by as much
- * as it claims, however often it says the same. But where other sensors know how the vehicle moved
- * and turned, a wandering error cannot draw the estimate along, and what was known better, once, is
- * not forgotten.
+ * <p>A single source cannot distinguish its error from the vehicle's motion, so both keep its
+ * claimed uncertainty however often it repeats a measurement. But if other sensors measure how the
+ * vehicle moved and turned, a drifting error cannot drag the estimate along, and earlier, more
+ * accurate knowledge is retained.
  *
- * <p>Where wheels know how the vehicle moves, they also show by how much a position source wanders,
- * and its variance is learnt by expectation maximisation: the mean of b² + P, estimated error and
- * its variance (Shumway and Stoffer 1982). Only more than the claim is believed. A receiver that
- * takes reflections for signals is off by several times what it claims.
+ * <p>If wheels measure the motion, they also reveal how much a position source drifts, and its
+ * variance is learned by expectation maximisation: the mean of b² + P, estimated error and its
+ * variance (Shumway and Stoffer 1982). The learned variance is never below the claim. With
+ * multipath, a receiver's error is several times what it claims.
  */
 final class PersistentErrors {
   static final int NONE = -1;
@@ -26,13 +26,13 @@ final class PersistentErrors {
   static final int SLOTS = POSITION_SOURCES + HEADING_SOURCES;
   static final int STATES = 2 * POSITION_SOURCES + HEADING_SOURCES;
 
-  /** Share of a claimed sigma that is new with each measurement. The rest persists. */
+  /** White share of a claimed sigma. The rest is time-correlated. */
   private static final double NEW_SHARE = 0.2;
 
-  private static final double OUTGROWN = 9.0; // variance over that of the newest claim
+  private static final double OUTGROWN = 9.0; // ratio of variance to that of the newest claim
 
-  private static final double MEMORY = 4.0; // time constants over which a variance is learnt
-  private static final double LARGEST = 4.0; // multiple of the variance that one error shows
+  private static final double MEMORY = 4.0; // time constants over which a variance is learned
+  private static final double LARGEST = 4.0; // limit of one error, as a multiple of the variance
   private static final double NEW_VARIANCE = NEW_SHARE * NEW_SHARE;
 
   private final double positionS;
@@ -43,7 +43,7 @@ final class PersistentErrors {
     headingS = tuning.headingCorrelationS();
   }
 
-  /** Of a state that has heard nobody. */
+  /** Slots of a state without any source. */
   static int[] nobody() {
     int[] sources = new int[SLOTS];
     Arrays.fill(sources, FilterState.NO_SOURCE);
@@ -58,7 +58,7 @@ final class PersistentErrors {
     return isPosition(slot) ? 2 : 1;
   }
 
-  /** Where a slot's states begin, among those of all slots. */
+  /** Index of a slot's first state among those of all slots. */
   private static int first(int slot) {
     return isPosition(slot) ? 2 * slot : POSITION_SOURCES + slot;
   }
@@ -68,10 +68,10 @@ final class PersistentErrors {
   }
 
   /**
-   * Which slot holds the source's error, from now on if none did.
+   * Slot of the source's error; assigns a free one if necessary.
    *
-   * @param at where the numbers of the source's quantity begin in {@link SourceTrust}
-   * @return NONE if errors of that quantity do not persist, or all slots are taken
+   * @param at index of the source's quantity in {@link SourceTrust}
+   * @return NONE if errors of that quantity are not time-correlated, or all slots are taken
    */
   int slot(FilterState s, Measurement m, SensedQuantity quantity, int source, int at) {
     int from = quantity == SensedQuantity.PLACE ? 0 : POSITION_SOURCES;
@@ -97,7 +97,7 @@ final class PersistentErrors {
     return NONE;
   }
 
-  /** E(b² + P) of what the filter knows of the error, as a multiple of the claimed variance. */
+  /** Learns E(b² + P) of the error state, as a multiple of the claimed variance. */
   private void learn(FilterState s, int slot, int at) {
     double[] t = s.trust;
     double seconds = (s.micros - t[at + SourceTrust.WANDER_MICROS]) * 1e-6;
@@ -113,15 +113,16 @@ final class PersistentErrors {
     }
     shown *= known / s.x[FilterState.PERSISTENT_VARIANCE + slot];
     double learnt = Math.min(MEMORY * positionS, t[at + SourceTrust.WANDER_S] + seconds);
-    double share = seconds / (positionS + learnt); // the claim is worth a time constant
+    double share = seconds / (positionS + learnt); // the claim weighs one time constant
     double before = Math.max(t[at + SourceTrust.WANDER], learnt == seconds ? 1.0 : 0.0);
     t[at + SourceTrust.WANDER_S] = learnt;
     t[at + SourceTrust.WANDER] = before + share * (Math.min(shown, LARGEST * known) - before);
   }
 
   /**
-   * Positions contradict for good what the wheels say, and stand beside it: the source's error has
-   * jumped by as much, or the estimate is off by as much. Both become as uncertain.
+   * Handles positions that persistently contradict the wheels at a constant offset: either the
+   * source's error has jumped by this amount or the estimate is off by it. Increases the
+   * uncertainty of both accordingly.
    */
   static void jumped(FilterState s, MeasurementModel model, int slot, int at) {
     double[] n = model.innovation;
@@ -146,7 +147,7 @@ final class PersistentErrors {
     s.x[FilterState.PERSISTENT_VARIANCE + slot] = (1.0 - NEW_VARIANCE) * claim * wander;
   }
 
-  /** Whether the source has claimed much more before: that error is over. */
+  /** Whether the source claimed a much larger error before, which is now obsolete. */
   private static boolean isOutgrown(FilterState s, int slot) {
     double known = s.variance(FilterState.PERSISTENT + first(slot));
     return known > OUTGROWN * s.x[FilterState.PERSISTENT_VARIANCE + slot];
@@ -159,7 +160,10 @@ final class PersistentErrors {
     }
   }
 
-  /** The state has just taken the quantity from this source: its error is the source's. */
+  /**
+   * Correlates the state with the source's error after the quantity was initialised from this
+   * source.
+   */
   static void share(FilterState s, int slot) {
     if (slot == NONE) {
       return;
@@ -174,7 +178,7 @@ final class PersistentErrors {
     }
   }
 
-  /** The source measures the quantity and its persistent error together; the rest is new. */
+  /** Adds the persistent error to the measurement model; the remaining noise is white. */
   static void look(
       FilterState s, Measurement m, SensedQuantity quantity, MeasurementModel model, int slot) {
     if (slot == NONE) {
@@ -191,13 +195,13 @@ final class PersistentErrors {
     }
   }
 
-  /** What a state of the {@link #STATES} is multiplied by in that time. */
+  /** Decay factor of a slot's states over that time. */
   private double kept(int slot, double dt) {
     double timeConstantS = timeConstantS(slot);
     return timeConstantS > 0.0 ? Math.max(0.0, 1.0 - dt / timeConstantS) : 1.0;
   }
 
-  /** Lets the errors fade, into F. */
+  /** Applies the decay of the errors to state and F. */
   void fade(FilterState s, Transition f, double dt) {
     for (int slot = 0; slot < SLOTS; slot++) {
       if (s.persistentSource[slot] == FilterState.NO_SOURCE) {
@@ -211,13 +215,13 @@ final class PersistentErrors {
     }
   }
 
-  /** Variance by which a slot's errors change, of each axis and in each second [m²/s]. */
+  /** Process noise of a slot's errors, per axis [m²/s]. */
   double wanderRate(FilterState s, int slot) {
     boolean persists = slot != NONE && timeConstantS(slot) > 0.0;
     return persists ? 2.0 * s.x[FilterState.PERSISTENT_VARIANCE + slot] / timeConstantS(slot) : 0.0;
   }
 
-  /** Lets the errors wander: driven by 2 σ² / τ they keep their σ. */
+  /** Adds the process noise of the errors: driven by 2 σ² / τ they keep their σ. */
   void wander(FilterState s, double dt) {
     for (int slot = 0; slot < SLOTS; slot++) {
       if (s.persistentSource[slot] != FilterState.NO_SOURCE) {

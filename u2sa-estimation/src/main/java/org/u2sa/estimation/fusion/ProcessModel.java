@@ -1,16 +1,16 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Carries state and covariance ahead in time (Solà 2017, section 7.2). With inertial input it is a
- * strapdown integration; without, the vehicle keeps its speed and turns at its last rate, which
- * dies away (coordinated turn: the velocity turns with the vehicle), and noise stands for what
- * nobody measures. Earth rate and transport rate (73 and, at 250 m/s, 40 µrad/s) are left to the
+ * Predicts state and covariance (Solà 2017, section 7.2). With inertial input this is a strapdown
+ * integration; without, the vehicle keeps its speed and turns at its last rate, which decays
+ * (coordinated turn: the velocity turns with the vehicle), and process noise covers unmeasured
+ * motion. Earth rate and transport rate (73 and, at 250 m/s, 40 µrad/s) are absorbed by the
  * gyroscope biases.
  */
 final class ProcessModel {
   private static final int N = FilterState.N;
   private static final double LONGEST_STEP_S = 0.05;
-  static final double RATE_MEMORY_S = 1.0; // of a turn that nobody measures
+  static final double RATE_MEMORY_S = 1.0; // time constant of an unmeasured turn
   private static final double SCALE_NOISE = 1e-4; // wheel-speed scale, per √s
   private static final double FLOW_MEMORY_S = 600.0;
   private static final double EQUATOR_MPS2 = 9.7803253359; // WGS-84 normal gravity (Somigliana)
@@ -29,7 +29,7 @@ final class ProcessModel {
     persistent = new PersistentErrors(tuning);
   }
 
-  /** Carries the state ahead to that time; does nothing if it is there. */
+  /** Predicts the state to the given time; does nothing if it is already there. */
   void predict(FilterState s, long micros) {
     while (s.micros < micros) {
       double leftS = (micros - s.micros) * 1e-6;
@@ -42,7 +42,7 @@ final class ProcessModel {
     }
   }
 
-  /** Acceleration of free fall [m/s²] (WGS-84, NIMA TR8350.2, section 4). */
+  /** Gravity [m/s²] (WGS-84, NIMA TR8350.2, section 4). */
   static double gravity(FilterState s) {
     double sin = s.hasPlace ? StrictMath.sin(s.x[FilterState.LATITUDE]) : Math.sqrt(0.5);
     double sin2 = sin * sin;
@@ -57,7 +57,7 @@ final class ProcessModel {
       f.set(FilterState.POSITION + i, FilterState.VELOCITY + i, dt);
       double rate =
           s.isInertial ? x[FilterState.GYRO + i] - x[FilterState.BG + i] : x[FilterState.W + i];
-      w[i] = s.hasTilt || i == 2 ? rate : 0.0; // without tilt the vehicle is taken to be level
+      w[i] = s.hasTilt || i == 2 ? rate : 0.0; // without tilt, assume a level vehicle
     }
     if (s.isStrapdown) {
       accelerate(s, dt);
@@ -73,13 +73,16 @@ final class ProcessModel {
     addNoise(s, dt);
   }
 
-  /** v̇ = R (f - b) + g, δv̇ = -[R (f - b)]× δθ - R δb (Solà 2017, equations 272 and 283). */
+  /**
+   * Integrates v̇ = R (f - b) + g, with δv̇ = -[R (f - b)]× δθ - R δb (Solà 2017, equations 272 and
+   * 283).
+   */
   private void accelerate(FilterState s, double dt) {
     double[] x = s.x;
     double fx = x[FilterState.FORCE] - x[FilterState.BF];
     double fy = x[FilterState.FORCE + 1] - x[FilterState.BF + 1];
     double fz = x[FilterState.FORCE + 2] - x[FilterState.BF + 2];
-    double half = 0.5 * dt; // forces act along the axes of the middle of the step
+    double half = 0.5 * dt; // forces act along the axes at mid-step
     double mx = fx + half * (w[1] * fz - w[2] * fy);
     double my = fy + half * (w[2] * fx - w[0] * fz);
     double mz = fz + half * (w[0] * fy - w[1] * fx);
@@ -96,7 +99,7 @@ final class ProcessModel {
     }
   }
 
-  /** v̇ = ω × v about the vertical: the velocity turns with the vehicle. */
+  /** Integrates v̇ = ω × v about the vertical: the velocity turns with the vehicle. */
   private void turnVelocity(FilterState s, double dt) {
     double[] x = s.x;
     a[0] = 0.0;
@@ -159,7 +162,7 @@ final class ProcessModel {
     persistent.fade(s, f, dt);
   }
 
-  /** Block of F: -[a]× dt. */
+  /** Sets a block of F to -[a]× dt. */
   private void minusCross(double[] v, double dt, int row, int column) {
     f.set(row, column + 1, dt * v[2]);
     f.set(row, column + 2, -dt * v[1]);
@@ -220,7 +223,7 @@ final class ProcessModel {
     if (i == 2 && MotionInput.drivesTurn(s)) {
       return;
     }
-    // A rate that dies away with time constant τ and keeps σ is driven by 2 σ² / τ.
+    // A rate that decays with time constant τ and keeps σ is driven by 2 σ² / τ.
     double q = 2.0 * tuning.turnSigma() * tuning.turnSigma() / RATE_MEMORY_S;
     s.p.data[angle * N + angle] += q * dt * dt * dt / 3.0;
     s.p.data[angle * N + rate] += q * dt * dt / 2.0;

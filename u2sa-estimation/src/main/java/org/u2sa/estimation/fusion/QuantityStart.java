@@ -1,11 +1,12 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Begins a quantity from its first measurement, and anew from one that is to be believed after all.
+ * Initialises a quantity from its first measurement, and resets it from one that proves right
+ * against the estimate.
  */
 final class QuantityStart {
   private static final double AGAIN_S = 30.0;
-  private static final double DISTRUST_STEP = 4.0; // of a variance
+  private static final double DISTRUST_STEP = 4.0; // factor on a variance
   private static final double MAX_DISTRUST = 1e4;
   private final FilterTuning tuning;
   private final LeverArm lever = new LeverArm();
@@ -14,7 +15,7 @@ final class QuantityStart {
     this.tuning = tuning;
   }
 
-  /** Begins a quantity anew that its source contradicts for good. */
+  /** Resets a quantity that its source contradicts persistently. */
   void reset(FilterState s, Measurement m, SensedQuantity quantity, int at, int slot) {
     double factor = SourceTrust.factor(s, at);
     switch (quantity) {
@@ -52,9 +53,9 @@ final class QuantityStart {
   }
 
   /**
-   * The estimate is about to begin anew from this source, again: what is between makes no sense. A
-   * heading that nothing measures may be the reason; else it is that the source claims too much,
-   * and dead reckoning shows it.
+   * Called before a reset from this source. If resets recur within a short time, source and
+   * estimate are inconsistent: a heading that nothing measures is discarded; otherwise the source
+   * is distrusted, because dead reckoning shows that it claims too small a sigma.
    */
   static void doubt(FilterState s, SensedQuantity quantity, int at) {
     double[] t = s.trust;
@@ -75,10 +76,10 @@ final class QuantityStart {
   }
 
   /**
-   * Takes a quantity that was unknown from its first measurement.
+   * Initialises an unknown quantity from its first measurement.
    *
-   * @param slot of the source in {@link PersistentErrors}
-   * @return whether the measurement has served its purpose by that
+   * @param slot slot of the source in {@link PersistentErrors}
+   * @return whether the measurement is thereby used up
    */
   boolean begin(FilterState s, Measurement m, SensedQuantity quantity, int at, int slot) {
     lever.look(s, m);
@@ -155,7 +156,9 @@ final class QuantityStart {
     }
   }
 
-  /** A local frame whose origin is not the filter's is laid so that its first position fits. */
+  /**
+   * Aligns a local frame whose origin differs from the filter's so that its first position fits.
+   */
   static void shift(FilterState s, MeasurementModel model, SensedQuantity quantity, int at) {
     double[] t = s.trust;
     if (t[at + SourceTrust.HAS_OFFSET] == 0.0) {

@@ -1,15 +1,16 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Unit quaternions w, x, y, z that turn BODY_FRD vectors into north, east, down, in arrays (Solà
- * 2017, arXiv 1711.02508, sections 2 and 4). Strict mathematics: runs repeat on every machine.
+ * Unit quaternions w, x, y, z in arrays, which rotate BODY_FRD vectors to north, east, down (Solà
+ * 2017, arXiv 1711.02508, sections 2 and 4). Uses StrictMath, so that runs are reproducible on
+ * every machine.
  */
 final class Quaternions {
   private static final double SMALL = 1e-8; // rad, where sin(a/2)/a is 1/2 to rounding
 
   private Quaternions() {}
 
-  /** Of roll, pitch and heading [rad]. */
+  /** Sets the quaternion from roll, pitch and heading [rad]. */
   static void fromEuler(double phi, double theta, double psi, double[] x, int at) {
     double cr = StrictMath.cos(phi / 2.0);
     double sr = StrictMath.sin(phi / 2.0);
@@ -23,7 +24,7 @@ final class Quaternions {
     x[at + 3] = cr * cp * sy - sr * sp * cy;
   }
 
-  /** The matrix, row by row. */
+  /** Computes the rotation matrix, row by row. */
   static void matrix(double[] x, int at, double[] r) {
     double w = x[at];
     double a = x[at + 1];
@@ -40,14 +41,14 @@ final class Quaternions {
     r[8] = 1.0 - 2.0 * (a * a + b * b);
   }
 
-  /** q ← q ⊗ Exp(v): a turn about the vehicle's own axes [rad]. */
+  /** Computes q ← q ⊗ Exp(v), a rotation about the vehicle's axes [rad]. */
   static void turnBody(double[] x, int at, double vx, double vy, double vz) {
     double s = halfSinc(vx, vy, vz);
     double ew = halfCos(vx, vy, vz);
     multiply(x[at], x[at + 1], x[at + 2], x[at + 3], ew, s * vx, s * vy, s * vz, x, at);
   }
 
-  /** q ← Exp(v) ⊗ q: a turn about north, east and down [rad]. */
+  /** Computes q ← Exp(v) ⊗ q, a rotation about north, east and down [rad]. */
   static void turnEarth(double[] x, int at, double vx, double vy, double vz) {
     double s = halfSinc(vx, vy, vz);
     double ew = halfCos(vx, vy, vz);
@@ -85,17 +86,17 @@ final class Quaternions {
     to[at + 3] = z * n;
   }
 
-  /** Roll of a matrix [rad]. */
+  /** Roll of a rotation matrix [rad]. */
   static double phi(double[] r) {
     return StrictMath.atan2(r[7], r[8]);
   }
 
-  /** Pitch of a matrix [rad]. */
+  /** Pitch of a rotation matrix [rad]. */
   static double theta(double[] r) {
     return StrictMath.asin(Math.max(-1.0, Math.min(1.0, -r[6])));
   }
 
-  /** Heading of a matrix [rad, -π…π]. */
+  /** Heading of a rotation matrix [rad, -π…π]. */
   static double psi(double[] r) {
     return StrictMath.atan2(r[3], r[0]);
   }

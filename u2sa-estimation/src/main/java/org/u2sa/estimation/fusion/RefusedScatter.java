@@ -1,19 +1,19 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * What the refused positions of a source say of each other. Positions that lie beside the estimate,
- * or walk away from it steadily, contradict it. Those that scatter by more than they claim tell of
- * nothing but the source's own noise: its claim is wrong, whatever else may be.
+ * Estimates a source's noise from the scatter of its rejected positions. Positions at an offset
+ * from the estimate, or drifting steadily away from it, contradict it. Positions that scatter by
+ * more than they claim only show the source's own noise: its claimed sigma is wrong in any case.
  *
- * <p>The steps from one refused position to the next have twice the variance of the noise (von
- * Neumann 1941). Their mean is left out, so that a steady drift is no scatter, and so is the
+ * <p>Differences between consecutive rejected positions have twice the noise variance (von Neumann
+ * 1941). Their mean is removed, so that a steady drift does not count as scatter, and so is the
  * largest one, which may be a jump.
  */
 final class RefusedScatter {
   private static final int MIN_STEPS = 4;
-  private static final double LOST_STEPS = 2.0; // which mean and largest step take away
-  private static final double STEP_VARIANCES = 4.0; // in a squared step: two axes, two positions
-  private static final double MIN_GROWTH = 2.0; // of a variance; less is chance
+  private static final double LOST_STEPS = 2.0; // degrees of freedom lost to mean and largest step
+  private static final double STEP_VARIANCES = 4.0; // per squared step: two axes, two positions
+  private static final double MIN_GROWTH = 2.0; // of a variance; less may be chance
 
   private final FilterTuning tuning;
 
@@ -21,7 +21,7 @@ final class RefusedScatter {
     this.tuning = tuning;
   }
 
-  /** Takes note of a refused vector, after the streak that it belongs to has been counted. */
+  /** Records a rejected vector; called after its streak counter was incremented. */
   static void note(double[] t, MeasurementModel model, int at) {
     double first = model.innovation[0];
     double second = model.rows > 1 ? model.innovation[1] : 0.0;
@@ -42,7 +42,7 @@ final class RefusedScatter {
     t[at + SourceTrust.STREAK_NEWEST + 1] = second;
   }
 
-  /** Variance of the noise of refused positions, of each axis [m²]; 0 if too few were refused. */
+  /** Noise variance of the rejected positions, per axis [m²]; 0 if there are too few. */
   private static double variance(double[] t, int at) {
     double steps = t[at + SourceTrust.STREAK] - 1.0;
     if (steps < MIN_STEPS) {
@@ -57,9 +57,9 @@ final class RefusedScatter {
   }
 
   /**
-   * Believes the scatter instead of the claim if it is larger by much, and then lets the streak
-   * begin anew. What the estimate took from this source by its claim is as uncertain, and the scale
-   * of the wheels, which it may have learnt of it, is to be learnt anew.
+   * Uses the scatter instead of the claimed variance if it is much larger, and resets the streak.
+   * If this is the only source, the position becomes uncertain by the same amount, and the wheel
+   * scale, which may have been learned from it, is reset.
    *
    * @param isAlone whether no other source supports the position
    */

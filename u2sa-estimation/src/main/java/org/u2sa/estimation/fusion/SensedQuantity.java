@@ -1,25 +1,27 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * What one measurement vector is of. The components of a vector are accepted or gated together, and
- * share one factor of their standard deviations.
+ * Quantity measured by one measurement vector. The components of a vector are accepted or gated
+ * together and share one factor on their standard deviations.
  */
 enum SensedQuantity {
-  /** Rates about and forces along BODY_FRD axes that drive the prediction; six numbers in two. */
+  /**
+   * Angular rates about BODY_FRD axes [rad/s]; with the specific force they drive the prediction.
+   */
   BODY_RATES("angular rates", 3),
   /** Specific force along BODY_FRD [m/s²]. */
   SPECIFIC_FORCE("specific force", 3),
-  /** Latitude and longitude [rad]; deviations north and east [m]. */
+  /** Latitude and longitude [rad]; standard deviations north and east [m]. */
   PLACE("position", 2),
   /** Altitude, up [m]. */
   ALTITUDE("altitude", 1),
-  /** North and east of a local origin [m]. */
+  /** Position north and east of a local origin [m]. */
   LOCAL_PLACE("local position", 2),
-  /** Down from a local origin [m]. */
+  /** Position down from a local origin [m]. */
   LOCAL_DOWN("local depth", 1),
-  /** Over ground: north, east, down [m/s]. */
+  /** Velocity over ground: north, east, down [m/s]. */
   VELOCITY("velocity", 3),
-  /** Over ground along BODY_FRD [m/s]. */
+  /** Velocity over ground along BODY_FRD [m/s]. */
   BODY_VELOCITY("speed along the vehicle", 3),
   /** Roll and pitch [rad]. */
   TILT("roll and pitch", 2),
@@ -27,9 +29,9 @@ enum SensedQuantity {
   HEADING("heading", 1),
   /** Rates of roll, pitch and heading [rad/s]. */
   EULER_RATES("turn rates", 3),
-  /** Through the fluid along BODY_FRD [m/s]. */
+  /** Velocity through the fluid along BODY_FRD [m/s]. */
   FLUID_VELOCITY("speed through the fluid", 3),
-  /** Range [m] and bearing [rad, clockwise from the nose] of something whose place is known. */
+  /** Range [m] and bearing [rad, clockwise from the nose] of a landmark with a known position. */
   LANDMARK("landmark", 2);
 
   private static final SensedQuantity[] ALL = values();
@@ -42,7 +44,7 @@ enum SensedQuantity {
     this.size = size;
   }
 
-  /** All, without a copy. */
+  /** Quantity by ordinal, without copying the array. */
   static SensedQuantity at(int ordinal) {
     return ALL[ordinal];
   }
@@ -51,7 +53,7 @@ enum SensedQuantity {
     return ALL.length;
   }
 
-  /** For reports: "heading". */
+  /** Name for reports, such as "heading". */
   String text() {
     return text;
   }
@@ -60,7 +62,7 @@ enum SensedQuantity {
     return size;
   }
 
-  /** Whether two sources that measure these can vouch for each other. */
+  /** Whether sources of these two quantities can corroborate each other. */
   boolean corroborates(SensedQuantity other) {
     return this == other || kin(this) == kin(other);
   }

@@ -1,8 +1,9 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Decides which sources are believed: who repeats itself while the vehicle moves on, who
- * contradicts the others always on one side, and when the estimate itself must give way.
+ * Decides which sources are trusted: detects sources that repeat a value while the vehicle moves
+ * (frozen), sources that contradict others in one direction (biased), and when the estimate itself
+ * must be reset.
  */
 final class SourceJudge {
   private static final double MICROS = 1e6;
@@ -21,7 +22,10 @@ final class SourceJudge {
     this.trust = trust;
   }
 
-  /** An inertial sensor whose noise stands still does not measure, if others say so too. */
+  /**
+   * Whether an inertial sensor is stuck: its values, noise included, repeat, and other sources
+   * contradict the estimate.
+   */
   boolean isStuck(FilterState s, int source) {
     double[] t = s.trust;
     int at = trust.of(s, source);
@@ -33,7 +37,7 @@ final class SourceJudge {
     return isStuck;
   }
 
-  /** Whether a source repeats itself while the vehicle moved on. */
+  /** Whether a source repeats its values while the vehicle moves. */
   boolean isFrozen(
       FilterState s,
       MeasurementModel model,
@@ -55,15 +59,15 @@ final class SourceJudge {
       if (quantity == SensedQuantity.HEADING) {
         moved = Math.IEEEremainder(moved, 2.0 * Math.PI);
       }
-      // Positions never repeat on the move. Speeds and angles may, for a while: the estimate must
-      // have moved by more than it is unsure of.
+      // Positions never repeat on the move. Speeds and angles may for a while: the estimate must
+      // have changed by more than its uncertainty.
       double limit2 =
           quantity == SensedQuantity.PLACE
               ? model.variance[i]
               : 4.0 * model.variance[i] + 16.0 * expected[i];
       boolean isApart =
           quantity == SensedQuantity.PLACE
-              || model.innovation[i] * model.innovation[i] > limit2; // not drawn there by itself
+              || model.innovation[i] * model.innovation[i] > limit2; // estimate not dragged there
       if (t[own + SourceTrust.RUN] >= FROZEN_RUN && isApart && moved * moved > limit2) {
         t[own + SourceTrust.IS_FROZEN] = 1.0;
       }
@@ -71,7 +75,7 @@ final class SourceJudge {
     return t[own + SourceTrust.IS_FROZEN] != 0.0;
   }
 
-  /** A source that was biased must agree some times before it counts again. */
+  /** Whether a vector within the gate is used. A biased source must agree several times first. */
   static boolean passes(FilterState s, int at) {
     double[] t = s.trust;
     t[at + SourceTrust.STREAK] = 0.0;
@@ -88,9 +92,10 @@ final class SourceJudge {
   }
 
   /**
-   * Takes note of a vector beyond the gate.
+   * Records a vector beyond the gate.
    *
-   * @return whether the estimate is to begin anew from it, as nobody supports the estimate
+   * @return whether the estimate must be reset from it, because no other source supports the
+   *     estimate
    */
   boolean gated(
       FilterState s, MeasurementModel model, int source, SensedQuantity quantity, int at) {
@@ -120,9 +125,9 @@ final class SourceJudge {
   }
 
   /**
-   * Whether what another source measures is refused, time after time. One that fell silent while it
-   * was refused speaks no longer. Turn rates do not count: they are often of the same gyroscopes as
-   * the rates that they would speak for.
+   * Whether measurements of another source are being rejected repeatedly. Sources that have gone
+   * silent do not count. Nor do turn rates: they often come from the same gyroscopes as the rates
+   * in question.
    */
   boolean isContradicted(FilterState s, int source) {
     for (int other = 0; other < trust.sources(); other++) {
@@ -147,7 +152,7 @@ final class SourceJudge {
     return since <= Math.max(SILENT_AFTER_S, SILENT_INTERVALS * interval);
   }
 
-  /** Whether another source's measurements of the same thing were used lately. */
+  /** Whether another source's measurements of the same quantity were used recently. */
   boolean isCorroborated(FilterState s, int source, SensedQuantity quantity) {
     for (int other = 0; other < trust.sources(); other++) {
       for (int q = 0; q < SensedQuantity.count(); q++) {

@@ -6,41 +6,40 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 
-/** What the filter thinks of each of its sources, for people and for health reports. */
+/** Reports on each source of the filter, for operators and health reports. */
 public final class SourceReports {
   private static final double INTERVALS = 5.0;
   private static final double SILENT_AFTER_S = 1.0;
   private static final double GATED_STREAK = 3.0;
 
-  /** A source's standing, the worst that one of its quantities has. */
+  /** Status of a source: the worst of its quantities. */
   public enum Standing {
     /** Its measurements are fused. */
     USED,
-    /** Nothing that it measures can be used, or not yet. */
+    /** None of its measurements can be used, or not yet. */
     UNUSED,
     /** Its newest measurements contradict the estimate. */
     GATED,
-    /** It contradicts other sources, and always on the same side. */
+    /** It contradicts other sources, always in the same direction. */
     BIASED,
-    /** It repeats itself while the vehicle moves. */
+    /** It repeats its values while the vehicle moves. */
     FROZEN,
-    /** It has not been heard for longer than it uses to pause. */
+    /** It has been silent for longer than its usual interval. */
     SILENT
   }
 
   /**
-   * One source.
+   * * Report on one source.
    *
-   * @param used vectors fused
-   * @param gated vectors refused
-   * @param sigmaFactor largest factor by which its claimed standard deviations are multiplied
-   * @param lateS by how much later than it says its positions are measured [s]; 0 if that is not
-   *     sure
+   * @param used number of vectors fused
+   * @param gated number of vectors rejected
+   * @param sigmaFactor largest factor applied to its claimed standard deviations
+   * @param lateS estimated delay of its positions [s]; 0 if not significant
    */
   public record Report(
       String source, Standing standing, long used, long gated, double sigmaFactor, double lateS) {
 
-    /** "biased, used 312, gated 40, sigma x2.9, late by 0.20 s". */
+    /** Text such as "biased, used 312, gated 40, sigma x2.9, late by 0.20 s". */
     public String text() {
       return standing.name().toLowerCase(Locale.ROOT)
           + ", used "
@@ -63,7 +62,7 @@ public final class SourceReports {
     this.tuning = tuning;
   }
 
-  /** All sources, by name. */
+  /** Reports on all sources, sorted by name. */
   public List<Report> at(long nowMicros) {
     List<Report> reports = new ArrayList<>();
     for (int source = 0; source < trust.sources(); source++) {

@@ -1,25 +1,24 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * What it means that positions walk away from the estimate instead of standing beside it: a
- * receiver that errs by a jump differs by the same amount each time; a difference that grows by
- * half the speed and more says that the speed is wrong (wheels that spin, an encoder that is dead),
- * or that the vehicle goes another way than its heading, if nothing measures that.
+ * Interprets positions that drift away from the estimate rather than keep a constant offset. A
+ * receiver whose error jumped differs by the same amount each time; a difference that grows at half
+ * the speed or more means that the speed is wrong (spinning wheels, dead encoder) or, if nothing
+ * measures the heading, that the heading is wrong.
  */
 final class SpeedDoubt {
-  private static final double SHORTEST_S = 1.0; // of a drift
-  private static final double UNLIKELY =
-      2.5; // standard deviations, after several that were refused
-  private static final double MIN_MPS = 0.5; // a receiver's error wanders slower
-  private static final double MIN_SHARE = 0.5; // of the speed
-  private static final double JUMP_SHARE = 0.7; // of a difference: what grows has no such step
-  private static final double SAME_SPEED = 0.4; // share by which two speeds may differ
-  private static final double MEMORY_S = 6.0; // of the mean by which a doubted speed is judged
+  private static final double SHORTEST_S = 1.0; // minimum duration of a drift
+  private static final double UNLIKELY = 2.5; // standard deviations, after several rejections
+  private static final double MIN_MPS = 0.5; // a receiver's error drifts more slowly
+  private static final double MIN_SHARE = 0.5; // fraction of the speed
+  private static final double JUMP_SHARE = 0.7; // of a difference: a drift has no such step
+  private static final double SAME_SPEED = 0.4; // relative difference of two speeds
+  private static final double MEMORY_S = 6.0; // time constant of the mean that decides a doubt
   private static final double HEADING_SIGMA_RAD = 0.2;
-  private static final double UNMEASURED_S = 5.0; // heading
+  private static final double UNMEASURED_S = 5.0; // time after which the heading counts as guessed
   private static final double LATELY_S = 5.0;
   private static final double AGREES_MPS = 0.3;
-  private static final double AGREES_SHARE = 0.15; // of what the speed was doubted for
+  private static final double AGREES_SHARE = 0.15; // fraction of the drift that raised the doubt
 
   private final SourceTrust trust;
 
@@ -35,17 +34,17 @@ final class SpeedDoubt {
     return quantity == SensedQuantity.VELOCITY || quantity == SensedQuantity.BODY_VELOCITY;
   }
 
-  /** Whether no source has told the heading for long. */
+  /** Whether no source has measured the heading for some time. */
   static boolean isHeadingGuessed(FilterState s) {
     return s.hasHeading
         && (s.headingMicros == 0 || (s.micros - s.headingMicros) * 1e-6 > UNMEASURED_S);
   }
 
   /**
-   * Looks at a position that was refused, and that no other supports.
+   * Examines a rejected position that no other source supports.
    *
-   * @param wanderRate variance by which its error changes in each second, of each axis [m²/s]
-   * @return whether speed or heading are now taken for wrong
+   * @param wanderRate process noise of its error, per axis [m²/s]
+   * @return whether speed or heading are now considered wrong
    */
   boolean isRaised(FilterState s, MeasurementModel model, int source, int at, double wanderRate) {
     double[] t = s.trust;
@@ -79,7 +78,7 @@ final class SpeedDoubt {
     return true;
   }
 
-  /** Whether the wheels are as fast as that, so that only a guessed heading can be wrong. */
+  /** Whether the wheel speed matches that velocity, so that only a guessed heading can be wrong. */
   private static boolean isOtherWay(FilterState s, double vn, double ve) {
     double forward = HeadingSearch.forwardMps(s);
     double apart = Math.hypot(vn, ve) - Math.abs(forward);
@@ -114,8 +113,8 @@ final class SpeedDoubt {
   }
 
   /**
-   * Whether a speed is still doubted: until on average it differs from the estimate by little, or
-   * there are no positions any more that contradict it.
+   * Whether a speed is still doubted. The doubt ends when its mean difference from the estimate is
+   * small, or when no more positions contradict it.
    */
   boolean holds(FilterState s, MeasurementModel model, int source, int at) {
     double[] t = s.trust;
@@ -141,7 +140,7 @@ final class SpeedDoubt {
     boolean isKnown = speed > MIN_MPS && sigma < SAME_SPEED * speed;
     if (isKnown && mean2 >= limit2 && isOtherWay(s, vn, ve)) {
       head(s, vn, ve, sigma);
-      mean2 = 0.0; // the doubt was of the heading
+      mean2 = 0.0; // the heading was wrong, not the speed
     }
     boolean isUncontradicted = (s.micros - s.positionMicros) * 1e-6 > LATELY_S;
     if (isUncontradicted || mean2 < limit2) {

@@ -3,22 +3,21 @@ package org.u2sa.estimation.fusion;
 import java.util.Arrays;
 
 /**
- * How the error state goes on over a step: the identity, but for a few numbers (four of a hundred
- * differ from 0). P ← F P Fᵀ works on those alone, and P is symmetric: one half of the product is
- * the other one. What is not estimated, and so has no variance, stays so where it depends on itself
- * only.
+ * Sparse transition matrix F of the error state over a step: the identity except for a few elements
+ * (4 % are nonzero). P ← F P Fᵀ processes only these and exploits the symmetry of P. Diagonal-only
+ * rows of states that are not estimated, and so have no variance, are skipped.
  */
 final class Transition {
   private static final int N = FilterState.N;
 
-  private final int[][] columns = new int[N][N]; // of the numbers of a row that are not 0, rising
+  private final int[][] columns = new int[N][N]; // of a row's nonzero elements, ascending
   private final double[][] values = new double[N][N];
   private final int[] sizes = new int[N];
-  private final int[] changed = new int[N]; // rows that are not the identity's, rising
+  private final int[] changed = new int[N]; // rows that differ from the identity, ascending
   private int changes;
   private final double[] product = new double[N * N];
 
-  /** Makes it the identity. */
+  /** Resets it to the identity. */
   void reset() {
     Arrays.fill(sizes, 1);
     for (int row = 0; row < N; row++) {
@@ -27,7 +26,7 @@ final class Transition {
     }
   }
 
-  /** Sets a number. */
+  /** Sets an element. */
   void set(int row, int column, double value) {
     int[] of = columns[row];
     int at = sizes[row];
@@ -43,7 +42,7 @@ final class Transition {
     values[row][at] = value;
   }
 
-  /** P ← F P Fᵀ of a symmetric P. */
+  /** Computes P ← F P Fᵀ for a symmetric P. */
   void carry(double[] p) {
     changes = 0;
     for (int row = 0; row < N; row++) {
@@ -67,7 +66,7 @@ final class Transition {
     }
   }
 
-  /** A row of F P, into the product. */
+  /** Stores a row of F P in the product. */
   private void combineRows(double[] p, int row) {
     int to = row * N;
     for (int n = 0; n < sizes[row]; n++) {
@@ -79,7 +78,7 @@ final class Transition {
     }
   }
 
-  /** A row of (F P) Fᵀ, in the columns that change, and the column that is the same. */
+  /** Computes a row of (F P) Fᵀ in the columns that change, and the symmetric column. */
   private void combineColumns(double[] p, int change) {
     int row = changed[change];
     int from = row * N;

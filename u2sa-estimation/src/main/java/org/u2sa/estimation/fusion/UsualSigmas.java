@@ -1,7 +1,7 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Standard deviations of what comes without one.
+ * Default standard deviations of measurements without one.
  *
  * @param position [m]
  * @param velocity [m/s]
@@ -12,6 +12,6 @@ package org.u2sa.estimation.fusion;
  */
 public record UsualSigmas(
     double position, double velocity, double attitude, double rate, double force, double fluid) {
-  /** Of ordinary sensors. */
+  /** Values for ordinary sensors. */
   public static final UsualSigmas ORDINARY = new UsualSigmas(3.0, 0.3, 0.05, 0.015, 0.35, 1.0);
 }

@@ -1,5 +1,5 @@
 /**
- * The error-state Kalman filter beneath the fusing State Estimator: model, update, history, trust
- * in sources. Services do not belong here; nothing in it knows a channel or a clock.
+ * Error-state Kalman filter of the fusing State Estimator: models, update, history, trust in
+ * sources. Services do not belong here; the code is independent of channels and clocks.
  */
 package org.u2sa.estimation.fusion;

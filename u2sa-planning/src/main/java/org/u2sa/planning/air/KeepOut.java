@@ -21,8 +21,8 @@ final class KeepOut {
   private final double sampleM;
 
   /**
-   * @param clearanceM to be kept from shapes [m]
-   * @param start what is nearer to it than that counts as just so near
+   * @param clearanceM clearance to keep from shapes [m]
+   * @param start start pose; the clearance is reduced for shapes that are closer to it
    */
   KeepOut(List<PlanarShape> shapes, List<PlanarShape> corridors, double clearanceM, Pose start) {
     this.corridors = corridors;
@@ -43,7 +43,7 @@ final class KeepOut {
         }
       }
     }
-    for (PlanarShape corridor : corridors) { // their corners may have to be rounded
+    for (PlanarShape corridor : corridors) { // paths may have to round their corners
       for (int i = 0; i < corridor.count(); i++) {
         rounds.add(new Round(corridor.northM(i), corridor.eastM(i), 0.0));
       }

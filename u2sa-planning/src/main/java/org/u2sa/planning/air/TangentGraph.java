@@ -12,18 +12,18 @@ import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.seen.PlanarShape;
 
 /**
- * The shortest path around shapes for an aircraft with a turning circle: arcs around them, none
- * tighter than that, and the tangents between (a visibility graph of circles: Chang, Choi, Kwon,
- * Park, Yap: Shortest Path Amidst Disc Obstacles Is Computable, SoCG 2005; the first and the last
- * circle as in Dubins 1957). Obstacles smaller than the turning circle are passed on a turning
- * circle.
+ * Finds the shortest path around shapes for an aircraft with a turning circle: arcs around the
+ * shapes, none tighter than the turning circle, and the tangents between them (a visibility graph
+ * of circles: Chang, Choi, Kwon, Park, Yap: Shortest Path Amidst Disc Obstacles Is Computable, SoCG
+ * 2005; the first and the last circle as in Dubins 1957). Obstacles smaller than the turning circle
+ * are passed on a turning circle.
  *
  * <p>Searched by A*; tangents and arcs are created and checked lazily. Immutable.
  */
 public final class TangentGraph {
   private static final double FULL = 2.0 * Math.PI;
   private static final double ROUNDING_RAD = 1.0e-7;
-  private static final double TOUCHING = 1.0e-9; // of circles, as a share of the distance squared
+  private static final double TOUCHING = 1.0e-9; // of circles, relative to the squared distance
   private static final int MOST_CIRCLES = 300;
   private static final int MOST_EXPANSIONS = 4000;
   private static final double ARC_SAMPLE_RAD = Math.toRadians(6.0);
@@ -85,8 +85,9 @@ public final class TangentGraph {
   }
 
   /**
-   * The circles flown in the other sense that touch the first circle and the last from outside: the
-   * middle ones of ways that turn three times (Dubins 1957), or twice to a point without a heading.
+   * Adds circles flown in the opposite direction that touch the first and the last circle from
+   * outside: the middle circles of paths with three turns (Dubins 1957), or with two to a point
+   * without a heading.
    */
   private void addBetween(Ring first, Ring last) {
     double north = last.northM() - first.northM();
@@ -94,7 +95,7 @@ public final class TangentGraph {
     double apart = Math.hypot(north, east);
     double toFirst = first.radiusM() + radiusM;
     double toLast = last.radiusM() + radiusM;
-    // The centres' triangle has these sides; its height over the line from first to last:
+    // The centres form a triangle with these sides; its height above the line first to last:
     double along = (apart * apart + toFirst * toFirst - toLast * toLast) / (2.0 * apart);
     double square = toFirst * toFirst - along * along;
     if (!(square >= 0.0)) { // too far apart, or one inside the other
@@ -116,8 +117,7 @@ public final class TangentGraph {
    *
    * @param clearanceM clearance to keep from shapes [m]
    * @param radiusM minimum turn radius [m], above 0
-   * @return arcs and straights; empty if there is none, or if there are too many obstacles to
-   *     decide
+   * @return arcs and straights; empty if there is no path, or too many obstacles to search
    */
   public static Optional<Curve> shortest(
       List<PlanarShape> shapes,
@@ -182,7 +182,7 @@ public final class TangentGraph {
         0.0, Math.hypot(at.northM() - goalNorthM, at.eastM() - goalEastM) - at.radiusM());
   }
 
-  /** Flies around the current ring and along the tangent to another; empty if blocked. */
+  /** Expands a node around its ring and along the tangent to another; empty if blocked. */
   private Optional<Node> fly(Node node, int to, int id) {
     Ring a = rings.get(node.ring());
     Ring b = rings.get(to);
@@ -210,7 +210,7 @@ public final class TangentGraph {
     return Optional.of(new Node(to, heading, cost, cost + rest, node, id));
   }
 
-  /** The last turn, to the heading at the goal. */
+  /** Expands a node by the last turn, to the heading at the goal. */
   private Optional<Node> finish(Node node, int id) {
     Ring ring = rings.get(node.ring());
     double heading = goalHeadingRad.orElse(node.headingRad());

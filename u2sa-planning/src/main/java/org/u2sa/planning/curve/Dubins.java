@@ -123,8 +123,8 @@ public final class Dubins {
     double[] away = turnThenStraight(x, -y); // the long way round, via the other side
     double length = away[0] + away[1];
     double[] best = null;
-    // Left until the right circle there passes through the place: the centres of the left circle
-    // and of that one, and the place, are a triangle with sides 2, 1 and far.
+    // Turn left until the right circle there passes through the point: the centres of both
+    // circles and the point form a triangle with sides 2, 1 and far.
     double far = Math.hypot(x, y + 1.0);
     double angle = Math.acos(Math.max(-1.0, Math.min(1.0, (far * far + 3.0) / (4.0 * far))));
     for (int sign = -1; sign <= 1; sign += 2) {
@@ -144,8 +144,8 @@ public final class Dubins {
 
   /** Path to a point on the right, outside the circle: right turn [rad] and straight. */
   private static double[] turnThenStraight(double x, double y) {
-    // The circle's centre is at (0, 1); from the place, the tangent point and the centre are seen
-    // under asin(1 / distance).
+    // The circle's centre is at (0, 1); seen from the point, the angle between tangent point and
+    // centre is asin(1 / distance).
     double away = Math.hypot(x, y - 1.0);
     double heading = Math.atan2(y - 1.0, x) + Math.asin(Math.min(1.0, 1.0 / away));
     return new double[] {mod(heading), Math.sqrt(Math.max(0.0, away * away - 1.0))};

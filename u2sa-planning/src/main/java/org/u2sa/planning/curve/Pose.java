@@ -41,7 +41,7 @@ public record Pose(double northM, double eastM, double headingRad) {
 
   /** Wraps an angle to −π…π [rad]. */
   public static double wrapped(double rad) {
-    // the remainder of what is less than half a turn is itself, and dear
+    // avoids the expensive remainder within half a turn
     return rad > -Math.PI && rad < Math.PI ? rad : Math.IEEEremainder(rad, 2.0 * Math.PI);
   }
 }

@@ -28,8 +28,8 @@ public final class ReedsShepp {
   }
 
   /**
-   * Length of the shortest path between two poses [m]; if that is at most enough, the length of any
-   * path of at most enough, which is found sooner.
+   * Length of the shortest path between two poses [m]; once a path of at most {@code enoughM} is
+   * found, its length is returned without searching further.
    */
   public static double lengthM(Pose from, Pose to, double radiusM, double enoughM) {
     return search(from, to, radiusM, enoughM).lengthM();
@@ -176,7 +176,7 @@ public final class ReedsShepp {
     return new double[] {tau, Pose.wrapped(tau - u + v - phi)};
   }
 
-  /** Takes a candidate if it is the shortest so far. */
+  /** Keeps a candidate if it is the shortest so far. */
   private void take(int time, int mirror, boolean reversed, int[] word, double... found) {
     double sum = 0.0;
     for (double length : found) {

@@ -22,7 +22,7 @@ final class Evasion {
   private final MotionLimits limits;
   private final boolean amongTraffic;
   private final Pose pose;
-  private final double keptM; // before what stands
+  private final double keptM; // clearance to static obstacles ahead
   private final double reachM;
   private double goalNorthM;
   private double goalEastM;
@@ -160,8 +160,8 @@ final class Evasion {
 
   /** No motion keeps the clearance: chooses the one that stays farthest away. */
   private ArcChoice lastResort(Outcome standing, ArcChoice stand) {
-    // It will be touched: then better without speed of its own. If that is so already, it has only
-    // come within what is to be kept, and may leave.
+    // If a collision is unavoidable, it is better to be stopped. If traffic is that near
+    // already, only the clearance is violated, and the vehicle may leave.
     boolean touched = widestM <= Math.min(0.0, forecast.gapNowM() - limits.trafficM());
     boolean stands =
         standing != null

@@ -24,7 +24,7 @@ final class MotionForecast {
   private final double stepS;
 
   /**
-   * What comes of a motion.
+   * Predicted outcome of a motion.
    *
    * @param freeM distance to the first static obstacle [m]; infinite if none
    * @param meetsS time until traffic is too near [s]; infinite within the horizon
@@ -231,7 +231,7 @@ final class MotionForecast {
     private double gapM = NEVER;
     private double roomM;
     private int looks;
-    private double lacked; // square, by way [m³]
+    private double lacked; // squared shortfall integrated along the path [m³]
     private double way;
 
     void keep(double missingM, double step) {

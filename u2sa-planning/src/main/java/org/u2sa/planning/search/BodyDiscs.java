@@ -72,7 +72,7 @@ public final class BodyDiscs {
   }
 
   /**
-   * The same.
+   * Distance between the discs and the nearest occupied cell [m]; negative if they touch.
    *
    * @param enoughM distance above which the result may be underestimated [m]
    */

@@ -19,7 +19,7 @@ final class CloseCover {
     radiusM = Math.hypot(0.5 * length / ahead.length, 0.5 * widthM / aside.length);
   }
 
-  /** The middles of as many equal parts as are no longer than the spacing. */
+  /** Centres of equal parts that are no longer than the spacing. */
   private static double[] middles(double from, double length, double spacingM) {
     int count = Math.max(1, (int) Math.ceil(length / spacingM));
     double[] middles = new double[count];

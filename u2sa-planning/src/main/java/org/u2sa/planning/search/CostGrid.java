@@ -17,10 +17,10 @@ public final class CostGrid {
   /** Flag of a cell's state: occupied. 0 is a cell seen free. */
   public static final byte OCCUPIED = 1;
 
-  /** Flag of a cell's state: never seen. May be combined with the other. */
+  /** Flag of a cell's state: never seen. May be combined with {@link #OCCUPIED}. */
   public static final byte UNKNOWN = 2;
 
-  /** Cells of a rectangle, ends included. */
+  /** Rectangle of cells, bounds inclusive. */
   public record Area(int firstRow, int firstColumn, int lastRow, int lastColumn) {}
 
   private final GridFrame frame;
@@ -28,11 +28,11 @@ public final class CostGrid {
   private final byte[] states;
   private final float[] cost;
   private final DistanceField distances;
-  private final float[] costAt; // of a cell that was seen, by the square of its distance
-  private final int[] changedAt; // by row: the newest revision in which a cost of it may be another
+  private final float[] costAt; // cost of a seen cell, by squared distance
+  private final int[] changedAt; // by row: newest revision that may have changed a cost
   private int revision;
 
-  /** Creates an empty grid, all of it seen. */
+  /** Creates a grid with all cells seen free. */
   public CostGrid(GridFrame frame, Inflation inflation) {
     this.frame = frame;
     this.inflation = inflation;
@@ -67,7 +67,7 @@ public final class CostGrid {
     return update(new Area(0, 0, frame.rows() - 1, frame.columns() - 1), isOccupied, isUnknown);
   }
 
-  /** The same, where nothing has changed outside an area. */
+  /** Like {@link #update(IntPredicate, IntPredicate)}, if nothing changed outside an area. */
   public Area update(Area where, IntPredicate isOccupied, IntPredicate isUnknown) {
     Changes changes = new Changes();
     for (int row = where.firstRow(); row <= where.lastRow(); row++) {
@@ -84,7 +84,8 @@ public final class CostGrid {
   }
 
   /**
-   * The same, with the state of every cell: {@link #OCCUPIED}, {@link #UNKNOWN}, both or neither.
+   * Like {@link #update(IntPredicate, IntPredicate)}, with the state of every cell: {@link
+   * #OCCUPIED}, {@link #UNKNOWN}, both or neither.
    */
   public Area update(byte[] newStates) {
     Changes changes = new Changes();
@@ -109,7 +110,7 @@ public final class CostGrid {
    * occupied or free: most changes are cells seen for the first time.
    */
   private final class Changes {
-    private final int[] first = new int[frame.rows()]; // column from which costs may have changed
+    private final int[] first = new int[frame.rows()]; // first column of changed costs, by row
     private final int[] last = new int[frame.rows()];
     private final Span occupied = new Span();
 
@@ -207,7 +208,7 @@ public final class CostGrid {
     return changedAt[row] > since;
   }
 
-  /** The costs of cells from one on; to be read only. */
+  /** Costs of consecutive cells, starting at an index; read-only. */
   FloatBuffer costs(int from, int length) {
     return FloatBuffer.wrap(cost, from, length);
   }
@@ -224,7 +225,9 @@ public final class CostGrid {
     return Math.max(0.0, cells - 0.5) * frame.cellM();
   }
 
-  /** The same for a point; outside the grid as far as distances reach. */
+  /**
+   * Distance of a point to the nearest occupied cell [m]; the inflation's reach outside the grid.
+   */
   public double distanceM(double northM, double eastM) {
     int index = frame.indexAt(northM, eastM);
     return index < 0 ? inflation.reachM() : distanceM(index);

@@ -33,14 +33,14 @@ public final class DStarLite {
   private final double[] rhs;
   private final PairHeap open;
   private final BitSet changed = new BitSet(); // cells whose cost has changed since
-  private final BitSet taken = new BitSet(); // those and their neighbours
+  private final BitSet taken = new BitSet(); // changed cells and neighbours already updated
   private int revision; // of the grid's costs, as of the last search
   private double km;
   private int start = -1;
   private int last = -1;
   private int expanded;
 
-  /** A search to a goal, in a free cell or outside the grid. */
+  /** Creates a search to a goal, which is in a free cell or outside the grid. */
   public DStarLite(CostGrid grid, double goalNorthM, double goalEastM) {
     this.grid = grid;
     frame = grid.frame();
@@ -122,7 +122,7 @@ public final class DStarLite {
     }
   }
 
-  /** What the rest costs from a cell in which ways end; infinite in all others. */
+  /** Remaining cost from a cell in which paths end; infinite for all others. */
   private double terminal(int cell) {
     if (goal >= 0) {
       return cell == goal ? 0.0 : NEVER;
@@ -136,7 +136,7 @@ public final class DStarLite {
     return edge ? Math.sqrt(north * north + east * east) : NEVER;
   }
 
-  /** Costs whatever has changed in the grid since the last search. */
+  /** Updates cells whose costs have changed since the last search, and their neighbours. */
   private void takeChanges() {
     findChanges();
     for (int cell = changed.nextSetBit(0); cell >= 0; cell = changed.nextSetBit(cell + 1)) {
@@ -157,7 +157,7 @@ public final class DStarLite {
     taken.clear();
   }
 
-  /** Takes costs over from rows in which some may have changed; most of these are the same. */
+  /** Finds changed costs in rows that may contain any. */
   private void findChanges() {
     for (int row = 0; row < frame.rows(); row++) {
       if (grid.hasChanged(row, revision)) {
@@ -167,7 +167,7 @@ public final class DStarLite {
     revision = grid.revision();
   }
 
-  /** Many costs are compared at a time, and one by one only where some differ. */
+  /** Compares costs blockwise, and one by one only in blocks that differ. */
   private void findChanges(int row) {
     int end = frame.index(row, frame.columns());
     for (int from = frame.index(row, 0); from < end; from += BLOCK) {
@@ -197,7 +197,7 @@ public final class DStarLite {
       double least = Math.min(g[start], rhs[start]);
       boolean settled = rhs[start] == g[start] && rhs[start] < NEVER;
       if (settled && !open.isBefore(least + km + ROUNDING, NEVER)) {
-        return; // ties are settled too: the way that is read off leads over cells like that
+        return; // ties are expanded too, because the extracted path uses such cells
       }
       int cell = open.first();
       double now = Math.min(g[cell], rhs[cell]);
@@ -322,7 +322,7 @@ public final class DStarLite {
     corners.add(corner(cells.get(0)));
     while (from < cells.size() - 1) {
       int to = from + 1;
-      for (int step = 1; ; ) { // ever farther, as long as it pays
+      for (int step = 1; ; ) { // exponential search for the farthest shortcut
         int farther = Math.min(cells.size() - 1, to + step);
         if (farther == to || !pays(cells, togo, from, farther)) {
           if (step == 1 || farther == to) {

@@ -45,13 +45,13 @@ final class DistanceField {
     return square[index];
   }
 
-  /** The distance of that square, as {@link #cells} has it. */
+  /** Distance for a squared distance, as returned by {@link #cells}. */
   static float root(int square) {
     return (float) Math.sqrt(square);
   }
 
   /**
-   * Takes what has changed within these cells, ends included.
+   * Updates the distances after changes within a rectangle of cells, bounds inclusive.
    *
    * @return the cells whose distance may have changed: first row, first column, last row, last
    *     column
@@ -76,7 +76,7 @@ final class DistanceField {
       int lastColumn,
       int top,
       int bottom) {
-    int start = Math.max(0, top - reach); // what lies farther cannot matter
+    int start = Math.max(0, top - reach); // cells farther away have no effect
     int end = Math.min(rows - 1, bottom + reach);
     int[] since = new int[lastColumn - firstColumn + 1];
     Arrays.fill(since, reach);
@@ -109,7 +109,7 @@ final class DistanceField {
     }
   }
 
-  /** The lower envelope of the parabolas below² + (column − vertex)² (eq. 2.2). */
+  /** Computes the lower envelope of the parabolas below² + (column − vertex)² (eq. 2.2). */
   private void alongRow(int row, int left, int right) {
     int base = row * columns;
     int from = Math.max(0, left - reach);

@@ -18,7 +18,7 @@ public record GridFrame(double northM, double eastM, double cellM, int rows, int
     }
   }
 
-  /** A grid of cells around a point. */
+  /** Creates a grid centred on a point. */
   public static GridFrame around(double northM, double eastM, double cellM, double spanM) {
     int cells = Math.max(1, (int) Math.ceil(spanM / cellM));
     double half = 0.5 * cells * cellM;
@@ -40,7 +40,7 @@ public record GridFrame(double northM, double eastM, double cellM, int rows, int
     return (int) Math.floor((pointEastM - eastM) / cellM);
   }
 
-  /** Whether a cell is one of the grid's. */
+  /** Whether a cell is inside the grid. */
   public boolean contains(int row, int column) {
     return row >= 0 && row < rows && column >= 0 && column < columns;
   }

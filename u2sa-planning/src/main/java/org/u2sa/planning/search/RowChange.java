@@ -3,8 +3,8 @@ package org.u2sa.planning.search;
 import java.nio.ByteBuffer;
 
 /**
- * Finds the range in which a row of bytes has changed. Equal bytes, which are most, are cheap: many
- * are compared at a time, from both ends.
+ * Finds the range in which a row of bytes has changed. Compares blockwise from both ends, because
+ * most bytes are equal.
  */
 public final class RowChange {
   private static final int BLOCK = 64; // bytes compared at a time
@@ -13,10 +13,10 @@ public final class RowChange {
   private int last;
 
   /**
-   * Looks for differences.
+   * Finds the first and last difference.
    *
    * @param begin index of the row's first byte in both arrays
-   * @param length of the row
+   * @param length length of the row
    * @return whether there are any
    */
   public boolean find(byte[] before, byte[] after, int begin, int length) {
@@ -46,12 +46,12 @@ public final class RowChange {
     return ByteBuffer.wrap(before, from, to - from).equals(ByteBuffer.wrap(after, from, to - from));
   }
 
-  /** The first that differs, counted from the row's begin, if any did. */
+  /** Index of the first difference in the row, if any. */
   public int first() {
     return first;
   }
 
-  /** The last one. */
+  /** Index of the last difference in the row, if any. */
   public int last() {
     return last;
   }

@@ -47,8 +47,8 @@ public final class ThetaStar {
    *
    * @param start index of a free cell
    * @param goalNorthM the goal, in a free cell or outside the grid
-   * @return corners of the way from the start's centre to the goal's, or to the edge where it is
-   *     left, and its cost; empty if there is none
+   * @return corners of the path from the start cell's centre to the goal cell's, or to the edge
+   *     where the path leaves the grid, and its cost; empty if none
    */
   public Optional<GridPath> plan(CostGrid grid, int start, double goalNorthM, double goalEastM) {
     begin(grid.frame().cells());
@@ -59,12 +59,12 @@ public final class ThetaStar {
         start,
         0.0,
         length(frame.centreNorthM(start) - goalNorthM, frame.centreEastM(start) - goalEastM));
-    double best = Double.POSITIVE_INFINITY; // to a goal outside
+    double best = Double.POSITIVE_INFINITY; // cost to a goal outside
     int exit = OUTSIDE;
     while (!open.isEmpty() && open.leastKey() < best) {
       int cell = open.poll();
       if (settle(grid, cell, goalNorthM, goalEastM)) {
-        continue; // costs more than assumed: it was queued again
+        continue; // costs more than assumed; it was requeued
       }
       closed[cell] = search;
       expanded++;
@@ -117,9 +117,9 @@ public final class ThetaStar {
   }
 
   /**
-   * Looks whether a cell is seen from its parent, and what the way costs (algorithm 2, SetVertex).
+   * Computes the actual cost of a cell via its parent or a neighbour (algorithm 2, SetVertex).
    *
-   * @return whether it costs more than the next in line, so that it was put back
+   * @return whether it costs more than the next queued cell and so was requeued
    */
   private boolean settle(CostGrid grid, int cell, double goalNorth, double goalEast) {
     int from = parent[cell];
@@ -169,7 +169,7 @@ public final class ThetaStar {
     int from = anyAngle ? parent[cell] : cell;
     double cost =
         anyAngle
-            // optimistic: as if seen, and in the open
+            // optimistic: assumes line of sight and free space
             ? g[from] + distanceM(frame, from, next)
             : g[cell] + step(grid, cell, next);
     if (known[next] != search || cost < g[next] - 1.0e-12) {
@@ -185,7 +185,10 @@ public final class ThetaStar {
             a / frame.columns() - b / frame.columns(), a % frame.columns() - b % frame.columns());
   }
 
-  /** Math.hypot guards against overflow, which metres never need, and takes many times as long. */
+  /**
+   * Length of a vector. Math.hypot guards against overflow, which is unnecessary here, and is many
+   * times slower.
+   */
   private static double length(double north, double east) {
     return Math.sqrt(north * north + east * east);
   }
@@ -199,7 +202,9 @@ public final class ThetaStar {
     return row == 0 || column == 0 || row == frame.rows() - 1 || column == frame.columns() - 1;
   }
 
-  /** Cost from a cell to its neighbour: the mean of both along the distance of their centres. */
+  /**
+   * Cost from a cell to its neighbour: the mean of both costs times the distance of their centres.
+   */
   static double step(CostGrid grid, int from, int to) {
     int columns = grid.frame().columns();
     boolean diagonal = from / columns != to / columns && from % columns != to % columns;

@@ -14,12 +14,12 @@ final class GridLayer {
   private static final byte FREE = 0;
 
   private OccupancyGrid grid;
-  private byte[] cells; // the grid's
+  private byte[] cells; // cells of the grid
   private final GridPlacement placement;
   private final GridFrame frame;
   private final double occupiedAbove;
   private final byte threshold;
-  private final byte[] said; // as CostGrid's states
+  private final byte[] said; // states as in CostGrid
 
   private GridLayer(
       OccupancyGrid grid, GridPlacement placement, double occupiedAbove, byte[] said) {
@@ -33,7 +33,7 @@ final class GridLayer {
   }
 
   /**
-   * The grid as it lies on the plane.
+   * Draws a grid that is placed on the plane.
    *
    * @param before previous layer, which this may reuse: only changed cells are redrawn
    */
@@ -122,7 +122,7 @@ final class GridLayer {
     cells = newGrid.cells();
     Spans northward = placement.northward();
     Spans eastward = placement.eastward();
-    int[] from = new int[frame.rows()]; // by row of the plan: what has changed, in its columns
+    int[] from = new int[frame.rows()]; // changed column range, by row of the plan
     int[] to = new int[frame.rows()];
     Arrays.fill(from, frame.columns());
     Arrays.fill(to, -1);

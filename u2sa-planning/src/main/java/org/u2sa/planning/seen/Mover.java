@@ -5,11 +5,11 @@ package org.u2sa.planning.seen;
  *
  * @param name UID of the object
  * @param seenMicros time of the first point [µs]
- * @param stepS time from point to point [s]
- * @param norths where its centre is at each step [m], at least one
- * @param easts as many
- * @param northMps velocity after the last point [m/s]
- * @param eastMps the same, eastward
+ * @param stepS time between points [s]
+ * @param norths north coordinates of its centre at each step [m], at least one
+ * @param easts east coordinates of its centre at each step [m], same number
+ * @param northMps northward velocity after the last point [m/s]
+ * @param eastMps eastward velocity after the last point [m/s]
  * @param radiusM clearance radius around its centre [m]
  */
 public record Mover(

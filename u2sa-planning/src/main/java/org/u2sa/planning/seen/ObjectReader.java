@@ -36,7 +36,7 @@ final class ObjectReader {
     this.vehicle = vehicle;
   }
 
-  /** The object in a frame of the plane. */
+  /** Converts an object to a frame of the plane. */
   private ObjectDescription placed(ObjectDescription object) {
     return plane.frameFor(object.referenceFrame()).equals(object.referenceFrame())
         ? object
@@ -140,7 +140,7 @@ final class ObjectReader {
     return joined(object, PlanarShape.Kind.POINTS, points, radius, height, centre);
   }
 
-  /** A rectangle, whose length axis is turned by psi in its frame's own sense. */
+  /** Creates a rectangle whose length axis is rotated by psi in its frame's own sense. */
   private PlanarShape turned(
       ObjectDescription object,
       double length,

@@ -7,11 +7,11 @@ package org.u2sa.planning.seen;
 public final class PlanarShape {
   /** What the points mean. */
   public enum Kind {
-    /** Each stands for itself. */
+    /** Isolated points. */
     POINTS,
-    /** Joined in order. */
+    /** Points joined in order. */
     CHAIN,
-    /** Joined in order to a closed ring, including its inside. */
+    /** Points joined in order to a closed ring, including its interior. */
     AREA
   }
 
@@ -25,11 +25,11 @@ public final class PlanarShape {
 
   /**
    * @param name UID of the object
-   * @param norths of the points [m], at least one
-   * @param easts of the points [m], as many
-   * @param radiusM around points and lines [m]
-   * @param topDownM down of its top [m]; −∞ if it has none
-   * @param bottomDownM down of its bottom [m]; ∞ if it has none
+   * @param norths north coordinates of the points [m], at least one
+   * @param easts east coordinates of the points [m], same number
+   * @param radiusM radius around points and lines [m]
+   * @param topDownM down coordinate of its top [m]; −∞ if unbounded
+   * @param bottomDownM down coordinate of its bottom [m]; ∞ if unbounded
    */
   public PlanarShape(
       String name,

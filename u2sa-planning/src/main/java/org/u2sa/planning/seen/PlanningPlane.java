@@ -12,7 +12,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * <p>Down is the difference of altitudes, without the earth's curvature.
  */
 public final class PlanningPlane {
-  private final Geodetic origin; // null: the local frames' own
+  private final Geodetic origin; // null for local frames
 
   private PlanningPlane(Geodetic origin) {
     this.origin = origin;
@@ -73,7 +73,7 @@ public final class PlanningPlane {
     return Point.of(place.longitudeDeg(), place.latitudeDeg(), origin.altitudeM() - downM);
   }
 
-  /** The frame to which objects in the vehicle's own axes, or in UTM, are to be converted first. */
+  /** Frame to which objects in the vehicle's own axes or in UTM must be converted first. */
   ReferenceFrame frameFor(ReferenceFrame frame) {
     if (frame.equals(frame()) || (origin == null && frame.equals(ReferenceFrame.LOCAL_ENU))) {
       return frame;

@@ -32,7 +32,7 @@ public final class SeenWorld {
    *
    * @param cellM edge of a cell [m]
    * @param spanM edge of the window [m]
-   * @param inflation what nearness costs
+   * @param inflation cost of proximity to obstacles
    * @param occupiedAbove probability from which a cell of the World Modeler's counts as occupied
    * @param corridorType objects of this type are areas to stay inside
    * @param ignoredTypes objects of these types are not obstacles
@@ -61,7 +61,7 @@ public final class SeenWorld {
   private double highDownM;
   private CostGrid costs;
   private Reading costsRead;
-  private GridLayer layer; // as drawn last
+  private GridLayer layer; // last drawn
   private int revision;
   private boolean overlooks;
   private List<PlanarShape> guessed = List.of();
@@ -185,11 +185,12 @@ public final class SeenWorld {
   /**
    * Updates everything.
    *
-   * @param state the vehicle's newest
-   * @param northM its position on the plane [m]
-   * @param eastM the same, eastward
-   * @param downM its down [m]
-   * @param goalDownM the goal's down [m]: heights between both matter
+   * @param state newest state of the vehicle
+   * @param northM north coordinate of the vehicle on the plane [m]
+   * @param eastM east coordinate of the vehicle on the plane [m]
+   * @param downM down coordinate of the vehicle [m]
+   * @param goalDownM down coordinate of the goal [m]; obstacles at heights between both are
+   *     relevant
    */
   public void update(
       StateInformation state, double northM, double eastM, double downM, double goalDownM) {

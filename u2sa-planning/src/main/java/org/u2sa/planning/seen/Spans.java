@@ -5,24 +5,24 @@ import java.util.function.DoubleToIntFunction;
 import java.util.function.IntToDoubleFunction;
 
 /**
- * Which rows (or columns) of a plan each row (or column) of the World Modeler's grid covers from
- * end to end, and which cover a row of the plan. Immutable.
+ * Maps each row (or column) of the World Modeler's grid to the rows (or columns) of a plan that it
+ * covers from end to end, and back. Immutable.
  */
 final class Spans {
   private final int[] first;
-  private final int[] last; // below the first if it lies outside
+  private final int[] last; // less than first if outside
   private final boolean[] fits;
   private final int[] firstOver; // by row of the plan
-  private final int[] lastOver; // below the first if none covers it
+  private final int[] lastOver; // less than first if not covered
   private boolean isAligned = true;
 
   /**
-   * @param lines how many rows or columns the grid has
-   * @param begin where the middle of the first cell of one lies [m]
-   * @param end where that of its last one does; all others lie between both
-   * @param half half the side of a cell [m]
-   * @param index of the plan's row or column there
-   * @param limit how many of them the plan has
+   * @param lines number of rows or columns of the grid
+   * @param begin centre of the first cell of a line [m]
+   * @param end centre of the last cell of a line; all others lie in between
+   * @param half half the edge of a cell [m]
+   * @param index row or column of the plan at a position
+   * @param limit number of rows or columns of the plan
    */
   Spans(
       int lines,
@@ -56,32 +56,32 @@ final class Spans {
     }
   }
 
-  /** First row of the plan that one of the grid covers. */
+  /** First row of the plan that a row of the grid covers. */
   int first(int line) {
     return first[line];
   }
 
-  /** The last one; below the first if the line lies outside. */
+  /** Last row of the plan that a row of the grid covers; less than the first if outside. */
   int last(int line) {
     return last[line];
   }
 
-  /** Whether each of its cells covers the same rows; not so where the axes differ. */
+  /** Whether all cells of a line cover the same rows; false where the axes differ. */
   boolean fits(int line) {
     return fits[line];
   }
 
-  /** Whether no line crosses the plan's by more than one. */
+  /** Whether every line spans at most one row boundary of the plan. */
   boolean isAligned() {
     return isAligned;
   }
 
-  /** First row of the grid of which a cell may cover one of the plan. */
+  /** First row of the grid with a cell that may cover a row of the plan. */
   int firstOver(int planned) {
     return firstOver[planned];
   }
 
-  /** The last one; below the first if none does. */
+  /** Last row of the grid with such a cell; less than the first if none. */
   int lastOver(int planned) {
     return lastOver[planned];
   }

@@ -13,13 +13,16 @@ final class TrafficMemory {
   /** Objects stationary for longer count as parked [µs]. */
   private static final long PARKED_AFTER_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
-  /** Velocity when it was fastest, and when it moved last [µs]. */
+  /** Velocity at its fastest, and time of the last motion [µs]. */
   private record Motion(long micros, double northMps, double eastMps, long lastMicros) {
     double mps() {
       return Math.hypot(northMps, eastMps);
     }
 
-    /** With what is seen now: another velocity only if it is faster, or this one is long ago. */
+    /**
+     * Updates with the current observation; the velocity is replaced only if it is faster or the
+     * old one has expired.
+     */
     Motion and(Motion now) {
       boolean isOld = now.micros - micros > PARKED_AFTER_MICROS;
       return isOld || now.mps() >= mps()

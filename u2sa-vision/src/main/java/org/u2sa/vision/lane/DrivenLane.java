@@ -6,48 +6,49 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Sides of the lane that the vehicle has driven in, also where no line was seen beside it. At each
- * driven place the lines to the left and to the right are looked for square to the way. Where one
- * is missing, the lane goes on as wide as it was: between two places where both lines are known,
- * and as far as the other line leads within a lane's width of the way. Metres from the map's
- * anchor.
+ * Boundaries of the lane the vehicle has driven in, including stretches where no line was seen. At
+ * each driven position, lines are searched to the left and right, perpendicular to the path. Where
+ * one is missing, the lane keeps its width: between two positions where both lines are known, and
+ * as far as the other line extends within a lane's width of the path. Coordinates in metres from
+ * the map's anchor.
  */
 final class DrivenLane {
-  private static final double STEP_M = 0.3; // from one place to the next
-  private static final double BACK_M = 0.29; // nearer to an earlier place it is that place again
+  private static final double STEP_M = 0.3; // spacing of positions
+  private static final double BACK_M = 0.29; // closer to an earlier position: the same position
   private static final int MAX_PLACES = 300; // 90 m
-  private static final int LOOKED_AT = 50; // newest places, whose sides are still looked for
-  private static final int CHORD = 3; // places to either side that give the direction of the way
-  private static final int LANE_PLACES = 4; // in a row with both lines make a lane
-  private static final double STRAND_M = 0.9; // a farther place belongs to another piece of the way
-  private static final double JUMP_M = 0.6; // by which a side may move from place to place
-  private static final double SPREAD = 0.15; // more for each metre without that side
-  private static final double OWN_SHARE = 0.75; // of its distance: nothing stands nearer to the way
-  private static final double BRIDGE_GAPS = 2.0; // gaps of paint, one after the other
-  private static final double BEHIND_M = 6.0; // way that stays open for backing out of places
+  private static final int LOOKED_AT = 50; // newest positions, whose sides are still searched
+  private static final int CHORD = 3; // positions to either side that define the direction
+  private static final int LANE_PLACES = 4; // consecutive two-line positions that make a lane
+  private static final double STRAND_M = 0.9; // farther positions belong to another stretch
+  private static final double JUMP_M = 0.6; // maximum lateral jump of a side between positions
+  private static final double SPREAD = 0.15; // tolerance added per metre without that side
+  private static final double OWN_SHARE = 0.75; // fraction of its distance to keep from the path
+  private static final double BRIDGE_GAPS = 2.0; // consecutive gaps in the paint
+  private static final double BEHIND_M = 6.0; // path kept open for backing out
   private static final long HELD_UP_MICROS = 25 * Clock.MICROS_PER_SECOND;
   private static final double HOLE_M = 1.5; // longest step along an inferred side
 
-  /** A line to look for, and whether it is certain. */
+  /** A candidate line, and whether it is certain. */
   record Known(List<Point> line, boolean sure) {}
 
   /**
-   * A side where no certain line is.
+   * An inferred side, where no line is certain.
    *
-   * @param atVehicle whether it leads to where the vehicle is now, and may go on from there
+   * @param atVehicle whether it leads to the vehicle's current position and may be extended from
+   *     there
    */
   record Inferred(List<Point> points, boolean atVehicle) {}
 
   private final List<LanePlace> places = new ArrayList<>();
-  private int now = -1; // index of the place where the vehicle is
-  private long addedMicros; // when it came to the newest place
+  private int now = -1; // index of the vehicle's current position
+  private long addedMicros; // time of the newest position
 
   void clear() {
     places.clear();
     now = -1;
   }
 
-  /** The vehicle is there at a time [µs]. */
+  /** Adds the vehicle's position at a time [µs]. */
   void at(Point at, long micros) {
     now = -1;
     for (int i = places.size() - 1; i >= 0 && now < 0; i--) {
@@ -65,14 +66,14 @@ final class DrivenLane {
     now = now < 0 ? places.size() - 1 : now;
   }
 
-  /** Whether the vehicle has not come to a new place for long. */
+  /** Whether the vehicle has made no progress for long. */
   boolean isHeldUp(long micros) {
     return micros - addedMicros > HELD_UP_MICROS;
   }
 
   /**
-   * From side to side across the lane that the vehicle has come from; empty if it was in none, or
-   * has gone back beyond. As of the last {@link #sides}.
+   * Cross-section closing the lane behind the vehicle; empty if it was in no lane or has backed out
+   * past it. As of the last {@link #sides}.
    */
   List<Point> wayBack() {
     double gone = 0.0;
@@ -88,9 +89,9 @@ final class DrivenLane {
   }
 
   /**
-   * The sides of the lane where no certain line is.
+   * Inferred sides of the lane, where no line is certain.
    *
-   * @param known what is known of lines
+   * @param known known lines
    */
   List<Inferred> sides(List<Known> known, LineGaps.Reach reach) {
     int from = Math.max(0, places.size() - LOOKED_AT);
@@ -102,13 +103,13 @@ final class DrivenLane {
     return sides;
   }
 
-  /** Looks for the lines beside the newest places, and follows the lane where one is missing. */
+  /** Finds the lines beside the newest positions and infers the lane where one is missing. */
   private void follow(int from, List<Known> known, LineGaps.Reach reach) {
     LanePlace earlier = from > 0 ? places.get(from - 1) : null;
-    double widthM = // of the lane; NaN: the vehicle is in none
+    double widthM = // of the lane; NaN if in no lane
         earlier == null ? Double.NaN : earlier.left.awayM + earlier.right.awayM;
-    double missedM = 0.0; // since both lines were seen
-    double blindM = 0.0; // since any was seen
+    double missedM = 0.0; // distance since both lines were seen
+    double blindM = 0.0; // distance since any line was seen
     int inRow = 0;
     for (int i = from; i < places.size(); i++) {
       LanePlace place = places.get(i);
@@ -149,7 +150,7 @@ final class DrivenLane {
     }
   }
 
-  /** Between two places where both lines are known the lane changes evenly. */
+  /** Interpolates the lane linearly between two positions where both lines are known. */
   private void bridge(int from, LineGaps.Reach reach) {
     int before = -1;
     for (int i = from; i < places.size(); i++) {
@@ -165,7 +166,7 @@ final class DrivenLane {
     }
   }
 
-  /** Strings one side (1: left) where no certain line is. */
+  /** Builds the inferred stretches of one side (1: left). */
   private void side(double sign, List<Inferred> sides) {
     List<Point> string = new ArrayList<>();
     for (int i = 0; i < places.size(); i++) {
@@ -201,7 +202,7 @@ final class DrivenLane {
     }
   }
 
-  /** Whether a side lies beside all of the way there, not across it as in a tight turn. */
+  /** Whether a side stays beside the path, rather than crossing it as in a tight turn. */
   private boolean isClear(int i, Point side, double awayM) {
     int span = (int) Math.ceil(2.0 * awayM / STEP_M);
     for (int k = Math.max(0, i - span); k < Math.min(places.size(), i + span); k++) {
@@ -212,7 +213,7 @@ final class DrivenLane {
     return true;
   }
 
-  /** Direction of the way at a place, as a unit vector. */
+  /** Path direction at a position, as a unit vector. */
   private double[] direction(int i) {
     int first = i;
     int last = i;

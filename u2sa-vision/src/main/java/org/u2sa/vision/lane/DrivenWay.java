@@ -6,12 +6,12 @@ import java.util.Iterator;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Where the vehicle has been lately. Two lines between which it has driven are the sides of its
- * lane; others may belong to lanes beside it. Metres from the map's anchor.
+ * The vehicle's recent path. Two lines it has driven between are the sides of its lane; others may
+ * belong to adjacent lanes. Coordinates in metres from the map's anchor.
  */
 final class DrivenWay {
   private static final double STEP_M = 0.3;
-  private static final int MOST = 200; // places: 60 m
+  private static final int MOST = 200; // positions, i.e. 60 m
 
   private final Deque<Point> places = new ArrayDeque<>();
 
@@ -19,7 +19,7 @@ final class DrivenWay {
     places.clear();
   }
 
-  /** The vehicle is there now. */
+  /** Adds the vehicle's current position. */
   void at(Point place) {
     Point last = places.peekLast();
     if (last == null || Math.hypot(place.x() - last.x(), place.y() - last.y()) >= STEP_M) {
@@ -30,7 +30,7 @@ final class DrivenWay {
     }
   }
 
-  /** Whether it has passed between two places. */
+  /** Whether the vehicle has passed between two points. */
   boolean passesBetween(Point a, Point b) {
     Iterator<Point> each = places.iterator();
     Point from = each.hasNext() ? each.next() : null;
@@ -44,7 +44,7 @@ final class DrivenWay {
     return false;
   }
 
-  /** Positive if a place lies to the left of the way from one to another. */
+  /** Positive if a point lies left of the line from one point to another. */
   private static double side(Point from, Point to, Point place) {
     return (to.x() - from.x()) * (place.y() - from.y())
         - (to.y() - from.y()) * (place.x() - from.x());

@@ -5,11 +5,11 @@ import java.util.Collections;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 
-/** Lines with closed gaps as one: dashes, and what is left of worn paint. */
+/** Merges lines whose gaps were closed: dashes and remains of worn paint. */
 final class JoinedLines {
   private final List<List<Point>> all = new ArrayList<>();
   private final List<List<Point>> parts;
-  private final List<List<Point>> with; // what each part belongs to
+  private final List<List<Point>> with; // joined line of each part
 
   JoinedLines(List<List<Point>> lines) {
     parts = lines;
@@ -17,12 +17,12 @@ final class JoinedLines {
     all.addAll(lines);
   }
 
-  /** Joins two lines by a curve from an end of one to an end of the other. */
+  /** Joins two lines with a curve between two of their ends. */
   void join(LineEnd one, List<Point> curve, LineEnd other) {
     List<Point> first = with(one.line());
     List<Point> second = with(other.line());
     if (first == second) {
-      return; // a ring is not longer than the line that it is made of
+      return; // closing a ring does not extend the line
     }
     List<Point> joined = new ArrayList<>(first);
     if (joined.get(0) == one.at()) {
@@ -39,12 +39,12 @@ final class JoinedLines {
     with.replaceAll(line -> line == first || line == second ? joined : line);
   }
 
-  /** All lines, as far as they are joined. */
+  /** All lines after joining. */
   List<List<Point>> all() {
     return all;
   }
 
-  /** What one of the lines is a part of. */
+  /** Joined line that contains this line. */
   List<Point> with(List<Point> line) {
     int part = 0;
     while (parts.get(part) != line) {

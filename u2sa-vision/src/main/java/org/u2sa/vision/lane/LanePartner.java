@@ -8,25 +8,25 @@ import java.util.stream.Stream;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Continues a line beside the other line of its lane, because a lane keeps its width. Metres from
- * the map's anchor.
+ * Extends a line parallel to the other line of its lane, because a lane keeps its width.
+ * Coordinates in metres from the map's anchor.
  */
 final class LanePartner {
   private static final double FACING = Math.cos(Math.toRadians(50.0));
   private static final double PARALLEL = Math.cos(Math.toRadians(30.0));
-  private static final double SHARE_BESIDE = 0.6; // of the points of a lane's side
+  private static final double SHARE_BESIDE = 0.6; // fraction of a lane side's points
   private static final double STEP_M = 0.1;
-  private static final double SQUARE = 0.9; // sine of the least angle between lane and its width
-  private static final double MEETING_WIDTHS = 1.5; // of the narrowest lane: as far away
-  private static final int LANE_POINTS = 60; // 9 m before its end say which lane a line belongs to
+  private static final double SQUARE = 0.9; // sine of the minimum angle between lane and its width
+  private static final double MEETING_WIDTHS = 1.5; // search distance, in narrowest lane widths
+  private static final int LANE_POINTS = 60; // the last 9 m determine a line's lane
   private static final int LANE_STEP = 4;
-  private static final int LANE_PLACES = 4; // so many steps, 2.4 m, make it the driven lane
+  private static final int LANE_PLACES = 4; // minimum steps (2.4 m) of the driven lane
 
   private final List<List<Point>> lines;
   private final LineGaps.Reach reach;
   private final LineGaps.Driven driven;
 
-  /** What goes on beside another line, and whether the vehicle has driven between the two. */
+  /** A continuation beside another line, and whether the vehicle has driven between the two. */
   record Beside(List<Point> points, boolean driven) {}
 
   LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Driven driven) {
@@ -36,9 +36,8 @@ final class LanePartner {
   }
 
   /**
-   * The continuation beside the other line of the lane, as far away as at the end. Of two lines, to
-   * the left and to the right, the one of the lane that was driven, else the one that leads
-   * farther.
+   * Finds the continuation beside the other line of the lane, at the same distance as at the end.
+   * Of two candidates, left and right, prefers the one of the driven lane, then the longer one.
    */
   Beside beside(LineEnd end) {
     Beside best = new Beside(List.of(), false);
@@ -57,7 +56,10 @@ final class LanePartner {
     return best;
   }
 
-  /** The same beyond an inferred side of the lane that the vehicle is in, beside its other line. */
+  /**
+   * Finds the continuation of an inferred side of the vehicle's lane, beside the other line of that
+   * lane.
+   */
   List<Point> onward(LineEnd end, Point vehicle) {
     List<Point> best = List.of();
     for (List<Point> other : lines) {
@@ -74,8 +76,8 @@ final class LanePartner {
   }
 
   /**
-   * Whether the vehicle has driven between the last part of a line and another line, along a lane
-   * of both: who passes an end on another way, as in no-man's land, was not in their lane.
+   * Whether the vehicle has driven between the last part of a line and another line, along their
+   * common lane. Passing an end on a different path, as in no-man's land, does not count.
    */
   private boolean isBetween(LineEnd end, List<Point> other) {
     List<Point> line = end.line();
@@ -114,7 +116,7 @@ final class LanePartner {
       Point last = points.get(points.size() - 1);
       double ahead = (at.x() - last.x()) * on[0] + (at.y() - last.y()) * on[1];
       if (step * ahead < STEP_M) {
-        continue; // in the inside of a bend, or not yet beyond the end
+        continue; // on the inside of a bend, or not yet past the end
       }
       if (isNearOther(at, end.line(), other)) {
         meeting(last, end.line(), other, left).ifPresent(points::add);
@@ -127,7 +129,7 @@ final class LanePartner {
   }
 
   /**
-   * Where the same side of the lane begins again: the nearest end to that side of the other line.
+   * Where the same side of the lane resumes: the nearest line end on that side of the other line.
    */
   private Optional<Point> meeting(Point from, List<Point> own, List<Point> other, double left) {
     return lines.stream()
@@ -138,7 +140,7 @@ final class LanePartner {
         .min(Comparator.comparingDouble(at -> LineGeometry.metres(from, at)));
   }
 
-  /** Whether most points have a line beside them, parallel and as far away as a lane is wide. */
+  /** Whether most points have a parallel line beside them at a lane's width. */
   boolean isBesideOther(List<Point> points, List<Point> own) {
     for (List<Point> other : lines) {
       int beside = 0;
@@ -163,7 +165,7 @@ final class LanePartner {
     return LineGeometry.leftM(place, line, LineGeometry.nearest(place, line));
   }
 
-  /** Whether a place is nearer to a line than a lane is wide, other than to these two. */
+  /** Whether a point is closer than the narrowest lane width to a line other than these two. */
   boolean isNearOther(Point at, List<Point> own, List<Point> other) {
     for (List<Point> line : lines) {
       for (int i = 0; line != own && line != other && i < line.size(); i++) {

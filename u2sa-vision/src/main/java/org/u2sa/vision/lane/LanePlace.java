@@ -2,25 +2,27 @@ package org.u2sa.vision.lane;
 
 import org.u2sa.messages.frame.Point;
 
-/** A place where the vehicle was, and its lane there. */
+/** A past vehicle position, and the lane there. */
 final class LanePlace {
   final Point at;
-  final boolean begins; // not reached from the place before
+  final boolean begins; // not connected to the previous position
   final Side left = new Side();
   final Side right = new Side();
-  boolean isLane; // both lines are seen, as far apart as a lane is wide
+  boolean isLane; // both lines are seen, at a lane's width
 
   LanePlace(Point at, boolean begins) {
     this.at = at;
     this.begins = begins;
   }
 
-  /** The side to the left (1) or right (−1). */
+  /** Left (1) or right (−1) side. */
   Side side(double sign) {
     return sign > 0.0 ? left : right;
   }
 
-  /** What is not seen is where the lane's width puts it, or as far away as before. */
+  /**
+   * Sets both sides. An unseen side follows from the lane's width, or keeps its previous distance.
+   */
   void set(double widthM, LanePlace before) {
     boolean inLane = !Double.isNaN(widthM) && before != null;
     for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
@@ -32,7 +34,7 @@ final class LanePlace {
     }
   }
 
-  /** The same between two places where both lines are seen. */
+  /** Sets both sides by interpolation between two positions where both lines are seen. */
   void between(LanePlace one, LanePlace other, double share) {
     double widthM = 0.0;
     for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
@@ -52,7 +54,7 @@ final class LanePlace {
     }
   }
 
-  /** Whether the vehicle has passed an inferred side: it is in another place than the lane. */
+  /** Whether the vehicle has crossed an inferred side and so left the lane. */
   boolean isOutside() {
     return left.awayM <= 0.0 || right.awayM <= 0.0;
   }
@@ -62,10 +64,10 @@ final class LanePlace {
     return !Double.isNaN(left.awayM + right.awayM);
   }
 
-  /** One side of the lane at a place. */
+  /** One side of the lane at a position. */
   static final class Side {
-    double seenM = Double.NaN; // distance of a line
-    boolean sure; // and it is certain
+    double seenM = Double.NaN; // distance of the seen line
+    boolean sure; // whether that line is certain
     double awayM = Double.NaN; // distance of the side, seen or inferred
   }
 }

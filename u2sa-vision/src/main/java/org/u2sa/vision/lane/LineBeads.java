@@ -9,39 +9,39 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Painted lines as beads on them, each with a direction, a Kalman filter of its place across the
- * line, and a count of sightings for and against it.
+ * Painted lines as sample points (beads), each with a direction, a Kalman filter of its lateral
+ * position, and a count of sightings for and against it.
  */
 final class LineBeads {
-  /** Width of a line as it is published: 3 in [m]. */
+  /** Published line width, 3 in [m]. */
   static final double WIDTH_M = 0.0762;
 
-  /** From one bead to the next [m]. */
+  /** Bead spacing [m]. */
   static final double STEP_M = 0.15;
 
-  private static final double ALONG_M = 0.6 * STEP_M; // a nearer bead along the line is the same
+  private static final double ALONG_M = 0.6 * STEP_M; // beads closer along the line are the same
   private static final double PARALLEL = 0.82; // cosine of the angle between two parts of one line
   private static final double CELL_M = 0.5;
-  private static final double LEAST_SIGMA_M = 0.025; // the vehicle's place wanders
+  private static final double LEAST_SIGMA_M = 0.025; // because the vehicle's position drifts
   private static final double MOST_HITS = 15.0;
   private static final double DOUBT = 0.4; // of a sighting
-  private static final double TOO_NEAR_M = 1.3; // the camera looks over what is nearer
-  private static final double TWICE_M = 1.0; // two lines nearer to each other are one, seen twice
-  private static final double VIEW_M = 0.25; // from one place of looking to the next
-  private static final double REFUTED = 0.5; // of a sighting, by the same line seen elsewhere
+  private static final double TOO_NEAR_M = 1.3; // closer ground is below the camera's view
+  private static final double TWICE_M = 1.0; // closer lines are one line, seen twice
+  private static final double VIEW_M = 0.25; // spacing of viewpoints
+  private static final double REFUTED = 0.5; // of a sighting, if the line was seen elsewhere
   private static final long ANOTHER_TIME = 2 * Clock.MICROS_PER_SECOND;
 
-  /** A place on a line. */
+  /** A sample point on a line. */
   static final class Bead {
     double x;
     double y;
-    double dx; // along the line, either way
+    double dx; // direction of the line, either way
     double dy;
-    double variance; // across [m²]
+    double variance; // lateral [m²]
     double hits = 1.0;
-    int views = 1; // places from which it was seen
+    int views = 1; // viewpoints from which it was seen
     long seenMicros;
-    private double viewX; // the last of them
+    private double viewX; // last viewpoint
     private double viewY;
     private long refutedMicros = Long.MIN_VALUE;
     private long cell;
@@ -50,9 +50,9 @@ final class LineBeads {
   private final List<Bead> all = new ArrayList<>();
   private final Map<Long, List<Bead>> cells = new HashMap<>();
   private long micros;
-  private double fromX; // the vehicle's place
+  private double fromX; // vehicle position
   private double fromY;
-  private double wanderPerS; // by which the vehicle's place wanders [m²/s]
+  private double wanderPerS; // drift of the vehicle's position [m²/s]
 
   void clear() {
     all.clear();
@@ -64,23 +64,23 @@ final class LineBeads {
   }
 
   /**
-   * The next sightings are of that time.
+   * Sets the time of the next sightings.
    *
-   * @param wander by which the vehicle's place wanders against the ground [m²/s]: a line that was
-   *     not seen for a while may be seen elsewhere
+   * @param wander random-walk drift of the vehicle's position [m²/s]: a line that was not seen for
+   *     a while may appear shifted
    */
   void begin(long nowMicros, double wander) {
     micros = nowMicros;
     wanderPerS = wander;
   }
 
-  /** The next sightings are from there [m]. */
+  /** Sets the viewpoint of the next sightings [m]. */
   void from(double vehicleX, double vehicleY) {
     fromX = vehicleX;
     fromY = vehicleY;
   }
 
-  /** Enters a straight part of a line that was seen. */
+  /** Adds a straight line segment that was seen. */
   void enter(Point from, Point to, double sigmaM, double gateM) {
     double length = Math.hypot(to.x() - from.x(), to.y() - from.y());
     if (length < 1.0e-6) {
@@ -128,7 +128,7 @@ final class LineBeads {
     }
   }
 
-  /** Variance that a bead has gained since it was seen [m²]. */
+  /** Variance a bead has gained since it was last seen [m²]. */
   private double wandered(Bead bead) {
     return wanderPerS * Clock.seconds(Math.max(0L, micros - bead.seenMicros));
   }
@@ -162,7 +162,7 @@ final class LineBeads {
     bead.dy = turnedY / length;
     bead.variance = Math.max(LEAST_SIGMA_M * LEAST_SIGMA_M, (1.0 - gain) * variance);
     if (bead.seenMicros != micros) {
-      bead.hits = Math.min(MOST_HITS, bead.hits + 1.0); // once a picture
+      bead.hits = Math.min(MOST_HITS, bead.hits + 1.0); // once per image
       bead.seenMicros = micros;
       if (Math.hypot(fromX - bead.viewX, fromY - bead.viewY) >= VIEW_M) {
         bead.views++;
@@ -200,9 +200,8 @@ final class LineBeads {
   }
 
   /**
-   * Counts against what lies in a sector and was not seen in the last picture, although nothing
-   * stands before it, and against what was seen beside its place there: the same line, as long as
-   * the picture does not show both.
+   * Counts against beads in a sector that were not seen in the last image although unoccluded, and
+   * against beads whose line was seen beside them: it is the same line unless the image shows both.
    */
   void doubt(
       double x,
@@ -227,7 +226,7 @@ final class LineBeads {
     }
   }
 
-  /** Drops what is refuted, far away, or was not seen often enough before a time. */
+  /** Drops beads that are refuted, far away, or neither confirmed nor seen since a time. */
   void forget(double x, double y, double reachM, long beforeMicros, int hits) {
     List<Bead> gone = new ArrayList<>();
     for (Bead bead : all) {
@@ -240,7 +239,7 @@ final class LineBeads {
     all.removeAll(new HashSet<>(gone));
   }
 
-  /** What was seen often enough, within a reach. */
+  /** Beads seen often enough within a range. */
   List<Bead> certain(double x, double y, double reachM, int hits) {
     List<Bead> found = new ArrayList<>();
     for (Bead bead : all) {

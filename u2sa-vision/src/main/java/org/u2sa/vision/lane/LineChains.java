@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Set;
 import org.u2sa.messages.frame.Point;
 
-/** Beads strung to lines. Metres from the map's anchor. */
+/** Links beads to lines. Coordinates in metres from the map's anchor. */
 final class LineChains {
-  private static final double LINK_M = 0.5; // longest step from bead to bead
-  private static final double ASIDE = 0.7; // sine of the angle by which a step may leave the line
-  private static final double SHORTEST_M = 0.5; // what is shorter is no line
-  private static final double VIEWS = 2.5; // places on average from which a sure line was seen
+  private static final double LINK_M = 0.5; // maximum step between beads
+  private static final double ASIDE = 0.7; // sine of the maximum angle between step and line
+  private static final double SHORTEST_M = 0.5; // minimum length of a line
+  private static final double VIEWS = 2.5; // minimum mean number of viewpoints of a sure line
 
   private final List<List<Point>> lines;
   private final Set<List<Point>> sure;
@@ -50,7 +50,7 @@ final class LineChains {
     return new LineChains(lines, sure);
   }
 
-  /** From a bead to both sides as far as beads name each other. */
+  /** Follows beads in both directions while they are mutual neighbours. */
   private static List<LineBeads.Bead> string(
       int from, List<LineBeads.Bead> beads, int[][] next, boolean[] strung) {
     List<LineBeads.Bead> line = new ArrayList<>();
@@ -71,12 +71,12 @@ final class LineChains {
     return line;
   }
 
-  /** What was seen. */
+  /** Lines that were seen. */
   List<List<Point>> lines() {
     return lines;
   }
 
-  /** Whether a line was seen from several places. */
+  /** Whether a line was seen from several viewpoints. */
   boolean isSure(List<Point> line) {
     return sure.contains(line);
   }
@@ -98,7 +98,7 @@ final class LineChains {
       }
     }
 
-    /** The nearest bead ahead (1) or behind (-1) that may follow it; −1 if there is none. */
+    /** Index of the nearest bead ahead (1) or behind (-1) that may follow; −1 if none. */
     int step(int from, double sign) {
       LineBeads.Bead bead = beads.get(from);
       int best = -1;

@@ -5,14 +5,14 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * An end of a line.
+ * * One end of a line.
  *
  * @param at the outermost point
  * @param dx direction outward, as a unit vector
  * @param dy see dx
  */
 record LineEnd(List<Point> line, Point at, double dx, double dy) {
-  private static final double TANGENT_M = 0.8; // over which its direction is measured
+  private static final double TANGENT_M = 0.8; // length over which the direction is measured
   private static final double MAX_BEND = 0.5; // [1/m]
   private static final double CURVE_STEP_M = 0.3;
 
@@ -42,12 +42,12 @@ record LineEnd(List<Point> line, Point at, double dx, double dy) {
     return new LineEnd(longer, at, dx, dy);
   }
 
-  /** The point so many steps before the end. */
+  /** Point this many steps before the end. */
   Point before(int steps) {
     return line.get(isLast() ? line.size() - 1 - steps : steps);
   }
 
-  /** Index of the point so many steps before the end. */
+  /** Index of the point this many steps before the end. */
   int index(int steps) {
     return isLast() ? line.size() - 1 - steps : steps;
   }
@@ -56,7 +56,7 @@ record LineEnd(List<Point> line, Point at, double dx, double dy) {
     return at == line.get(line.size() - 1);
   }
 
-  /** Curvature [1/m], anticlockwise positive on the way out; bounded. */
+  /** Curvature in outward direction [1/m], positive anticlockwise; clamped. */
   private double bend() {
     int far = Math.min(line.size() - 1, (int) Math.round(2.0 * TANGENT_M / LineBeads.STEP_M));
     int middle = far / 2;
@@ -72,12 +72,12 @@ record LineEnd(List<Point> line, Point at, double dx, double dy) {
     return Math.max(-MAX_BEND, Math.min(MAX_BEND, turned / Math.max(0.1, way)));
   }
 
-  /** Whether a line that goes on must stop. */
+  /** Stop condition of an extension. */
   interface Stop {
     boolean isAt(Point place);
   }
 
-  /** Continues the line with the curvature of its end. */
+  /** Extends the line with the curvature of its end. */
   List<Point> extension(double lengthM, Stop stop) {
     List<Point> points = new ArrayList<>(List.of(at));
     double bend = bend();
@@ -95,7 +95,7 @@ record LineEnd(List<Point> line, Point at, double dx, double dy) {
     return points;
   }
 
-  /** A cubic Hermite curve that leaves this end and arrives at another as they point. */
+  /** Cubic Hermite curve from this end to another, tangent to both. */
   List<Point> curveTo(LineEnd other) {
     double gap = LineGeometry.metres(at, other.at);
     int steps = Math.max(1, (int) Math.ceil(gap / CURVE_STEP_M));

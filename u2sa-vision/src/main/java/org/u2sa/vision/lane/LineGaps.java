@@ -5,13 +5,16 @@ import java.util.Comparator;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 
-/** What is missing between the ends of lines, and beyond them. Metres from the map's anchor. */
+/**
+ * Bridges gaps between line ends and extends lines beyond them. Coordinates in metres from the
+ * map's anchor.
+ */
 final class LineGaps {
-  private static final double NEAR_M = 0.5; // ends so near to each other are not a gap
+  private static final double NEAR_M = 0.5; // closer ends are not a gap
   private static final double ASIDE = 0.7;
   private static final double FACING = Math.cos(Math.toRadians(50.0));
-  private static final double KNOWN = 0.7; // share of the ground beyond an end to be looked at
-  private static final double BESIDE_M = 0.4; // an end so near to a longer line is a part of that
+  private static final double KNOWN = 0.7; // required fraction of observed ground beyond an end
+  private static final double BESIDE_M = 0.4; // an end this close to a longer line is part of it
 
   private final List<List<Point>> lines;
   private final Reach reach;
@@ -22,11 +25,11 @@ final class LineGaps {
   private final JoinedLines strings;
 
   /**
-   * How far what is not seen is taken to go.
+   * Limits of inferred lines.
    *
    * @param gapM longest gap between two ends [m]
-   * @param aloneM beyond an end [m]
-   * @param besideM beyond an end, beside the other line of its lane [m]
+   * @param aloneM extension beyond an end [m]
+   * @param besideM extension beyond an end, beside the other line of its lane [m]
    * @param narrowestM narrowest lane [m]
    * @param widestM widest lane [m]
    */
@@ -37,12 +40,12 @@ final class LineGaps {
     }
   }
 
-  /** Which ground was looked at. */
+  /** Ground that was observed. */
   interface Looked {
     boolean isKnown(double x, double y);
   }
 
-  /** Where the vehicle has driven. */
+  /** Path the vehicle has driven. */
   interface Driven {
     boolean passesBetween(Point a, Point b);
   }
@@ -50,16 +53,16 @@ final class LineGaps {
   /** A closed gap, and the lines to either side of it. */
   record Joint(List<Point> points, List<Point> one, List<Point> other) {}
 
-  /** How a line goes on beyond an end of it. */
+  /** Continuation of a line beyond one of its ends. */
   record Extension(List<Point> points, List<Point> line) {}
 
   private record Join(LineEnd one, LineEnd other, double cost) {}
 
   /**
-   * Closes gaps between ends that face each other, and continues lines beyond other ends, but for
-   * those beyond which the ground was looked at as far as gaps reach: there the line ends. A line
-   * of the lane in which the vehicle drives does not end before the lane's other line: a lane is
-   * open to its end, not to its sides.
+   * Closes gaps between ends that face each other and extends lines beyond other ends, except where
+   * the ground beyond was observed up to the gap length: there the line ends. A line of the
+   * vehicle's own lane does not end before the lane's other line, because a lane is open at its end
+   * but not at its sides.
    */
   LineGaps(List<List<Point>> lines, Reach reach, Looked looked, Driven driven) {
     this.lines = lines;
@@ -89,22 +92,22 @@ final class LineGaps {
     return extended;
   }
 
-  /** How an inferred side of the lane goes on beyond its last point, where the vehicle is. */
+  /** Continuation of an inferred lane side beyond its last point, at the vehicle. */
   List<Point> onward(List<Point> side, Point vehicle) {
     return partner.onward(LineEnd.last(side), vehicle);
   }
 
   /**
-   * Whether points run beside another line as far away as a lane is wide: then they are a side of a
-   * lane, and do not lie across it.
+   * Whether points run parallel to another line at a lane's width, so that they are a lane side
+   * rather than lie across it.
    *
-   * @param line which they belong to
+   * @param line line they belong to
    */
   boolean isLaneSide(List<Point> points, List<Point> line) {
     return partner.isBesideOther(points, strings.with(line));
   }
 
-  /** Joins ends that face each other, the best pairs first, and removes them from the list. */
+  /** Joins ends that face each other, best pairs first, and removes them from the list. */
   private void join(List<LineEnd> ends) {
     List<Join> joins = new ArrayList<>();
     for (int i = 0; i < ends.size(); i++) {
@@ -162,7 +165,7 @@ final class LineGaps {
     return end.extension(lengthM, at -> partner.isNearOther(at, end.line(), end.line()));
   }
 
-  /** Whether the ground where a line would go on was looked at, farther than gaps are long. */
+  /** Whether the ground along an extension was observed for at least about the gap length. */
   private boolean isKnown(List<Point> line) {
     int known = 0;
     int places = 0;
@@ -175,7 +178,9 @@ final class LineGaps {
     return places > 0 && gone >= KNOWN * reach.gapM() && known >= KNOWN * places;
   }
 
-  /** Whether an end belongs to another line, seen twice in slightly different places. */
+  /**
+   * Whether an end belongs to a longer line that was seen twice at slightly different positions.
+   */
   private boolean isBesideLonger(LineEnd end) {
     for (List<Point> line : lines) {
       boolean longer = line != end.line() && line.size() > end.line().size();

@@ -3,9 +3,9 @@ package org.u2sa.vision.lane;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 
-/** Measures of lines that are given as points about {@link LineBeads#STEP_M} apart [m]. */
+/** Geometry of lines given as points spaced about {@link LineBeads#STEP_M} [m]. */
 final class LineGeometry {
-  private static final double TANGENT_M = 0.8; // to either side: over which a direction is measured
+  private static final double TANGENT_M = 0.8; // to either side, for measuring a direction
 
   private LineGeometry() {}
 
@@ -13,7 +13,7 @@ final class LineGeometry {
   static double metres(Point a, Point b) {
     double x = a.x() - b.x();
     double y = a.y() - b.y();
-    return Math.sqrt(x * x + y * y); // hypot takes ten times as long
+    return Math.sqrt(x * x + y * y); // hypot is ten times slower
   }
 
   /** Length along a line. */
@@ -25,7 +25,7 @@ final class LineGeometry {
     return length;
   }
 
-  /** Index of the point of a line that is nearest to a place. */
+  /** Index of the line point nearest to a place. */
   static int nearest(Point place, List<Point> line) {
     int nearest = 0;
     for (int i = 1; i < line.size(); i++) {
@@ -44,7 +44,8 @@ final class LineGeometry {
   }
 
   /**
-   * Distance of a place from a line at one of its points, to the left of its direction positive.
+   * Signed distance of a place from a line at one of its points, positive to the left of its
+   * direction.
    */
   static double leftM(Point place, List<Point> line, int at) {
     double[] way = direction(line, at);

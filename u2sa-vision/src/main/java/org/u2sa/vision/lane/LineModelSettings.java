@@ -144,7 +144,7 @@ record LineModelSettings(
     return types;
   }
 
-  /** How far what is not seen is taken to go. */
+  /** Limits of inferred lines. */
   LineGaps.Reach reach() {
     return new LineGaps.Reach(
         joinGap, lineExtension, Math.max(laneExtension, lineExtension), laneWidth, widestLane);

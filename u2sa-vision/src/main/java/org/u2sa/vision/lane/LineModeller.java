@@ -19,12 +19,12 @@ import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.Sighting;
 
 /**
- * Keeps painted lines (thesis 4.1.1.2): puts together what a camera sees of them piece by piece,
- * and closes the gaps of dashed and worn paint, so that a lane is a lane for the planner. Publishes
- * PolyLines, with a confidence that says how they are known ({@link LinePieces}).
+ * Maps painted lines (thesis 4.1.1.2): assembles them from partial camera detections and closes the
+ * gaps of dashed and worn paint, so that the planner sees complete lanes. Publishes PolyLines whose
+ * confidence tells how they are known ({@link LinePieces}).
  */
 final class LineModeller implements Modeller {
-  private static final double FORGET = 3.0; // of LINE REACH: farther lines are dropped
+  private static final double FORGET = 3.0; // in LINE REACH: farther lines are dropped
   private static final long UNSURE_MICROS = 3 * Clock.MICROS_PER_SECOND;
 
   private final Settings<LineModelSettings> settings;
@@ -50,7 +50,7 @@ final class LineModeller implements Modeller {
       looked.clear();
       driven.clear();
       lane.clear();
-      beads.clear(); // of one moment only: nothing says how the vehicle has moved since
+      beads.clear(); // latest image only: motion since is unknown
     }
     double turning = sighting.vehicle().map(state -> state.psiDot().orElse(0.0)).orElse(0.0);
     if (Math.abs(turning) > tuning.steadyTurn()) {
@@ -99,7 +99,7 @@ final class LineModeller implements Modeller {
     sightings++;
   }
 
-  /** What should have been seen just now and was not. */
+  /** Counts against lines that should have been seen just now but were not. */
   private void doubt(Sighting sighting, LineModelSettings tuning) {
     MapFrame map = sighting.frame();
     Point at = map.vehicle(sighting.vehicle());
@@ -175,7 +175,7 @@ final class LineModeller implements Modeller {
     return pieces.all();
   }
 
-  /** The sides of the driven lane; joins are lines for that, extensions are not. */
+  /** Sides of the driven lane; joints count as lines for this, extensions do not. */
   private List<DrivenLane.Inferred> sides(
       LineChains chains, LineGaps gaps, LineModelSettings tuning) {
     List<DrivenLane.Known> known = new ArrayList<>();

@@ -10,15 +10,15 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.world.modeller.MapFrame;
 
-/** Lines as objects: short pieces, which are found and drawn faster. */
+/** Converts lines to objects: short pieces, which are faster to search and draw. */
 final class LinePieces {
-  /** Confidence of what was seen from several places. */
+  /** Confidence of a line seen from several viewpoints. */
   static final double CERTAIN = 1.0;
 
   /** Confidence of an inferred side of the lane that the vehicle has driven in. */
   static final double DRIVEN = 0.8;
 
-  /** Confidence of what is less certain, but near, and runs along a lane. */
+  /** Confidence of a less certain piece that is near and runs along a lane. */
   static final double SIDE = 0.7;
 
   /** Confidence of any other guess: it may lie across a lane in error. */
@@ -26,7 +26,10 @@ final class LinePieces {
 
   private static final int POINTS_A_PIECE = 14;
 
-  /** A camera sees lines farther away so inaccurately that they may seem to close a passage. */
+  /**
+   * Range of {@link #SIDE}. Lines farther away are seen so inaccurately that they may appear to
+   * block a passage.
+   */
   private static final double NEAR_M = 3.0;
 
   private final MapFrame frame;
@@ -36,8 +39,8 @@ final class LinePieces {
   private final List<ObjectDescription> all = new ArrayList<>();
 
   /**
-   * @param vehicle its place, in metres from the map's anchor
-   * @param clearM nothing that was not seen comes nearer to the vehicle [m]
+   * @param vehicle vehicle position in metres from the map's anchor
+   * @param clearM minimum distance of unseen pieces from the vehicle [m]
    */
   LinePieces(MapFrame frame, String type, Point vehicle, double clearM) {
     this.frame = frame;
@@ -51,34 +54,34 @@ final class LinePieces {
     return all;
   }
 
-  /** Adds a line that was seen from several places. */
+  /** Adds a line that was seen from several viewpoints. */
   void certain(List<Point> line) {
     pieces(line).forEach(piece -> add(piece, CERTAIN));
   }
 
-  /** Adds a line that was seen from one place only. */
+  /** Adds a line that was seen from few viewpoints. */
   void uncertain(List<Point> line, Predicate<List<Point>> isSide) {
     pieces(line).forEach(piece -> add(piece, confidence(piece, isSide)));
   }
 
-  /** Adds what was not seen, but follows from what was. */
+  /** Adds a line that was not seen but follows from others. */
   void inferred(List<Point> line, double confidence) {
     clear(line).forEach(part -> pieces(part).forEach(piece -> add(piece, confidence)));
   }
 
-  /** Adds what may be there. */
+  /** Adds a line that may exist. */
   void guessed(List<Point> line, Predicate<List<Point>> isSide) {
     clear(line)
         .forEach(part -> pieces(part).forEach(piece -> add(piece, confidence(piece, isSide))));
   }
 
-  /** What is far away will be seen better from near: until then it is only a guess. */
+  /** Confidence of an uncertain piece: far ones stay guesses until seen from closer. */
   private double confidence(List<Point> piece, Predicate<List<Point>> isSide) {
     boolean near = piece.stream().anyMatch(at -> LineGeometry.metres(at, vehicle) < NEAR_M);
     return near && isSide.test(piece) ? SIDE : GUESS;
   }
 
-  /** The parts of a line that are far enough from the vehicle. */
+  /** Parts of a line that are far enough from the vehicle. */
   private List<List<Point>> clear(List<Point> line) {
     List<List<Point>> parts = new ArrayList<>();
     List<Point> part = new ArrayList<>();

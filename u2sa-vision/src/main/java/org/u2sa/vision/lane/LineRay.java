@@ -3,7 +3,7 @@ package org.u2sa.vision.lane;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 
-/** A straight look from a place for lines. Metres from the map's anchor. */
+/** A ray cast from a point to find lines. Coordinates in metres from the map's anchor. */
 final class LineRay {
   private final Point from;
   private final double dx;
@@ -22,7 +22,7 @@ final class LineRay {
     this.reachM = reachM;
   }
 
-  /** The line that the ray meets nearest to an expected distance; null if it meets none. */
+  /** Line that the ray hits closest to an expected distance; null if none. */
   DrivenLane.Known nearest(List<DrivenLane.Known> lines, double expectedM) {
     DrivenLane.Known found = null;
     metres = Double.NaN;
@@ -42,12 +42,12 @@ final class LineRay {
     return found;
   }
 
-  /** Distance of what was found [m]. */
+  /** Distance of the line found [m]; NaN if none. */
   double metres() {
     return metres;
   }
 
-  /** Distance along the ray at which it meets a piece of a line; infinite if it does not. */
+  /** Distance along the ray at which it hits a line segment; infinite if it does not. */
   private double met(Point a, Point b) {
     double sideA = dx * (a.y() - from.y()) - dy * (a.x() - from.x());
     double sideB = dx * (b.y() - from.y()) - dy * (b.x() - from.x());

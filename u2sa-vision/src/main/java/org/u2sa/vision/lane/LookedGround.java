@@ -4,18 +4,18 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Which ground a camera has looked at from near enough to have seen paint on it. Where a line ends
- * and the ground beyond was looked at, nothing goes on there. Metres from the map's anchor.
+ * Ground that a camera has observed from close enough to see paint on it. Where a line ends and the
+ * ground beyond was observed, it does not continue. Coordinates in metres from the map's anchor.
  */
 final class LookedGround {
   private static final double CELL_M = 0.3;
-  private static final double NEAREST_M = 1.3; // the camera looks over what is nearer
-  private static final int LOOKS = 3; // pictures that make it certain
-  private static final int MOST = 40_000; // cells, before what is far away is forgotten
+  private static final double NEAREST_M = 1.3; // closer ground is below the camera's view
+  private static final int LOOKS = 3; // images required for certainty
+  private static final int MOST = 40_000; // cells; beyond, far ones are dropped
 
   private final Map<Long, Integer> looks = new HashMap<>();
 
-  /** Whether nothing stands before a place. */
+  /** Tells whether a place is unoccluded. */
   interface View {
     boolean isOpen(double x, double y);
   }
@@ -25,10 +25,10 @@ final class LookedGround {
   }
 
   /**
-   * A picture was taken.
+   * Records an image.
    *
-   * @param headingRad into the middle of the picture, anticlockwise from x
-   * @param halfRad from there to either side
+   * @param headingRad direction of the image centre, anticlockwise from x
+   * @param halfRad half of the opening angle
    */
   void look(double x, double y, double headingRad, double reachM, double halfRad, View view) {
     int span = (int) Math.ceil(reachM / CELL_M);
@@ -66,7 +66,7 @@ final class LookedGround {
     return column << 32 | row & 0xFFFFFFFFL;
   }
 
-  /** Whether a place was looked at often enough. */
+  /** Whether a place was observed often enough. */
   boolean isKnown(double x, double y) {
     return looks.getOrDefault(key(cell(x), cell(y)), 0) >= LOOKS;
   }

@@ -3,7 +3,7 @@ package org.u2sa.world.grid;
 import java.util.List;
 import org.u2sa.messages.RangeScan;
 
-/** Directions of a scanner's beams and the angles between them, kept while they do not change. */
+/** Directions of a scanner's beams and the angles between them, cached until they change. */
 public final class BeamDirections {
   private double start = Double.NaN;
   private double step;
@@ -14,7 +14,7 @@ public final class BeamDirections {
   private double[] gapSin = {};
   private double[] apart = {};
 
-  /** Takes the directions of a scan with so many beams. */
+  /** Sets the directions from a scan with this many beams. */
   public void of(RangeScan scan, int beams) {
     boolean same =
         beams == cos.length
@@ -52,17 +52,17 @@ public final class BeamDirections {
     return sin[beam];
   }
 
-  /** Cosine of the angle between a beam and the one before; of the first beam without meaning. */
+  /** Cosine of the angle between a beam and the previous one; undefined for the first beam. */
   double gapCos(int beam) {
     return gapCos[beam];
   }
 
-  /** Sine of the same angle, without its sign. */
+  /** Absolute sine of the same angle. */
   double gapSin(int beam) {
     return gapSin[beam];
   }
 
-  /** How far a beam and the one before are apart per metre of range. */
+  /** Spacing of a beam from the previous one, per metre of range. */
   double apart(int beam) {
     return apart[beam];
   }

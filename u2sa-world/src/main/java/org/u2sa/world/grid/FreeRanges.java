@@ -4,24 +4,24 @@ import java.util.Arrays;
 import org.u2sa.messages.RangeScan;
 
 /**
- * How far each beam of a scan shows that nothing is there [m]. Neighbouring echoes may be of one
- * surface, so a beam is free only up to a margin before the line from its end to the end of each
- * neighbour: at a grazing angle, a beam's end lies far behind that of the next beam, and the
- * surface between them. A beam without an echo is free no further than the scanner has ever seen
- * anything: its reach may be less than it claims, and a dark or smooth surface returns nothing.
+ * Range over which each beam of a scan proves free space [m]. Neighbouring echoes may lie on one
+ * surface, so a beam is free only up to a margin before the line between its end and each
+ * neighbour's end: at grazing angles, a beam may end far behind the next one, with the surface in
+ * between. A beam without an echo is free no further than the scanner's farthest echo so far: its
+ * actual range may be less than specified, and dark or smooth surfaces return no echo.
  */
 final class FreeRanges {
-  private static final double TINY = 1e-9; // two beams in one direction [m]
+  private static final double TINY = 1e-9; // beams in the same direction [m]
 
   private final BeamDirections directions = new BeamDirections();
-  private double farthest; // echo of this scanner so far [m]
-  private double[] ends = {}; // of each beam [m]; 0: says nothing
-  private double[] free = {}; // beside each beam [m]
-  private double[] slants = {0.0}; // of each beam and the one before
+  private double farthest; // farthest echo of this scanner so far [m]
+  private double[] ends = {}; // end of each beam [m]; 0: no information
+  private double[] free = {}; // free length of each beam [m]
+  private double[] slants = {0.0}; // inverse distance of the line between adjacent ends
   private boolean[] echoes = {};
   private int beams;
 
-  /** Begins a scan with so many beams. */
+  /** Begins a scan with this many beams. */
   void begin(RangeScan scan, int count) {
     directions.of(scan, count);
     beams = count;
@@ -38,7 +38,7 @@ final class FreeRanges {
     return directions;
   }
 
-  /** A beam ended at an obstacle. */
+  /** Records a beam that hit an obstacle. */
   void echo(int beam, double range) {
     echoes[beam] = true;
     ends[beam] = range;
@@ -46,10 +46,10 @@ final class FreeRanges {
   }
 
   /**
-   * A beam ended at something that is no obstacle.
+   * Records a beam that hit something other than an obstacle.
    *
-   * @param measured range of that [m]
-   * @param range how far at most it says that there is no obstacle [m]
+   * @param measured measured range [m]
+   * @param range maximum range over which it proves the absence of obstacles [m]
    */
   void harmless(int beam, double measured, double range) {
     farthest = Math.max(farthest, measured);
@@ -57,9 +57,9 @@ final class FreeRanges {
   }
 
   /**
-   * A beam met no obstacle.
+   * Records a beam without an obstacle.
    *
-   * @param range how far at most it says so [m]; 0: it says nothing
+   * @param range maximum range over which it proves this [m]; 0 for no information
    */
   void noEcho(int beam, double range) {
     echoes[beam] = false;
@@ -67,9 +67,10 @@ final class FreeRanges {
   }
 
   /**
-   * Ends a scan of which all beams are known.
+   * Ends a scan after all its beams.
    *
-   * @param margin before an echo, and before the line between two, for what lies between beams [m]
+   * @param margin margin before an echo and before the line between two, for objects between beams
+   *     [m]
    */
   void cut(double margin) {
     for (int i = 0; i < beams; i++) {
@@ -90,8 +91,8 @@ final class FreeRanges {
   }
 
   /**
-   * Of the line between the ends of a beam and of the one before: one over its distance from the
-   * scanner; 0 if these cannot be of one surface.
+   * Inverse distance from the scanner of the line between the ends of a beam and the previous one;
+   * 0 if they cannot lie on one surface.
    */
   private double slant(int beam) {
     double one = ends[beam - 1];
@@ -113,7 +114,7 @@ final class FreeRanges {
   /**
    * Free length of a beam [m].
    *
-   * @param margin before an echo, and before the line between two [m]
+   * @param margin margin before an echo and before the line between two [m]
    */
   double of(int beam, double margin) {
     double end = ends[beam];
@@ -127,14 +128,14 @@ final class FreeRanges {
     return Math.max(0.0, range);
   }
 
-  /** Where a beam comes as near as the margin to a line, but never less than a nearer end. */
+  /** Range at which a beam comes within the margin of a line, but at least the nearer end. */
   private static double before(double own, double other, double slant, double margin) {
     return Math.max(own - margin * own * slant, Math.min(own, other) - margin);
   }
 
   /**
-   * Up to where all between a beam and the one before is free [m]: not beyond where the two are a
-   * cell apart, as small things fit between them.
+   * Range up to which the space between a beam and the previous one is free [m]; ends where they
+   * are a cell apart, because small objects fit between them beyond.
    */
   double between(int beam, double cell) {
     double both = Math.min(free[beam], free[beam - 1]);

@@ -14,9 +14,8 @@ import org.u2sa.world.modeller.SensorPose;
 import org.u2sa.world.modeller.Sighting;
 
 /**
- * Keeps what scanners saw as a grid around the vehicle that says of each cell how probably it is
- * occupied. Without knowledge of the vehicle's place the grid is of the last moment only, around
- * the vehicle.
+ * Maintains an occupancy grid around the vehicle from range scans. If the vehicle's pose is
+ * unknown, the grid covers the latest scans only.
  */
 public final class GridModeller implements Modeller {
   public record Tuning(
@@ -102,19 +101,19 @@ public final class GridModeller implements Modeller {
   }
 
   private final Settings<Tuning> settings;
-  private Tuning tuning; // that the grid was made with
+  private Tuning tuning; // settings of the current grid
   private GridWindow window;
   private ScanEntry entry;
   private MapFrame frame = MapFrame.BODY;
   private long scans;
   private long beams;
-  private boolean fresh; // in BODY: published since the last scan, so begin anew
+  private boolean fresh; // in BODY: published since the last scan, so reset next
 
   public GridModeller(Configurator configuration) {
     settings = configuration.settings(Tuning.class);
   }
 
-  /** The grid as configured now. */
+  /** Grid for the current configuration. */
   private void prepare() {
     if (!settings.get().equals(tuning)) {
       Tuning before = tuning;
@@ -157,7 +156,7 @@ public final class GridModeller implements Modeller {
   public void enter(MapFrame newFrame, Sighting now) {
     frame = newFrame;
     if (window != null) {
-      window.clear(); // cells of one frame are none of another
+      window.clear(); // cells are not valid in another frame
     }
   }
 

@@ -5,8 +5,9 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.world.modeller.MapFrame;
 
 /**
- * A square of cells that rolls with the vehicle by whole cells: what leaves it is forgotten, what
- * enters it is unknown. Cell (0, 0) has its corner at (left, bottom) cells from the map's anchor.
+ * A square grid that scrolls with the vehicle by whole cells: cells that leave it are discarded,
+ * cells that enter it are unknown. Cell (0, 0) has its corner at (left, bottom) cells from the
+ * map's anchor.
  */
 final class GridWindow {
   private final double resolution;
@@ -27,12 +28,12 @@ final class GridWindow {
     clear();
   }
 
-  /** Forgets all. */
+  /** Resets all cells to unknown. */
   void clear() {
     Arrays.fill(cells, OccupancyGrid.UNKNOWN);
   }
 
-  /** Puts the middle at a place [m from the anchor] if it is further than an eighth of the side. */
+  /** Recentres on a point [m from the anchor] if it is more than an eighth of the side away. */
   void centre(double x, double y) {
     long newLeft = Math.round(x / resolution - side / 2.0);
     long newBottom = Math.round(y / resolution - side / 2.0);
@@ -41,7 +42,7 @@ final class GridWindow {
     }
   }
 
-  /** Puts the corner elsewhere; what lies in both squares stays where it is in the world. */
+  /** Moves the corner; cells in both squares keep their place in the world. */
   void move(long newLeft, long newBottom) {
     long dx = newLeft - left;
     long dy = newBottom - bottom;
@@ -71,12 +72,12 @@ final class GridWindow {
     }
   }
 
-  /** Column of a place, in cells and fractions of one. */
+  /** Column of a point, in fractional cells. */
   double column(double x) {
     return x / resolution - left;
   }
 
-  /** Row of a place, in cells and fractions of one. */
+  /** Row of a point, in fractional cells. */
   double row(double y) {
     return y / resolution - bottom;
   }
@@ -91,12 +92,12 @@ final class GridWindow {
     return side;
   }
 
-  /** All cells, row by row; to be written by whoever fills the window. */
+  /** All cells, row by row; writable. */
   byte[] cells() {
     return cells;
   }
 
-  /** As a message in the map's frame. */
+  /** Converts to a message in the map's frame. */
   OccupancyGrid message(MapFrame frame) {
     return new OccupancyGrid()
         .anchor(frame.frame(), frame.anchor())
@@ -105,7 +106,7 @@ final class GridWindow {
         .cells(side, cells);
   }
 
-  /** Takes over the cells of a message in the same frame, with the same resolution. */
+  /** Copies the cells of a message with the same frame and resolution. */
   void fill(OccupancyGrid message) {
     byte[] from = message.cells();
     int columns = message.columns();

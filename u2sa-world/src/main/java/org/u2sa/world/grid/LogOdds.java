@@ -3,13 +3,13 @@ package org.u2sa.world.grid;
 import org.u2sa.messages.OccupancyGrid;
 
 /**
- * What a cell becomes when a beam ends in it or passes through it, as tables over a cell's 256
- * values: adding log odds within bounds (Moravec and Elfes, ICRA 1985; bounds after Hornung et al.,
- * "OctoMap", Autonomous Robots 34, 2013, eq. 4, so that a map that changes is unlearnt as fast as
- * it was learnt).
+ * Lookup tables, over a cell's 256 values, of the value after a beam ends in or passes through the
+ * cell: adds clamped log odds (Moravec and Elfes, ICRA 1985; bounds after Hornung et al.,
+ * "OctoMap", Autonomous Robots 34, 2013, eq. 4, so that a changed map is unlearned as fast as it
+ * was learned).
  */
 final class LogOdds {
-  /** A value that no cell has: it marks the cells that the present scan changes. */
+  /** Reserved value that marks the cells changed by the current scan. */
   static final byte MARK = Byte.MAX_VALUE;
 
   private static final int VALUES = 256;
@@ -21,10 +21,10 @@ final class LogOdds {
   private final byte[] ended = new byte[VALUES];
 
   /**
-   * @param hit log odds that an end adds, positive
-   * @param miss log odds that a passage takes away, positive
-   * @param min least log odds of a cell, negative
-   * @param max largest, positive
+   * @param hit log odds added when a beam ends, positive
+   * @param miss log odds subtracted when a beam passes, positive
+   * @param min minimum log odds of a cell, negative
+   * @param max maximum log odds of a cell, positive
    */
   LogOdds(double hit, double miss, double min, double max) {
     int low = Math.max(LEAST, steps(min));
@@ -41,17 +41,17 @@ final class LogOdds {
     return (int) Math.round(logOdds / OccupancyGrid.LOG_ODDS_STEP);
   }
 
-  /** A cell that beams have passed through so often that no further one changes it. */
+  /** Minimum value of a cell, which further passing beams do not change. */
   byte freest() {
     return freest;
   }
 
-  /** A cell after a beam has passed through it, by its value less {@link Byte#MIN_VALUE}. */
+  /** Value after a beam has passed, indexed by the previous value minus {@link Byte#MIN_VALUE}. */
   byte[] passed() {
     return passed;
   }
 
-  /** The same after a beam has ended in it. */
+  /** Value after a beam has ended, with the same index. */
   byte[] ended() {
     return ended;
   }

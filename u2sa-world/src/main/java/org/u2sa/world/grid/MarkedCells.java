@@ -2,7 +2,7 @@ package org.u2sa.world.grid;
 
 import java.util.Arrays;
 
-/** Cells of a window that one scan changes, each once, with what they held before. */
+/** Cells of a window that one scan changes, each once, with their previous values. */
 final class MarkedCells {
   private final GridWindow window;
   private final byte unchanged;
@@ -11,7 +11,7 @@ final class MarkedCells {
   private int count;
 
   /**
-   * @param unchanged cells that hold this need no mark, as they would keep it
+   * @param unchanged value of cells that need no mark, because the scan would not change it
    */
   MarkedCells(GridWindow window, byte unchanged) {
     this.window = window;
@@ -19,7 +19,7 @@ final class MarkedCells {
   }
 
   /**
-   * Marks the cell of a place, given in cells, unless it is marked already or not in the window.
+   * Marks the cell at a point, in fractional cells, unless already marked or outside the window.
    */
   void mark(double column, double row) {
     int side = window.side();
@@ -29,7 +29,7 @@ final class MarkedCells {
     mark((int) row * side + (int) column);
   }
 
-  /** Marks a cell of the window, unless it is marked already. */
+  /** Marks a cell of the window unless already marked. */
   void mark(int cell) {
     byte[] all = window.cells();
     byte held = all[cell];
@@ -45,7 +45,10 @@ final class MarkedCells {
     all[cell] = LogOdds.MARK;
   }
 
-  /** Gives each marked cell its new value, by the one it held less {@link Byte#MIN_VALUE}. */
+  /**
+   * Sets the marked cells to new values, indexed by the previous value minus {@link
+   * Byte#MIN_VALUE}.
+   */
   void replace(byte[] values) {
     byte[] all = window.cells();
     for (int i = 0; i < count; i++) {

@@ -3,13 +3,12 @@ package org.u2sa.world.grid;
 import java.util.Arrays;
 
 /**
- * Fills the inside of a polygon in a raster row by row: collects where its edges cross the middle
- * of each row, and hands out the spans between (scan-line conversion; Foley et al., Computer
- * Graphics, 2nd ed., section 3.6). A cell is inside if its middle is; where the outline goes round
- * a place twice, that is inside too (non-zero winding).
+ * Fills a polygon in a raster row by row: collects the crossings of its edges with the centre line
+ * of each row and reports the spans between them (scan-line conversion; Foley et al., Computer
+ * Graphics, 2nd ed., section 3.6). A cell is inside if its centre is, by the non-zero winding rule.
  */
 final class PolygonFill {
-  /** Takes the cells from one column to another of a row, both included. */
+  /** Receives a span of cells of a row, both columns inclusive. */
   @FunctionalInterface
   interface Span {
     void fill(int row, int from, int to);
@@ -18,10 +17,10 @@ final class PolygonFill {
   private static final int NONE = -1;
 
   private final int side;
-  private final int[] first; // of a row's crossings
+  private final int[] first; // first crossing of each row
   private int[] next = new int[4_096];
   private double[] at = new double[4_096]; // column of each crossing
-  private byte[] senses = new byte[4_096]; // +1: the edge goes upwards, -1 down
+  private byte[] senses = new byte[4_096]; // +1: upward edge, -1: downward edge
   private double[] sorted = new double[16];
   private byte[] turned = new byte[16];
   private int count;
@@ -44,7 +43,7 @@ final class PolygonFill {
     high = -1;
   }
 
-  /** Adds an edge, in columns and rows and fractions of one. */
+  /** Adds an edge, in fractional columns and rows. */
   void edge(double x0, double y0, double x1, double y1) {
     if (y0 > y1) {
       cross(x1, y1, x0, y0, -1);
@@ -55,7 +54,7 @@ final class PolygonFill {
 
   private void cross(double x0, double y0, double x1, double y1, int sense) {
     int from = Math.max(0, (int) Math.ceil(y0 - 0.5));
-    int to = Math.min(side, (int) Math.ceil(y1 - 0.5)); // a corner on a middle counts once
+    int to = Math.min(side, (int) Math.ceil(y1 - 0.5)); // a corner on a centre line counts once
     if (from >= to) {
       return;
     }
@@ -77,7 +76,7 @@ final class PolygonFill {
     }
   }
 
-  /** Hands out all spans inside the edges, and forgets these. */
+  /** Reports all spans inside the edges and removes the edges. */
   void fill(Span span) {
     for (int row = low; row <= high; row++) {
       int crossings = sort(row);
@@ -97,7 +96,9 @@ final class PolygonFill {
     begin();
   }
 
-  /** A row's crossings from left to right, which are forgotten in the row; returns how many. */
+  /**
+   * Sorts a row's crossings from left to right and removes them from the row; returns their number.
+   */
   private int sort(int row) {
     int n = 0;
     for (int k = first[row]; k != NONE; k = next[k]) {

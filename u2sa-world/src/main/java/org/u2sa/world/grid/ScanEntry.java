@@ -9,33 +9,35 @@ import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.SensorPose;
 
 /**
- * Enters scans into a window of cells. Where a scan's beams are less than a cell apart, all between
- * them was seen to be free: that is one polygon. Further away, only the cells that a beam crosses
- * are. A cell is taken once a scan, however many beams cross it or end in it; a cell in which a
- * beam ends is not free for the others. Belongs to one thread.
+ * Inserts scans into a window of cells. Where a scan's beams are less than a cell apart, the space
+ * between them is free as well and is filled as one polygon; farther away, only the cells crossed
+ * by a beam are free. Each cell is updated once per scan, however many beams cross it or end in it;
+ * a cell in which a beam ends is not free for the others. Not thread-safe.
  */
 public final class ScanEntry {
   /**
-   * What of a beam counts.
+   * Limits of beams that are used.
    *
-   * @param lowest height over the vehicle's reference point below which nothing is an obstacle [m]
-   * @param highest the same above which nothing is [m]
-   * @param freeRange how far a beam without an echo says that nothing is there [m]
+   * @param lowest minimum height of obstacles above the vehicle's reference point [m]
+   * @param highest maximum height of obstacles above the vehicle's reference point [m]
+   * @param freeRange range over which a beam without an echo proves free space [m]
    */
   public record Band(double lowest, double highest, double freeRange) {}
 
-  /** One part of a scan, during which the scanner hardly moved. */
+  /** Number of parts of a scan, during each of which the scanner hardly moves. */
   public static final int PARTS = 8;
 
   private static final int MAX_SCANNERS = 64; // a message may name any number
 
-  /** From a cell's middle to its corner [cells]: the polygon takes cells by their middles. */
+  /** From a cell's centre to its corner [cells], because the polygon fill tests cell centres. */
   private static final double MARGIN = Math.sqrt(0.5);
 
-  /** A beam takes cells whose middle is up to half a cell beside it. */
+  /** Margin of a single beam, which marks cells whose centre is up to half a cell beside it. */
   private static final double BEAM_MARGIN = MARGIN + 0.5;
 
-  /** Places in a row or column as integers: doubles would take most of a long beam's time. */
+  /**
+   * Fixed-point positions within a row or column; doubles would dominate the time of a long beam.
+   */
   private static final int FRACTION_BITS = 32;
 
   private static final double FRACTIONS = 1L << FRACTION_BITS;
@@ -43,9 +45,9 @@ public final class ScanEntry {
   private final GridWindow window;
   private final LogOdds odds;
   private final PolygonFill polygon;
-  private final ByteBuffer eight; // the window's cells, compared eight at a time
+  private final ByteBuffer eight; // view of the window's cells, eight at a time
   private final long eightFreest;
-  private final Map<String, FreeRanges> scanners = // by sensor, the one heard last at the end
+  private final Map<String, FreeRanges> scanners = // by sensor, in order of last use
       new LinkedHashMap<>(16, 0.75f, true) {
         @Override
         protected boolean removeEldestEntry(Map.Entry<String, FreeRanges> eldest) {
@@ -66,15 +68,15 @@ public final class ScanEntry {
   }
 
   /**
-   * Enters one scan.
+   * Inserts one scan.
    *
    * @param up +1 if the map's z axis points up, else -1
-   * @return how many beams were used
+   * @return number of beams used
    */
   int enter(RangeScan scan, ScanPoses poses, Band band, double up) {
     List<Double> ranges = scan.ranges();
     List<Boolean> returns = scan.returns();
-    int beams = Math.min(ranges.size(), returns.size()); // a writer may err
+    int beams = Math.min(ranges.size(), returns.size()); // the message may be faulty
     beams = scan.angles().isEmpty() ? beams : Math.min(beams, scan.angles().size());
     if (beams == 0) {
       return 0;
@@ -99,12 +101,15 @@ public final class ScanEntry {
     return beams;
   }
 
-  /** Scanners of which something is remembered. */
+  /** Number of scanners remembered. */
   int scanners() {
     return scanners.size();
   }
 
-  /** Takes cells that beams passed. Most were often passed before: these stay as they are. */
+  /**
+   * Updates a span of cells that beams passed. Most are at their minimum already and stay
+   * unchanged.
+   */
   private void pass(int row, int from, int to) {
     byte[] cells = window.cells();
     byte[] passed = odds.passed();
@@ -125,17 +130,17 @@ public final class ScanEntry {
     }
   }
 
-  /** The beams of one part, seen from one place. */
+  /** One part of a scan, with the beams sent from one pose. */
   private final class Part {
     private final FreeRanges free;
     private final BeamDirections directions;
     private final Band band;
     private final int from; // first beam
-    private final int to; // beam after the last
+    private final int to; // exclusive
     private final double scale = 1.0 / window.resolution();
-    private final double x; // of the scanner, in cells
+    private final double x; // scanner position [cells]
     private final double y;
-    private final double height; // of the scanner over the vehicle's reference point [m]
+    private final double height; // of the scanner above the vehicle's reference point [m]
     private final double aheadX;
     private final double aheadY;
     private final double aheadUp;
@@ -164,7 +169,7 @@ public final class ScanEntry {
       maxRange = scan.maxRange();
     }
 
-    /** Marks the cells in which beams end, and notes how far each beam flew. */
+    /** Marks the cells in which beams end and records the range of each beam. */
     void enterEnds(List<Double> ranges, List<Boolean> returns) {
       for (int i = from; i < to; i++) {
         double cos = directions.cos(i);
@@ -173,7 +178,7 @@ public final class ScanEntry {
         boolean echo = returns.get(i) && measured <= maxRange;
         double inBand = inBand(cos * aheadUp + sin * asideUp);
         if (echo && measured < minRange) {
-          free.noEcho(i, 0.0); // of the vehicle itself
+          free.noEcho(i, 0.0); // self-return
         } else if (echo && measured <= inBand) {
           free.echo(i, measured);
           hits.mark(
@@ -187,7 +192,9 @@ public final class ScanEntry {
       }
     }
 
-    /** Outlines what is free between the beams, and marks what further away is free along them. */
+    /**
+     * Outlines the free space between the beams, and marks the free cells along them farther away.
+     */
     void enterFree() {
       double lastX = x;
       double lastY = y;
@@ -202,7 +209,7 @@ public final class ScanEntry {
         if (before != after) {
           polygon.edge(x + before * toX, y + before * toY, lastX, lastY);
         }
-        double near = Math.min(before, after) + window.resolution(); // less is not worth a line
+        double near = Math.min(before, after) + window.resolution(); // less is not worth tracing
         if (free.of(i) > near) {
           double far = free.of(i, BEAM_MARGIN * window.resolution());
           if (far > near) {
@@ -214,12 +221,12 @@ public final class ScanEntry {
       polygon.edge(lastX, lastY, x, y);
     }
 
-    /** Marks cells between two ranges of a beam: of each column or row, the one it crosses. */
+    /** Marks the cells between two ranges of a beam, one per column or row. */
     private void along(double toX, double toY, double near, double far) {
       int side = window.side();
       boolean isSteep = Math.abs(toY) > Math.abs(toX);
       double start = isSteep ? y : x;
-      double pace = isSteep ? toY : toX; // cells a metre along the longer axis
+      double pace = isSteep ? toY : toX; // cells per metre along the major axis
       int step = pace > 0.0 ? 1 : -1;
       double slope = isSteep ? toX / toY : toY / toX;
       double nearest = Math.floor(start + near * pace); // column or row
@@ -237,7 +244,7 @@ public final class ScanEntry {
       int otherStride = isSteep ? 1 : side;
       int cell = (int) first * (isSteep ? side : 1);
       byte[] cells = window.cells();
-      byte freest = odds.freest(); // most cells: not worth a call
+      byte freest = odds.freest(); // most cells; avoids a call
       long across = (long) Math.floor(other * FRACTIONS);
       long acrossStep = (long) (step * slope * FRACTIONS);
       for (int left = (int) (to - from); left > 0; left--) {
@@ -250,7 +257,7 @@ public final class ScanEntry {
       }
     }
 
-    /** How far a beam stays between lowest and highest [m]; 0 if it starts outside. */
+    /** Range over which a beam stays between lowest and highest [m]; 0 if it starts outside. */
     private double inBand(double climb) {
       if (height < band.lowest() || height > band.highest()) {
         return 0.0;

@@ -7,19 +7,19 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 
 /**
- * What a camera cannot see of the ground because something that a scanner sees stands before it.
- * Bright things that stand look like paint behind them.
+ * Ground occluded from a camera by objects that a scanner sees. Bright upright objects look like
+ * paint behind them.
  */
 public final class HiddenGround {
   private static final int SECTORS = 720;
-  private static final double FOOT_M = 0.2; // that a thing stands on, beyond its echo
-  private static final double ASIDE_M = 0.15; // a camera is not where the vehicle's centre is
+  private static final double FOOT_M = 0.2; // footprint of an object beyond its echo
+  private static final double ASIDE_M = 0.15; // offset of the camera from the vehicle's centre
   private static final double GROUND_M = 0.15; // above the vehicle's reference point
-  private static final double TILTED_M = 0.1; // by which such an echo is below the scanner
+  private static final double TILTED_M = 0.1; // minimum drop of a ground echo below the scanner
   private static final long STALE = Clock.MICROS_PER_SECOND / 2;
 
   private final double[] nearest = new double[SECTORS];
-  private double[] x = new double[1_024]; // of the newest scan's echoes, on the map [m]
+  private double[] x = new double[1_024]; // newest scan's echoes, map coordinates [m]
   private double[] y = new double[1_024];
   private int echoes;
   private long scanned = Long.MIN_VALUE / 2;
@@ -27,7 +27,7 @@ public final class HiddenGround {
   private double fromY;
 
   /**
-   * Takes the newest scan. What a tilted scanner sees of the ground hides nothing.
+   * Sets the newest scan. Ground echoes of a tilted scanner occlude nothing.
    *
    * @param up +1 if the map's z axis points up, else -1
    */
@@ -35,7 +35,7 @@ public final class HiddenGround {
     List<Double> ranges = scan.ranges();
     List<Boolean> returns = scan.returns();
     List<Double> angles = scan.angles();
-    int beams = Math.min(ranges.size(), returns.size()); // a writer may err
+    int beams = Math.min(ranges.size(), returns.size()); // the message may be faulty
     beams = angles.isEmpty() ? beams : Math.min(beams, angles.size());
     if (beams > x.length) {
       x = Arrays.copyOf(x, 2 * beams);
@@ -63,7 +63,7 @@ public final class HiddenGround {
         && up * (pose.place().z() - echo.z()) > TILTED_M;
   }
 
-  /** The next places are seen from there at that time. */
+  /** Sets the viewpoint and time for the next queries. */
   public void lookFrom(double vehicleX, double vehicleY, long micros) {
     fromX = vehicleX;
     fromY = vehicleY;
@@ -84,7 +84,7 @@ public final class HiddenGround {
     return Math.floorMod((int) Math.floor(turn * SECTORS), SECTORS);
   }
 
-  /** Whether something stands before a place, by at most so many metres. */
+  /** Whether an object occludes a point from at most this many metres in front of it. */
   public boolean hides(double placeX, double placeY, double reachM) {
     double behind = Math.hypot(placeX - fromX, placeY - fromY) - nearest[sector(placeX, placeY)];
     return behind > FOOT_M && behind <= reachM;

@@ -11,11 +11,11 @@ import org.u2sa.messages.frame.Rotation;
 import org.u2sa.service.HandOver;
 
 /**
- * The frame that a map is kept in, and an anchor, from which the map counts metres: in GLOBAL along
- * east, north, up, else along the frame's own axes. Immutable.
+ * Reference frame of a map, and an anchor from which map coordinates are measured in metres: along
+ * east, north, up in GLOBAL, else along the frame's own axes. Immutable.
  */
 public final class MapFrame {
-  /** The map of a vehicle that does not know where it is: around the vehicle itself. */
+  /** Frame of the map while the vehicle's pose is unknown: the vehicle itself. */
   public static final MapFrame BODY = new MapFrame(ReferenceFrame.BODY, Point.ORIGIN);
 
   private final ReferenceFrame frame;
@@ -29,8 +29,8 @@ public final class MapFrame {
   }
 
   /**
-   * The frame of a map that begins where the vehicle is: GLOBAL on the earth, anchored at the
-   * vehicle; a local frame as it is, anchored at its origin.
+   * Frame of a new map: GLOBAL, anchored at the vehicle, for geodetic states; otherwise the state's
+   * local frame, anchored at its origin.
    */
   public static MapFrame of(StateInformation vehicle) {
     ReferenceFrame frame = vehicle.referenceFrame();
@@ -39,7 +39,7 @@ public final class MapFrame {
         : new MapFrame(frame, Point.ORIGIN);
   }
 
-  /** Says where a map is to be continued. */
+  /** Saves the frame for a successor. */
   public void handOver(HandOver state) {
     state
         .text("MAP FRAME", frame.name())
@@ -48,7 +48,7 @@ public final class MapFrame {
         .number("ANCHOR Z", anchor.z());
   }
 
-  /** The frame of a map that somebody else began; empty if nobody did. */
+  /** Restores the frame of a predecessor; empty if none. */
   public static Optional<MapFrame> takenOver(HandOver state) {
     return state
         .text("MAP FRAME")
@@ -62,27 +62,27 @@ public final class MapFrame {
                         state.number("ANCHOR Z").orElse(0.0))));
   }
 
-  /** The frame of the map. */
+  /** Reference frame of the map. */
   public ReferenceFrame frame() {
     return frame;
   }
 
-  /** The point of the frame from which metres are counted. */
+  /** Origin of the map coordinates, in the frame. */
   public Point anchor() {
     return anchor;
   }
 
-  /** A point of the frame as metres from the anchor. */
+  /** Converts a point of the frame to metres from the anchor. */
   public Point metres(Point point) {
     return metric.metres(point);
   }
 
-  /** Metres from the anchor as a point of the frame. */
+  /** Converts metres from the anchor to a point of the frame. */
   public Point point(Point metres) {
     return metric.point(metres);
   }
 
-  /** Whether states of this kind place things in this map. */
+  /** Whether this vehicle state can be used in this map. */
   public boolean takes(StateInformation vehicle) {
     return frame.isEarth() == vehicle.referenceFrame().isEarth()
         && frame.isLocal() == vehicle.referenceFrame().isLocal();
@@ -96,10 +96,10 @@ public final class MapFrame {
   }
 
   /**
-   * An object in this frame; empty if there is no way, as from LOCAL_NED to GLOBAL, from BODY for a
-   * vehicle of unknown place, or for numbers that lead beyond all places.
+   * Converts an object to this frame; empty if impossible, e.g. from LOCAL_NED to GLOBAL, from BODY
+   * with an unknown vehicle pose, or if the coordinates overflow.
    *
-   * @param vehicle when the object was seen; empty: unknown
+   * @param vehicle vehicle state when the object was seen; empty if unknown
    */
   public Optional<ObjectDescription> placed(
       ObjectDescription object, Optional<StateInformation> vehicle) {
@@ -115,7 +115,7 @@ public final class MapFrame {
     }
     try {
       return Optional.of(object.in(frame, vehicle.orElse(null)));
-    } catch (IllegalArgumentException e) { // it would lie beyond all places
+    } catch (IllegalArgumentException e) { // coordinates out of range
       return Optional.empty();
     }
   }
@@ -126,7 +126,7 @@ public final class MapFrame {
         && fixed.isEarth() == vehicle.referenceFrame().isEarth();
   }
 
-  /** The vehicle as metres from the anchor; the anchor itself in BODY. */
+  /** Vehicle position in metres from the anchor; the anchor itself in BODY. */
   public Point vehicle(Optional<StateInformation> vehicle) {
     if (frame.isBody() || vehicle.isEmpty()) {
       return Point.ORIGIN;
@@ -134,7 +134,7 @@ public final class MapFrame {
     return metres(place(vehicle.get().in(frame)));
   }
 
-  /** Turns the vehicle's FRD axes into the map's. */
+  /** Rotation from the vehicle's FRD axes to the map's. */
   public Rotation mapFromFrd(Optional<StateInformation> vehicle) {
     if (frame.isBody() || vehicle.isEmpty()) {
       return Rotation.nedFromFrd(0.0, 0.0, 0.0);
@@ -144,8 +144,7 @@ public final class MapFrame {
     Rotation nedFromFrd =
         new Attitude(state.phi().orElse(0.0), state.theta().orElse(0.0), state.psi().orElseThrow())
             .nedFromFrd();
-    // Far from the anchor its north is not quite the vehicle's: 0.3 mrad at 5 km, which is left
-    // out.
+    // The anchor's north differs slightly from the vehicle's (0.3 mrad at 5 km); neglected.
     return frame.equals(ReferenceFrame.LOCAL_NED)
         ? nedFromFrd
         : Rotation.NED_FROM_ENU.times(nedFromFrd);

@@ -8,52 +8,52 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.service.HandOver;
 
 /**
- * One way to keep what sensors saw (thesis 3.2.3.3): a memory, a map of objects, a grid. Several
- * may work side by side. Everything is called on the World Modeler's thread, sightings in the order
- * of their measurement.
+ * A representation of sensor data (thesis 3.2.3.3): a memory, an object map, a grid. Several may be
+ * active at once. All methods are called on the World Modeler's thread, sightings in order of
+ * measurement time.
  */
 public interface Modeller {
   /**
-   * Takes what one sensor saw at one moment.
+   * Processes one sensor's detections of one time.
    *
-   * @param seen as the sensor published it, in whatever frame; frozen, at least one
+   * @param seen detections as published, in any frame; frozen, at least one
    */
   default void objects(List<ObjectDescription> seen, Sighting sighting) {}
 
-  /** Takes one scan. */
+  /** Processes one scan. */
   default void scan(RangeScan scan, ScanPoses poses) {}
 
   /**
-   * Takes what is known beforehand, in place of what was known so before. What has a velocity moves
-   * from the sighting's time on, which may have passed.
+   * Replaces the a priori objects. Objects with a velocity move from the sighting's time on, which
+   * may be in the past.
    */
   default void known(List<ObjectDescription> objects, Sighting since) {}
 
   /**
-   * Whether {@link #objects(Sighting)} contains what {@link #known} got. If no modeller at work
-   * does so, the World Modeler publishes it itself.
+   * Whether {@link #objects(Sighting)} includes the objects passed to {@link #known}. If no active
+   * modeller does, the World Modeler publishes them itself.
    */
   default boolean publishesKnown() {
     return false;
   }
 
   /**
-   * Goes on in another frame: the vehicle has learnt where it is, or knows it no longer.
+   * Switches to another frame because the vehicle's pose has become known or was lost.
    *
-   * @param now the vehicle's last known state, to carry over by; empty: there was none
+   * @param now the vehicle's last known state, used for the conversion; empty if none
    */
   default void enter(MapFrame frame, Sighting now) {}
 
   /**
-   * The objects as they are now.
+   * Current objects.
    *
-   * @param now the time, and where the vehicle is
+   * @param now current time and vehicle state
    */
   default List<ObjectDescription> objects(Sighting now) {
     return List.of();
   }
 
-  /** The grid as it is now; empty from modellers that keep none, or nothing yet. */
+  /** Current grid; empty if the modeller keeps no grid or has no data yet. */
   default Optional<OccupancyGrid> grid(Sighting now) {
     return Optional.empty();
   }
@@ -61,9 +61,9 @@ public interface Modeller {
   /** Counters, for the health report. */
   String remark();
 
-  /** Tells another modeller what this one knows. */
+  /** Saves this modeller's knowledge for its successor. */
   default void handOver(HandOver state, Sighting now) {}
 
-  /** Takes over what another one knew. */
+  /** Restores the knowledge of its predecessor. */
   default void takeOver(HandOver state, Sighting now) {}
 }

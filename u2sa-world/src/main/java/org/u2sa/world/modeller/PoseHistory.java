@@ -10,7 +10,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
-/** The vehicle's states of the last moments, and in between by interpolation. */
+/** Recent vehicle states, with interpolation between them. */
 public final class PoseHistory {
   private static final long SPAN_MICROS = 5 * Clock.MICROS_PER_SECOND;
   private static final double TURN_DEG = 360.0;
@@ -19,9 +19,7 @@ public final class PoseHistory {
 
   private final TreeMap<Long, StateInformation> states = new TreeMap<>();
 
-  /**
-   * Takes a state; false if it lacks x, y, psi or a timestamp, or is one of the vehicle's frame.
-   */
+  /** Adds a state; returns false if it lacks x, y, psi or a timestamp, or is in a body frame. */
   public boolean add(StateInformation state) {
     if (state.x().isEmpty()
         || state.y().isEmpty()
@@ -46,21 +44,21 @@ public final class PoseHistory {
     return true;
   }
 
-  /** The newest; empty before the first. */
+  /** Newest state; empty before the first. */
   public Optional<StateInformation> newest() {
     return states.isEmpty() ? Optional.empty() : Optional.of(states.lastEntry().getValue());
   }
 
-  /** Time of the newest [µs]; {@link Long#MIN_VALUE} before the first. */
+  /** Time of the newest state [µs]; {@link Long#MIN_VALUE} before the first. */
   public long newestMicros() {
     return states.isEmpty() ? Long.MIN_VALUE : states.lastKey();
   }
 
   /**
-   * The state at a time: interpolated, or carried on from the newest by its velocity and turn rate.
+   * State at a time: interpolated, or extrapolated from the newest by its velocity and turn rate.
    *
-   * @param gapMicros how far apart two states may be, and how far one is carried on
-   * @return empty if no states are near enough
+   * @param gapMicros maximum gap between two states, and maximum extrapolation [µs]
+   * @return empty if no states are close enough
    */
   public Optional<StateInformation> at(long micros, long gapMicros) {
     Map.Entry<Long, StateInformation> before = states.floorEntry(micros);
@@ -83,7 +81,7 @@ public final class PoseHistory {
         : Optional.empty();
   }
 
-  /** A state between two of one frame; what only the first has is as there. */
+  /** Interpolates between two states of one frame; fields that only the first has are copied. */
   static StateInformation between(StateInformation a, StateInformation b, double share) {
     StateInformation state = a.copy();
     for (StateField field : PLACE) {

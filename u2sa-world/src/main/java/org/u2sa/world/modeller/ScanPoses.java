@@ -5,33 +5,33 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 
 /**
- * Where the vehicle was during one scan: its state at the times of the first and of the last beam,
- * and in between by interpolation.
+ * Vehicle poses during one scan: states at the times of the first and last beam, interpolated in
+ * between.
  */
 public final class ScanPoses {
   private final Sighting first;
   private final Optional<StateInformation> last;
 
   /**
-   * @param first at the time of the first beam
-   * @param last state at the time of the last one; empty: as at the first
+   * @param first sighting at the time of the first beam
+   * @param last state at the time of the last beam; empty: same as at the first
    */
   public ScanPoses(Sighting first, Optional<StateInformation> last) {
     this.first = first;
     this.last = last;
   }
 
-  /** A scan from a vehicle that stands, or whose beams all went out at one moment. */
+  /** Poses of a scan by a stationary vehicle, or with simultaneous beams. */
   public static ScanPoses still(Sighting sighting) {
     return new ScanPoses(sighting, Optional.empty());
   }
 
-  /** The moment of the first beam. */
+  /** Sighting at the time of the first beam. */
   public Sighting first() {
     return first;
   }
 
-  /** Where the sensor was and how it was turned when a share [0…1] of the scan was done. */
+  /** Sensor pose at a fraction [0…1] of the scan. */
   public SensorPose at(RangeScan scan, double share) {
     Optional<StateInformation> vehicle =
         last.isPresent()

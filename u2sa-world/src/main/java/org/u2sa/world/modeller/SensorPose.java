@@ -8,16 +8,16 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * Where a scanner is and where it looks, in metres along the map's axes.
+ * Position and orientation of a scanner, in metres along the map's axes.
  *
- * @param place of the scanner
- * @param vehicle place of the vehicle's own reference point
+ * @param place position of the scanner
+ * @param vehicle position of the vehicle's reference point
  * @param ahead unit vector of a beam at angle 0
  * @param aside unit vector of a beam at angle π/2
  */
 public record SensorPose(Point place, Point vehicle, Point ahead, Point aside) {
   /**
-   * @throws IllegalArgumentException if the scan's frame is none of the vehicle's
+   * @throws IllegalArgumentException if the scan is not in a body frame
    */
   static SensorPose of(RangeScan scan, MapFrame map, Optional<StateInformation> vehicle) {
     ReferenceFrame frame = scan.referenceFrame();
@@ -29,7 +29,7 @@ public record SensorPose(Point place, Point vehicle, Point ahead, Point aside) {
               + frame
               + ": expected a frame of the vehicle");
     }
-    // Senses of axes and angles against BODY_FRD, see ReferenceFrame.
+    // Signs of axes and angles relative to BODY_FRD, see ReferenceFrame.
     double y = frame.equals(ReferenceFrame.BODY_FRD) ? 1.0 : -1.0;
     double z = frame.equals(ReferenceFrame.BODY_FLU) ? -1.0 : 1.0;
     double roll = frame.equals(ReferenceFrame.BODY) ? -1.0 : 1.0;
@@ -41,7 +41,7 @@ public record SensorPose(Point place, Point vehicle, Point ahead, Point aside) {
     Rotation all = mapFromFrd.times(frdFromSensor);
     Point ahead = all.times(Point.of(1.0, 0.0, 0.0));
     Point aside = all.times(Point.of(0.0, y, 0.0));
-    if (map.frame().isBody()) { // whose y points left
+    if (map.frame().isBody()) { // BODY's y points left
       return new SensorPose(left(mounted), Point.ORIGIN, left(ahead), left(aside));
     }
     return new SensorPose(origin.plus(mounted), origin, ahead, aside);
@@ -51,7 +51,7 @@ public record SensorPose(Point place, Point vehicle, Point ahead, Point aside) {
     return Point.of(frd.x(), -frd.y(), frd.z());
   }
 
-  /** The end of a beam. */
+  /** End point of a beam. */
   public Point at(double angle, double range) {
     double cos = range * Math.cos(angle);
     double sin = range * Math.sin(angle);

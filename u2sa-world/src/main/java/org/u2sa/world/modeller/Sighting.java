@@ -4,10 +4,10 @@ import java.util.Optional;
 import org.u2sa.messages.StateInformation;
 
 /**
- * When something was measured, and from where.
+ * Time of a measurement and the vehicle state it was taken from.
  *
  * @param micros time of the measurement [µs]
- * @param frame of the map that it goes into
- * @param vehicle its state at that time; empty if it is not known, and then the frame is BODY
+ * @param frame frame of the map to update
+ * @param vehicle vehicle state at that time; empty if unknown, in which case the frame is BODY
  */
 public record Sighting(long micros, MapFrame frame, Optional<StateInformation> vehicle) {}

@@ -3,7 +3,7 @@ package org.u2sa.world.object;
 import java.util.Arrays;
 
 /**
- * Pairs rows with columns at the least sum of costs: Kuhn and Munkres's problem by shortest
+ * Assigns rows to columns at minimum total cost: the Kuhn-Munkres problem, solved by shortest
  * augmenting paths with potentials (Jonker and Volgenant, "A shortest augmenting path algorithm",
  * Computing 38, 1987), O(rows² · columns).
  */
@@ -13,7 +13,7 @@ final class Assignment {
   private Assignment() {}
 
   /**
-   * The column of each row, all different.
+   * Column assigned to each row, all different.
    *
    * @param cost finite; at least as many columns as rows
    */
@@ -36,13 +36,13 @@ final class Assignment {
     return columnOf;
   }
 
-  /** Finds the cheapest way from a row over pairs that give way to a column that is free. */
+  /** Finds the cheapest augmenting path from a row to a free column. */
   private static void augment(
       double[][] cost, int start, double[] rowPotential, double[] columnPotential, int[] rowOf) {
     int columns = columnPotential.length;
     double[] distance = new double[columns];
     Arrays.fill(distance, Double.POSITIVE_INFINITY);
-    int[] before = new int[columns]; // column on the way, NONE: the start
+    int[] before = new int[columns]; // previous column on the path, NONE at the start
     boolean[] done = new boolean[columns];
     int row = start;
     int column = NONE;

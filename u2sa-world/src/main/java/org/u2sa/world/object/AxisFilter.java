@@ -1,9 +1,9 @@
 package org.u2sa.world.object;
 
 /**
- * A Kalman filter of place and velocity along one axis, driven by white acceleration (Bar-Shalom,
- * Li and Kirubarajan, Estimation with Applications to Tracking and Navigation, 2001, section
- * 6.2.2).
+ * A Kalman filter of position and velocity along one axis, driven by white acceleration
+ * (Bar-Shalom, Li and Kirubarajan, Estimation with Applications to Tracking and Navigation, 2001,
+ * section 6.2.2).
  */
 final class AxisFilter {
   private double place;
@@ -20,7 +20,7 @@ final class AxisFilter {
   }
 
   /**
-   * Moves on in time.
+   * Predicts ahead in time.
    *
    * @param seconds not negative
    * @param noise spectral density of the acceleration [m²/s³]
@@ -34,19 +34,19 @@ final class AxisFilter {
     speedVariance += noise * seconds;
   }
 
-  /** Makes the place less certain [m²]. */
+  /** Adds position variance [m²]. */
   void drift(double variance) {
     placeVariance += variance;
   }
 
-  /** One that goes on in the same way. */
+  /** Returns a copy. */
   AxisFilter copy() {
     AxisFilter copy = new AxisFilter(place, placeVariance, speed, speedVariance);
     copy.covariance = covariance;
     return copy;
   }
 
-  /** Takes a measured place [m] of that variance [m²]. */
+  /** Updates with a measured position [m] and its variance [m²]. */
   void update(double measured, double variance) {
     double innovation = measured - place;
     double total = placeVariance + variance;
@@ -59,7 +59,7 @@ final class AxisFilter {
     placeVariance *= 1.0 - gain;
   }
 
-  /** Takes a measured speed [m/s] of that variance. */
+  /** Updates with a measured speed [m/s] and its variance. */
   void updateSpeed(double measured, double variance) {
     double innovation = measured - speed;
     double total = speedVariance + variance;
@@ -72,22 +72,22 @@ final class AxisFilter {
     speedVariance *= 1.0 - gain;
   }
 
-  /** [m]. */
+  /** Position [m]. */
   double place() {
     return place;
   }
 
-  /** [m/s]. */
+  /** Velocity [m/s]. */
   double speed() {
     return speed;
   }
 
-  /** [m²]. */
+  /** Position variance [m²]. */
   double placeVariance() {
     return placeVariance;
   }
 
-  /** [m²/s²]. */
+  /** Velocity variance [m²/s²]. */
   double speedVariance() {
     return speedVariance;
   }

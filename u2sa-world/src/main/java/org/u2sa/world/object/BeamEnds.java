@@ -8,25 +8,25 @@ import org.u2sa.world.grid.ScanEntry;
 import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.SensorPose;
 
-/** Where the beams of a scan ended in the map: at something that stands out, or in the open. */
+/** End points of a scan's beams in the map: at an obstacle or in free space. */
 final class BeamEnds {
   private final BeamDirections directions = new BeamDirections();
   private double[] x = {}; // along the map's axes [m]
   private double[] y = {};
   private double[] z = {};
-  private double[] free = {}; // that nothing is before the end [m]
+  private double[] free = {}; // free length [m]
   private boolean[] echoes = {};
   private int count;
 
   /**
-   * Takes a scan.
+   * Computes the end points of a scan.
    *
    * @param up +1 if the map's z axis points up, else -1
    */
   void take(RangeScan scan, ScanPoses poses, ScanEntry.Band band, double up) {
     List<Double> ranges = scan.ranges();
     List<Boolean> returns = scan.returns();
-    count = Math.min(ranges.size(), returns.size()); // a writer may err
+    count = Math.min(ranges.size(), returns.size()); // the message may be faulty
     count = scan.angles().isEmpty() ? count : Math.min(count, scan.angles().size());
     if (count > x.length) {
       x = new double[count];
@@ -47,10 +47,10 @@ final class BeamEnds {
         double height = up * (z[i] - pose.vehicle().z());
         boolean isObstacle = height >= band.lowest() && height <= band.highest();
         echoes[i] = echo && ranges.get(i) >= scan.minRange() && isObstacle;
-        free[i] = echo && !echoes[i] && isObstacle ? 0.0 : free[i]; // it sees the vehicle itself
+        free[i] = echo && !echoes[i] && isObstacle ? 0.0 : free[i]; // self-return
       }
     }
-    for (int i = 1; i + 1 < count; i++) { // a single beam that something smooth or dark swallowed
+    for (int i = 1; i + 1 < count; i++) { // a single echo lost on a smooth or dark surface
       boolean isLost = !returns.get(i) && echoes[i - 1] && echoes[i + 1];
       free[i] = isLost ? Math.min(free[i - 1], free[i + 1]) : free[i];
     }
@@ -70,7 +70,7 @@ final class BeamEnds {
     return count;
   }
 
-  /** Whether a beam met something that stands out. */
+  /** Whether a beam hit an obstacle. */
   boolean isEcho(int beam) {
     return echoes[beam];
   }
@@ -87,12 +87,12 @@ final class BeamEnds {
     return z[beam];
   }
 
-  /** How far along a beam nothing is [m]; 0: nobody knows. */
+  /** Free length of a beam [m]; 0 if unknown. */
   double freeM(int beam) {
     return free[beam];
   }
 
-  /** Distance between two ends on the plane [m]. */
+  /** Horizontal distance between two ends [m]. */
   double apartM(int one, int two) {
     return Math.hypot(x[one] - x[two], y[one] - y[two]);
   }

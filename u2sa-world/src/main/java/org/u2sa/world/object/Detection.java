@@ -7,18 +7,18 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.world.modeller.Sighting;
 
 /**
- * A sighting in the map.
+ * A detection in map coordinates.
  *
- * @param object in the map's frame
- * @param place of its centre [m from the map's anchor]
- * @param sigma standard deviations of the place, the vehicle's own included [m]
+ * @param object object in the map's frame
+ * @param place position of its centre [m from the map's anchor]
+ * @param sigma standard deviations of the position, including the vehicle's own uncertainty [m]
  */
 record Detection(ObjectDescription object, Point place, Point sigma) {
   /**
-   * A sighting as it came.
+   * Converts a sighting as received.
    *
-   * @param defaultSigma standard deviation if it states none [m]
-   * @return empty if there is no way into the map
+   * @param defaultSigma standard deviation to use if the sighting states none [m]
+   * @return empty if it cannot be converted to the map's frame
    */
   static Optional<Detection> of(ObjectDescription seen, Sighting sighting, double defaultSigma) {
     ObjectDescription stated = seen;
@@ -37,7 +37,7 @@ record Detection(ObjectDescription object, Point place, Point sigma) {
                     object.motion().sigma().orElseThrow()));
   }
 
-  /** Velocity along the map's axes [m/s]; empty if it is not known. */
+  /** Velocity along the map's axes [m/s]; empty if unknown. */
   Optional<Point> velocity() {
     return object.motion().velocity();
   }

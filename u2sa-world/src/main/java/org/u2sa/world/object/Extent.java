@@ -14,11 +14,11 @@ import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 
-/** How far objects reach from their centres. */
+/** Radii of objects about their centres. */
 final class Extent {
   private Extent() {}
 
-  /** Radius of the smallest upright cylinder around the centre that holds the object [m]. */
+  /** Radius of the smallest vertical cylinder about the centre that contains the object [m]. */
   static double radius(ObjectDescription object) {
     if (object instanceof Circle circle) {
       return circle.radius();

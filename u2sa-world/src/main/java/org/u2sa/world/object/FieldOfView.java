@@ -7,11 +7,11 @@ import java.util.regex.Pattern;
 import org.u2sa.messages.frame.Point;
 
 /**
- * What a sensor sees: a sector in the plane of the vehicle.
+ * A sensor's field of view: a sector in the vehicle's plane.
  *
- * @param halfWidth to each side of its middle [rad]
- * @param reach [m]
- * @param middle from straight ahead, to the left positive [rad]
+ * @param halfWidth half of the opening angle [rad]
+ * @param reach maximum range [m]
+ * @param middle direction of the centre line from straight ahead, positive to the left [rad]
  */
 record FieldOfView(double halfWidth, double reach, double middle) {
   private static final Pattern ENTRY =
@@ -19,10 +19,10 @@ record FieldOfView(double halfWidth, double reach, double middle) {
           "\\s*([^:;]+?)\\s*:\\s*([0-9.]+)\\s*deg\\s*,\\s*([0-9.]+)\\s*m\\s*(?:,\\s*(-?[0-9.]+)\\s*deg\\s*)?");
 
   /**
-   * Fields of view by the names of sensors, from a text such as {@code Camera: 60 deg, 8 m; Radar:
-   * 120 deg, 150 m, 90 deg}: width, reach, and the direction of its middle, to the left positive.
+   * Parses fields of view by sensor name, such as {@code Camera: 60 deg, 8 m; Radar: 120 deg, 150
+   * m, 90 deg}: width, range, and direction of the centre line, positive to the left.
    *
-   * @throws IllegalArgumentException naming the entry that is wrong
+   * @throws IllegalArgumentException naming the invalid entry
    */
   static Map<String, FieldOfView> parse(String text) {
     Map<String, FieldOfView> fields = new LinkedHashMap<>();
@@ -58,9 +58,9 @@ record FieldOfView(double halfWidth, double reach, double middle) {
   }
 
   /**
-   * Whether it sees a place.
+   * Whether a point is in the field of view.
    *
-   * @param frd from the vehicle, forward, right, down [m]
+   * @param frd position relative to the vehicle, forward, right, down [m]
    */
   boolean sees(Point frd) {
     double off = Math.IEEEremainder(Math.atan2(-frd.y(), frd.x()) - middle, 2.0 * Math.PI);

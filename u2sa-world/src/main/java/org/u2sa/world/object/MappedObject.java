@@ -6,19 +6,19 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 
-/** One object of the map: what it is, where it is, and how certain it is that it exists. */
+/** One object of the map: type, position and probability of existence. */
 final class MappedObject {
-  /** Where it is known from. */
+  /** Origin of an object. */
   enum Source {
     /** The world file. */
     FILE,
-    /** A sensor that makes out objects. */
+    /** A sensor that detects objects. */
     SENSOR,
-    /** A scanner's echoes where nothing was before. */
+    /** Echoes of a scanner in formerly free space. */
     ECHOES
   }
 
-  private static final double FALSE_ALARM = 0.1; // probability that a sighting is of nothing
+  private static final double FALSE_ALARM = 0.1; // probability that a sighting is false
   private static final double NEW = 0.5;
   private static final double SUREST = 0.999;
   private static final double GONE = 0.05;
@@ -26,17 +26,17 @@ final class MappedObject {
 
   private final String uid;
   private final boolean fromFile;
-  private final Map<String, String> sensorUids = new TreeMap<>(); // by sensor
+  private final Map<String, String> sensorUids = new TreeMap<>(); // UID given by each sensor
   private TrackFilter filter;
-  private ObjectDescription template; // the newest sighting, in the map's frame
+  private ObjectDescription template; // newest sighting, in the map's frame
   private double radius;
   private double existence = NEW;
-  private int seen; // bits of the last occasions, the newest is 1
+  private int seen; // bit set of the last occasions, newest in bit 0
   private int occasions;
   private boolean confirmed;
   private boolean moved;
-  private boolean scanned; // nothing but a scanner's echoes has shown it
-  private int implausible; // sightings in a row
+  private boolean scanned; // known from scanner echoes only
+  private int implausible; // consecutive sightings
   private long filteredMicros;
   private long seenMicros;
 
@@ -61,12 +61,12 @@ final class MappedObject {
         settings.assumptions(at.object().objectType()));
   }
 
-  /** Whether it is more than echoes that stand, of which the grid tells as well. */
+  /** Whether it is published. Stationary echoes are not: the grid shows them already. */
   boolean isShown() {
     return fromFile || !scanned || moved;
   }
 
-  /** Carries the estimate on to a time; an earlier one changes nothing. */
+  /** Predicts the estimate to a time; earlier times are ignored. */
   void predict(long micros, ObjectMapSettings settings) {
     if (micros > filteredMicros) {
       double seconds = Clock.seconds(micros - filteredMicros);
@@ -77,17 +77,18 @@ final class MappedObject {
           filter.settle();
         }
       } else if (template.motion().velocity().isPresent()) {
-        template = template.after(seconds); // traffic as the file has it
+        template = template.after(seconds); // traffic from the file
       }
       filteredMicros = micros;
     }
   }
 
   /**
-   * Takes a sighting of it, unless its name seems misread: it is farther away than the object can
-   * have gone since it was seen last. If such sightings come repeatedly, the object is there.
+   * Updates it with a sighting, unless the UID seems misread because the sighting is farther away
+   * than the object can have moved since it was last seen. Repeated sightings of that kind are
+   * accepted.
    *
-   * @return whether it was taken
+   * @return whether it was accepted
    */
   boolean hit(Detection detection, long micros, Source source, ObjectMapSettings settings) {
     if (!fromFile) {
@@ -123,7 +124,7 @@ final class MappedObject {
     return filter.distance(detection.place(), wider) <= settings.gate() * settings.gate();
   }
 
-  /** How far it can have gone since it was seen last, 1 sigma along each axis [m]. */
+  /** Distance it can have moved since it was last seen, 1 sigma per axis [m]. */
   private Point reach(long micros, ObjectMapSettings settings) {
     double reach =
         settings.assumptions(template.objectType()).maxSpeed()
@@ -142,7 +143,10 @@ final class MappedObject {
     seenMicros = Math.max(seenMicros, micros);
   }
 
-  /** A sighting as what is known of it: a scanner says where something is, a camera what it is. */
+  /**
+   * Completes a sighting with the known type: a scanner measures where something is, a camera what
+   * it is.
+   */
   private ObjectDescription knownAs(ObjectDescription newest) {
     if (!newest.objectType().isEmpty() || template.objectType().isEmpty()) {
       return newest;
@@ -153,8 +157,8 @@ final class MappedObject {
   }
 
   /**
-   * Takes note that a sensor looked where it is and did not see it. An object of the world file is
-   * as certain as before, unless such objects may be doubted: not every sensor sees what a map has.
+   * Records that a sensor covering its position did not see it. Objects of the world file are
+   * unaffected unless these may be doubted, because not every sensor sees everything in a map.
    */
   void miss(ObjectMapSettings settings) {
     if (fromFile && !settings.doubtFile()) {
@@ -165,13 +169,13 @@ final class MappedObject {
     existence = existence * (1.0 - detection) / (1.0 - existence * detection);
   }
 
-  /** Takes note that a sensor, of whose field of view nothing is known, saw other things. */
+  /** Records whether it was seen (1) or not (0) on an occasion. */
   void occasion(int was) {
     seen = seen << 1 | was;
     occasions++;
   }
 
-  /** Confirms it if it was seen on so many of the last occasions. */
+  /** Confirms it if it was seen on this many of the last occasions. */
   void judge(int hits, int window) {
     confirmed |= Integer.bitCount(seen & mask(window)) >= hits;
   }
@@ -180,7 +184,7 @@ final class MappedObject {
     return window >= Integer.SIZE ? -1 : (1 << window) - 1;
   }
 
-  /** Whether it never became certain and cannot any more, or is known to be gone. */
+  /** Whether it failed to be confirmed, is too old, or no longer exists. */
   boolean isGone(ObjectMapSettings settings, long nowMicros) {
     if (fromFile) {
       return settings.doubtFile() && existence < GONE;
@@ -194,7 +198,7 @@ final class MappedObject {
     return old || existence < GONE;
   }
 
-  /** Whether a sighting may be of this object, by what both are said to be. */
+  /** Whether type and UID allow a sighting to be of this object. */
   boolean isLike(ObjectDescription other, boolean trustUids) {
     String mine = template.objectType();
     boolean types =
@@ -203,25 +207,25 @@ final class MappedObject {
     return types && (!trustUids || named == null || named.equals(other.uid()));
   }
 
-  /** Whether this sensor has called it by this name before. */
+  /** Whether this sensor has used this UID for it before. */
   boolean isCalled(ObjectDescription other) {
     return other.uid().equals(sensorUids.get(other.sensorName()));
   }
 
-  /** Takes over what another track of the same object knows of names. */
+  /** Merges UIDs, time and existence of another track of the same object. */
   void absorb(MappedObject other) {
     other.sensorUids.forEach(sensorUids::putIfAbsent);
     seenMicros = Math.max(seenMicros, other.seenMicros);
     existence = Math.max(existence, other.existence);
   }
 
-  /** Goes on in another map, where it is as said. */
+  /** Restarts the filter at a new position, e.g. in another map frame. */
   void replace(Detection placed, ObjectMapSettings settings) {
     filter = filter(placed, settings);
     template = placed.object();
   }
 
-  /** Certain from the start: taken over from another modeller. */
+  /** Confirms an object restored from another modeller. */
   void confirm() {
     confirmed = true;
     existence = Math.max(existence, template.confidence().orElse(SUREST));
@@ -239,7 +243,7 @@ final class MappedObject {
     return confirmed;
   }
 
-  /** Whether it was ever seen to move. */
+  /** Whether it has ever moved. */
   boolean hasMoved() {
     return moved;
   }
@@ -252,7 +256,7 @@ final class MappedObject {
     return template;
   }
 
-  /** [m]. */
+  /** Radius [m]. */
   double radius() {
     return radius;
   }
@@ -265,7 +269,7 @@ final class MappedObject {
     return seenMicros;
   }
 
-  /** Where it is, in metres of the map. */
+  /** Position in map coordinates [m]. */
   Point place() {
     return filter.place();
   }

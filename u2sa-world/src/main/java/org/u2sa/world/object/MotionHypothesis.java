@@ -4,19 +4,20 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 
-/** One assumption of how an object moves: a filter for each axis, and how likely it is. */
+/** One motion model of an object: a filter per axis and the model's probability. */
 final class MotionHypothesis {
   private static final int AXES = 3;
-  private static final double LEAST_VARIANCE = 1e-12; // [m²], of a measurement that claims no error
+  private static final double LEAST_VARIANCE =
+      1e-12; // [m²], for measurements that claim zero error
 
   private final AxisFilter[] axes = new AxisFilter[AXES];
   private final double noise;
   private double chance;
 
   /**
-   * @param speedSigma of its unknown velocity [m/s]; 0: it stands
-   * @param acceleration standard deviation of how it speeds up or turns [m/s²]
-   * @param chance its probability at first
+   * @param speedSigma standard deviation of the unknown velocity [m/s]; 0: stationary
+   * @param acceleration standard deviation of the acceleration, in speed or direction [m/s²]
+   * @param chance initial probability
    */
   MotionHypothesis(
       Point place, Point sigma, double speedSigma, double acceleration, double chance) {
@@ -35,7 +36,7 @@ final class MotionHypothesis {
     chance = probability;
   }
 
-  /** Takes a velocity for granted, as the place is. */
+  /** Sets the velocity and keeps the position. */
   void goes(Point velocity, double sigma) {
     for (int i = 0; i < AXES; i++) {
       axes[i] =
@@ -44,7 +45,7 @@ final class MotionHypothesis {
     }
   }
 
-  /** Begins again where another is, with a velocity that is not known better than this [m/s]. */
+  /** Restarts at another model's position with an unknown velocity of this sigma [m/s]. */
   void restartAt(MotionHypothesis other, double speedSigma) {
     for (int i = 0; i < AXES; i++) {
       axes[i] =
@@ -53,14 +54,14 @@ final class MotionHypothesis {
     }
   }
 
-  /** Goes on as another does. */
+  /** Copies another model's state. */
   void adopt(MotionHypothesis other) {
     for (int i = 0; i < AXES; i++) {
       axes[i] = other.axes[i].copy();
     }
   }
 
-  /** Moves on in time [s, not negative]; drift: by which the place is less certain then [m²]. */
+  /** Predicts ahead in time [s, not negative] and adds a position variance [m²]. */
   void predict(double seconds, double driftVariance) {
     for (int i = 0; i < AXES; i++) {
       axes[i].predict(seconds, noise);
@@ -68,14 +69,14 @@ final class MotionHypothesis {
     }
   }
 
-  /** Takes a measurement. */
+  /** Updates with a measured position. */
   void update(Point place, Point sigma) {
     for (int i = 0; i < AXES; i++) {
       axes[i].update(axis(place, i), Math.max(LEAST_VARIANCE, squared(axis(sigma, i))));
     }
   }
 
-  /** Takes a measured velocity. */
+  /** Updates with a measured velocity. */
   void updateSpeed(Optional<Point> velocity, OptionalDouble sigma) {
     for (int i = 0; i < AXES && velocity.isPresent(); i++) {
       axes[i].updateSpeed(axis(velocity.get(), i), squared(sigma.orElse(1.0)));
@@ -83,10 +84,9 @@ final class MotionHypothesis {
   }
 
   /**
-   * How far a measurement is from where the object is expected, squared, in standard deviations of
-   * both (Mahalanobis).
+   * Squared Mahalanobis distance of a measurement from the predicted position.
    *
-   * @param common variance of what all measurements have in common [m²]
+   * @param common variance of the error common to all measurements [m²]
    */
   double distance(Point place, Point sigma, double common) {
     double sum = 0.0;
@@ -97,7 +97,9 @@ final class MotionHypothesis {
     return sum;
   }
 
-  /** The same, dearer the less sharply the place is foretold and the less likely this is. */
+  /**
+   * Assignment cost: the distance plus penalties for an uncertain prediction and an unlikely model.
+   */
   double cost(Point place, Point sigma, double common) {
     double cost = distance(place, sigma, common) - 2.0 * Math.log(chance);
     for (int i = 0; i < AXES; i++) {
@@ -107,7 +109,7 @@ final class MotionHypothesis {
     return cost;
   }
 
-  /** Logarithm of a measurement's likelihood, less a constant. */
+  /** Log-likelihood of a measurement, up to a constant. */
   double likelihood(Point place, Point sigma) {
     double log = -0.5 * distance(place, sigma, 0.0);
     for (int i = 0; i < AXES; i++) {
@@ -117,12 +119,12 @@ final class MotionHypothesis {
     return log;
   }
 
-  /** Where it is [m]. */
+  /** Position [m]. */
   Point place() {
     return Point.of(axes[0].place(), axes[1].place(), axes[2].place());
   }
 
-  /** Standard deviations of the place, with what all measurements have in common [m]. */
+  /** Standard deviations of the position, including the common error of all measurements [m]. */
   Point sigma(double common) {
     return Point.of(
         Math.sqrt(common + Math.max(0.0, axes[0].placeVariance())),
@@ -130,12 +132,12 @@ final class MotionHypothesis {
         Math.sqrt(common + Math.max(0.0, axes[2].placeVariance())));
   }
 
-  /** [m/s]. */
+  /** Velocity [m/s]. */
   Point velocity() {
     return Point.of(axes[0].speed(), axes[1].speed(), axes[2].speed());
   }
 
-  /** Largest standard deviation of the velocity along an axis of the plane [m/s]. */
+  /** Larger standard deviation of the horizontal velocity components [m/s]. */
   double velocitySigma() {
     return Math.sqrt(Math.max(0.0, Math.max(axes[0].speedVariance(), axes[1].speedVariance())));
   }

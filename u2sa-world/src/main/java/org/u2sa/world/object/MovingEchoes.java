@@ -17,32 +17,32 @@ import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.SensorPose;
 
 /**
- * Finds what moves among the echoes of one scanner: things no larger than a person or an animal
- * where scans of the last seconds saw that nothing is (Wang, Thorpe, Thrun et al., Simultaneous
+ * Detects moving objects in the echoes of one scanner: objects no larger than a person or an animal
+ * in space that scans of the last seconds saw to be free (Wang, Thorpe, Thrun et al., Simultaneous
  * localization, mapping and moving object tracking, Int. J. Robotics Research 26, 2007, section 5).
- * What comes into view or into reach was not seen to be absent before. Whether something found
- * moves, and how, the object map decides.
+ * An object that merely comes into view or range does not qualify, because its space was not
+ * observed before. The object map decides whether a detection really moves, and how.
  */
 final class MovingEchoes {
   private static final long LOOK_BACK_MICROS = 3 * Clock.MICROS_PER_SECOND;
   private static final long KEEP_EVERY_MICROS = Clock.MICROS_PER_SECOND / 5;
   private static final long REMEMBERED_MICROS = 10 * Clock.MICROS_PER_SECOND;
   private static final long LOST_MICROS = Clock.MICROS_PER_SECOND;
-  private static final double MARGIN_M = 0.15; // errors of scanner and pose
-  private static final double MARGIN_PER_M = 0.02; // of the heading
-  private static final int WITNESSES = 2; // earlier scans that saw nothing there
-  private static final int BEAMS_PAST = 2; // between two echoes of one thing
-  private static final double GAP_M = 0.3; // between two echoes of one thing, such as two legs
-  private static final int FEWEST = 3; // echoes of a thing
+  private static final double MARGIN_M = 0.15; // scanner and pose errors
+  private static final double MARGIN_PER_M = 0.02; // heading error
+  private static final int WITNESSES = 2; // earlier scans that saw free space there
+  private static final int BEAMS_PAST = 2; // between two echoes of one object
+  private static final double GAP_M = 0.3; // between two echoes of one object, such as two legs
+  private static final int FEWEST = 3; // minimum echoes of an object
   private static final double LARGEST_M = 1.2;
-  private static final double NEW_SHARE = 0.3; // of its echoes
-  private static final double ROUND = 0.39; // of a disc's width, from its mean echo to its centre
+  private static final double NEW_SHARE = 0.3; // minimum fraction of new echoes
+  private static final double ROUND = 0.39; // from a disc's mean echo to its centre, in widths
   private static final double SIGMA_M = 0.05;
-  private static final double HIDDEN_SIGMA_M = 0.25; // of a thing partly behind another
+  private static final double HIDDEN_SIGMA_M = 0.25; // of a partly occluded object
   private static final double SMALLEST_RADIUS_M = 0.1;
-  private static final double STEP_M = 0.5; // of a thing from scan to scan, at most
+  private static final double STEP_M = 0.5; // maximum displacement between scans
 
-  /** Something found before. */
+  /** An object detected before. */
   private static final class Spot {
     private final int number;
     private double x;
@@ -61,8 +61,8 @@ final class MovingEchoes {
   private int found;
 
   /**
-   * What moves in a scan, or did lately, in the map's frame; the scans must come in the order of
-   * their measurement.
+   * Objects in a scan that move or moved recently, in the map's frame; scans must arrive in order
+   * of measurement.
    */
   List<ObjectDescription> of(RangeScan scan, ScanPoses poses, ScanEntry.Band band) {
     MapFrame map = poses.first().frame();
@@ -100,7 +100,7 @@ final class MovingEchoes {
     spots.removeIf(spot -> micros - spot.seenMicros > LOST_MICROS);
   }
 
-  /** A thing and where it is. */
+  /** A detected object with radius, position sigma and height. */
   private record Thing(Spot spot, double radius, double sigma, double z) {}
 
   private Optional<Thing> thing(int from, int to, SensorPose pose, long micros) {
@@ -152,7 +152,7 @@ final class MovingEchoes {
     return spot;
   }
 
-  /** What was found nearest to a place, and not yet in this scan. */
+  /** Nearest known object to a place that was not yet seen in this scan. */
   private Optional<Spot> spot(double x, double y, long micros) {
     Spot nearest = null;
     double least = STEP_M;
@@ -177,7 +177,7 @@ final class MovingEchoes {
     return witnesses == WITNESSES;
   }
 
-  /** Whether something nearer begins right beside a thing. */
+  /** Whether a closer echo borders the object, which then may be partly occluded. */
   private boolean isHidden(int from, int to) {
     return isNearer(from - 1, from) || isNearer(to + 1, to);
   }

@@ -23,11 +23,12 @@ import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.Sighting;
 
 /**
- * Keeps a map of objects over time (thesis 4.1.1.2): recognises what it has seen before, becomes
- * certain of what it sees repeatedly, follows what moves, and drops what is not where it should be.
+ * Maintains a map of objects over time (thesis 4.1.1.2): associates sightings with known objects,
+ * confirms objects seen repeatedly, tracks moving ones, and drops those that are no longer seen
+ * where they should be.
  */
 public final class ObjectMapModeller implements Modeller {
-  /** Length of a name that is still one with a number behind it. */
+  /** Maximum length of a UID to which a number may be appended. */
   private static final int MAX_NUMBERED_CHARS = 900;
 
   private final Settings<ObjectMapSettings> settings;
@@ -96,7 +97,7 @@ public final class ObjectMapModeller implements Modeller {
     tidy(sighting.micros(), tuning);
   }
 
-  /** Whether something that a scanner sees stands before what lies flat there. */
+  /** Whether a flat object is occluded by something a scanner sees. */
   private boolean isHidden(ObjectDescription object, Point place, ObjectMapSettings tuning) {
     return tuning.isFlat(object.objectType())
         && hidden.hides(place.x(), place.y(), Double.POSITIVE_INFINITY);
@@ -112,7 +113,7 @@ public final class ObjectMapModeller implements Modeller {
     return track;
   }
 
-  /** The sensor's own name for it, with a number if another object has that. */
+  /** The sensor's UID, with a number appended if another object has it. */
   private String freeUid(String wanted) {
     Set<String> taken = new HashSet<>();
     tracks.forEach(track -> taken.add(track.uid()));
@@ -124,7 +125,7 @@ public final class ObjectMapModeller implements Modeller {
     return uid;
   }
 
-  /** Counts against objects that this sensor should have seen. */
+  /** Counts against objects that this sensor should have seen but did not. */
   private void lookFor(
       String sensor, Set<MappedObject> hit, Sighting sighting, ObjectMapSettings tuning) {
     FieldOfView field = FieldOfView.parse(tuning.fieldsOfView()).get(sensor);
@@ -185,12 +186,12 @@ public final class ObjectMapModeller implements Modeller {
     for (int i = 0; i < tracks.size(); i++) {
       for (int k = tracks.size() - 1; k > i; k--) {
         if (areOne(tracks.get(i), tracks.get(k), tuning)) {
-          tracks.get(i).absorb(tracks.remove(k)); // the older keeps its name
+          tracks.get(i).absorb(tracks.remove(k)); // the older one keeps its UID
         }
       }
     }
     List<MappedObject> surest = new ArrayList<>(tracks);
-    surest.removeIf(MappedObject::isFromFile); // what the file names is never too much
+    surest.removeIf(MappedObject::isFromFile); // file objects are exempt from the limit
     if (surest.size() > tuning.mostObjects()) {
       surest.sort(Comparator.comparingDouble(track -> -track.existence())); // stable
       tracks.removeAll(new HashSet<>(surest.subList(tuning.mostObjects(), surest.size())));
@@ -273,13 +274,13 @@ public final class ObjectMapModeller implements Modeller {
         try {
           track.predict(now.micros(), tuning);
           objects.add(report.of(track, frame, tuning, now.micros()));
-        } catch (IllegalArgumentException e) { // numbers that no message takes: absurd sightings
+        } catch (IllegalArgumentException e) { // values out of range: absurd sightings
           tracks.remove(track);
           absurd++;
         }
       }
     }
-    for (ObjectDescription object : known) { // for which there is no way into this frame
+    for (ObjectDescription object : known) { // objects that cannot be converted to this frame
       if (frame.placed(object, now.vehicle()).isEmpty()) {
         objects.add(object.after(Clock.seconds(now.micros() - knownMicros)));
       }

@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** The variables of the {@link ObjectMapModeller}. */
+/** Variables of the {@link ObjectMapModeller}. */
 record ObjectMapSettings(
     @Variable(
             ifAbsentText = "",
@@ -162,14 +162,14 @@ record ObjectMapSettings(
     FieldOfView.parse(fieldsOfView);
   }
 
-  /** What is assumed of an object of that type. */
+  /** Motion assumptions for an object type. */
   TrackFilter.Assumptions assumptions(String type) {
     boolean moves = type.isEmpty() || names(movers, type);
     return new TrackFilter.Assumptions(
         moves ? usualSpeed : 0.0, manoeuvres, drift, systematicSigma);
   }
 
-  /** Whether a scanner would see an object of that type. */
+  /** Whether scanners see objects of that type. */
   boolean scannerSees(String type) {
     return names(scannersSee, type);
   }
@@ -178,7 +178,7 @@ record ObjectMapSettings(
     return names(unmappedTypes, type);
   }
 
-  /** Whether objects of that type are hidden by whatever stands before them. */
+  /** Whether objects of that type are flat and so can be occluded. */
   boolean isFlat(String type) {
     return names(flatTypes, type);
   }

@@ -4,42 +4,41 @@ import java.util.Arrays;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.world.modeller.SensorPose;
 
-/** How far around a scanner one scan saw that nothing is there, along the map's axes. Immutable. */
+/** Free range around a scanner as seen by one scan, by direction in the map. Immutable. */
 final class Panorama {
   private static final int SECTORS = 720;
   private static final double RAD_TO_SECTORS = SECTORS / (2.0 * Math.PI);
-  private static final double MAX_GAP_RAD =
-      Math.toRadians(4.0); // between beams that belong together
-  private static final double THICKNESS_M = 0.3; // of the slice of the world that a scan shows
+  private static final double MAX_GAP_RAD = Math.toRadians(4.0); // between adjacent beams
+  private static final double THICKNESS_M = 0.3; // of the slice that a scan covers
 
   private final long micros;
   private final Point from;
-  private final double slopeX; // of the scan's plane
+  private final double slopeX; // slope of the scan plane
   private final double slopeY;
-  private final float[] free = new float[SECTORS]; // [m]; 0 where no beam went
+  private final float[] free = new float[SECTORS]; // [m]; 0 without a beam
 
   /**
-   * @param pose of the scanner in the middle of the scan
+   * @param pose pose of the scanner at mid-scan
    */
   Panorama(BeamEnds ends, SensorPose pose, long micros) {
     this.micros = micros;
     from = pose.place();
     Point a = pose.ahead();
     Point b = pose.aside();
-    double up = a.x() * b.y() - a.y() * b.x(); // of the plane's normal
+    double up = a.x() * b.y() - a.y() * b.x(); // component of the plane's normal
     slopeX = up == 0.0 ? 0.0 : -(a.y() * b.z() - a.z() * b.y()) / up;
     slopeY = up == 0.0 ? 0.0 : -(a.z() * b.x() - a.x() * b.z()) / up;
     Arrays.fill(free, Float.POSITIVE_INFINITY);
     for (int i = 1; i < ends.count(); i++) {
       fill(ends, i - 1, i);
     }
-    fill(ends, ends.count() - 1, 0); // of a scan that goes all around
+    fill(ends, ends.count() - 1, 0); // closes a full-circle scan
     for (int i = 0; i < SECTORS; i++) {
       free[i] = Float.isInfinite(free[i]) ? 0.0f : free[i];
     }
   }
 
-  /** Between two beams it is free up to the nearer end. */
+  /** Marks the space between two beams as free up to the nearer end. */
   private void fill(BeamEnds ends, int one, int two) {
     double start = Math.atan2(ends.y(one) - from.y(), ends.x(one) - from.x());
     double end = Math.atan2(ends.y(two) - from.y(), ends.x(two) - from.x());
@@ -61,7 +60,7 @@ final class Panorama {
   }
 
   /**
-   * Whether nothing was at a place and around it.
+   * Whether a place and its surroundings were free.
    *
    * @param marginM radius around it [m]
    */

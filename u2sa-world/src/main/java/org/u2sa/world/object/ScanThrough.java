@@ -5,9 +5,9 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.world.modeller.SensorPose;
 
-/** Tells whether a scan went through the place of an object, so that it cannot be there. */
+/** Tells whether a scan passed through an object's position, so that it cannot be there. */
 final class ScanThrough {
-  private static final double THICKNESS_M = 0.3; // of the slice of the world that a scan shows
+  private static final double THICKNESS_M = 0.3; // of the slice that a scan covers
   private static final double MARGIN_M = 0.2;
 
   private final RangeScan scan;
@@ -23,10 +23,10 @@ final class ScanThrough {
   }
 
   /**
-   * True if all beams towards the place went on behind it.
+   * Whether all beams toward the place passed beyond it.
    *
-   * @param place in the map [m]
-   * @param radius of the object [m], its uncertainty included
+   * @param place position in map coordinates [m]
+   * @param radius radius of the object, including its position uncertainty [m]
    */
   boolean passed(Point place, double radius) {
     Point way = place.minus(pose.place());

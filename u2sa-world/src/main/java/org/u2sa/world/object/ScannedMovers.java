@@ -8,11 +8,11 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.world.grid.ScanEntry;
 import org.u2sa.world.modeller.ScanPoses;
 
-/** What moves among the echoes of all scanners. */
+/** Detects moving objects in the echoes of all scanners. */
 final class ScannedMovers {
   private static final int MAX_SCANNERS = 16; // a message may name any number
 
-  private final Map<String, MovingEchoes> scanners = // by sensor, the one heard last at the end
+  private final Map<String, MovingEchoes> scanners = // by sensor, in order of last use
       new LinkedHashMap<>(16, 0.75f, true) {
         @Override
         protected boolean removeEldestEntry(Map.Entry<String, MovingEchoes> eldest) {
@@ -20,7 +20,7 @@ final class ScannedMovers {
         }
       };
 
-  /** What moves in a scan, in the map's frame; nothing while the vehicle's place is not known. */
+  /** Moving objects in a scan, in the map's frame; none while the vehicle's pose is unknown. */
   List<ObjectDescription> of(RangeScan scan, ScanPoses poses, ScanEntry.Band band) {
     return poses.first().frame().frame().isBody()
         ? List.of()
@@ -29,7 +29,7 @@ final class ScannedMovers {
             .of(scan, poses, band);
   }
 
-  /** Begins anew, in another frame. */
+  /** Discards everything, because the frame changes. */
   void clear() {
     scanners.clear();
   }

@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Decides which sighting is of which object: those farther than the gate are of none, the rest are
- * paired so that the sum of distances is least. Groups that share no candidate are solved apart, so
- * that a hundred objects cost little more than a hundred times one.
+ * Associates sightings with objects: pairs beyond the gate are excluded, the rest are assigned at
+ * minimum total distance. Groups without common candidates are solved separately, so that the cost
+ * of a hundred objects is little more than a hundred times that of one.
  */
 final class SightingMatch {
   /** No object. */
@@ -21,12 +21,12 @@ final class SightingMatch {
     this.settings = settings;
   }
 
-  /** The number of each sighting's object in the list of tracks, or {@link #NONE}. */
+  /** Index of each sighting's object in the list of tracks, or {@link #NONE}. */
   int[] of(List<Detection> detections) {
     double limit = settings.gate() * settings.gate();
     double[][] distance = new double[detections.size()][];
-    int[] group = new int[detections.size()]; // of sightings that compete for an object
-    int[] claimed = new int[tracks.size()]; // by which sighting first
+    int[] group = new int[detections.size()]; // sightings that compete for an object
+    int[] claimed = new int[tracks.size()]; // first sighting that may claim it
     Arrays.fill(claimed, NONE);
     for (int i = 0; i < detections.size(); i++) {
       group[i] = i;
@@ -58,15 +58,15 @@ final class SightingMatch {
     }
     boolean called = track.isCalled(detection.object());
     if (called && settings.trustUids()) {
-      return 0.0; // what is said in the wrong place is refused later
+      return 0.0; // a UID in the wrong place is rejected later
     }
-    if (track.isFromFile()) { // something large may be seen anywhere on its surface
+    if (track.isFromFile()) { // a large object may be seen anywhere on its surface
       double sigma = Math.max(1e-6, detection.sigma().distance());
       double off = track.template().distanceTo(detection.object().center()) / sigma;
       return off * off;
     }
     double distance = track.filter().cost(detection.place(), detection.sigma());
-    return called && distance <= limit ? distance / 2.0 : distance; // the name speaks for it
+    return called && distance <= limit ? distance / 2.0 : distance; // the UID supports the match
   }
 
   private static int root(int[] group, int i) {
@@ -106,7 +106,7 @@ final class SightingMatch {
     if (columns.isEmpty()) {
       return;
     }
-    // One column more for each sighting: it is of nothing known, at the price of the gate.
+    // One more column per sighting: a new object, at the cost of the gate.
     double[][] cost = new double[rows.size()][columns.size() + rows.size()];
     double forbidden = 1e3 * (limit + 1.0);
     for (int i = 0; i < rows.size(); i++) {

@@ -6,37 +6,37 @@ import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Where an object is and how it moves, by three filters side by side: one takes it for standing,
- * one for moving on steadily, one for moving as it likes; how well each foretold the measurements
- * decides which is believed (multiple model estimation: Bar-Shalom, Li and Kirubarajan, 2001,
- * section 11.6.2). So what stands is known ever better, a slow walker's velocity is known at all,
- * and what turns or speeds up is followed, without anybody saying which is which.
+ * Estimates an object's position and motion with three parallel filters, for stationary,
+ * constant-velocity and manoeuvring objects, weighted by how well each predicted the measurements
+ * (multiple model estimation: Bar-Shalom, Li and Kirubarajan, 2001, section 11.6.2). So the
+ * accuracy of stationary objects keeps improving, the velocity of a slow walker becomes observable,
+ * and manoeuvres are followed, without knowing the kind of object.
  */
 final class TrackFilter {
   /**
-   * What is assumed of objects.
+   * Motion assumptions about an object.
    *
-   * @param maxSpeed standard deviation of an unknown velocity [m/s]; 0: everything stands
-   * @param acceleration standard deviation of how a moving object speeds up or turns [m/s²]
-   * @param drift standard deviation by which a standing object's place is less certain after a
-   *     second [m]
-   * @param systematic standard deviation of what all sightings of a sensor have in common, and no
-   *     number of them averages out [m]
+   * @param maxSpeed standard deviation of an unknown velocity [m/s]; 0: always stationary
+   * @param acceleration standard deviation of a moving object's acceleration, in speed or direction
+   *     [m/s²]
+   * @param drift standard deviation of a stationary object's drift in one second [m]
+   * @param systematic standard deviation of the error common to all sightings of a sensor, which
+   *     does not average out [m]
    */
   record Assumptions(double maxSpeed, double acceleration, double drift, double systematic) {}
 
-  private static final double LEAST_CHANCE = 0.001; // so that what stood for hours may still start
+  private static final double LEAST_CHANCE = 0.001; // so that an object may still start after hours
   private static final double AT_FIRST = 0.3;
-  private static final double SURE = 0.9; // before something is said to move
+  private static final double SURE = 0.9; // required to declare an object moving
   private static final double MOVING_SIGMAS = 2.0;
   private static final double SURELY_MPS = 0.1;
 
-  private static final double STILL_SHARE = 0.7; // of the least speed of what sets off
+  private static final double STILL_SHARE = 0.7; // of the speed threshold, for hysteresis
 
-  /** What moves on steadily does so much less of what is assumed of a moving object. */
+  /** Acceleration of the constant-velocity model as a fraction of the assumed one. */
   private static final double STEADY_SHARE = 0.1;
 
-  /** How often what moves changes between going steadily and not [1/s]. */
+  /** Transition rate between constant velocity and manoeuvring [1/s]. */
   private static final double CHANGES_PER_S = 0.1;
 
   private final Assumptions assumed;
@@ -44,7 +44,7 @@ final class TrackFilter {
   private final MotionHypothesis steady;
   private final MotionHypothesis turning;
   private final List<MotionHypothesis> all;
-  private boolean moves; // as it was seen last
+  private boolean moves; // as last seen
   private Point seenAt;
 
   TrackFilter(
@@ -80,7 +80,7 @@ final class TrackFilter {
     turning.chance(0.5 * chance);
   }
 
-  /** Moves on in time [s, not negative]. */
+  /** Predicts ahead in time [s, not negative]. */
   void predict(double seconds) {
     standing.predict(seconds, squared(assumed.drift()) * seconds);
     steady.predict(seconds, 0.0);
@@ -92,8 +92,8 @@ final class TrackFilter {
   }
 
   /**
-   * Gives up that it might move, for nobody has seen it for long: where it would be by now could be
-   * anywhere, and it would be taken for whatever is seen there.
+   * Resets the moving models of an object that was not seen for long: its predicted position would
+   * spread without bound, and it would be associated with anything seen there.
    */
   void settle() {
     steady.restartAt(standing, assumed.maxSpeed());
@@ -106,8 +106,8 @@ final class TrackFilter {
   }
 
   /**
-   * How far a measurement is from where the object is expected, squared, in standard deviations of
-   * both (Mahalanobis); by the filter that explains it best.
+   * Squared Mahalanobis distance of a measurement from the prediction, by the model that explains
+   * it best.
    */
   double distance(Point place, Point sigma) {
     double least = Double.POSITIVE_INFINITY;
@@ -118,10 +118,9 @@ final class TrackFilter {
   }
 
   /**
-   * The same, dearer the less sharply the object's place is foretold and the less the filter is
-   * believed: minus twice the logarithm of the likelihood, less a constant (Bar-Shalom, Willett and
-   * Tian, Tracking and Data Fusion, 2011, section 7.2). Else whatever has not been seen for a while
-   * would be everything that is seen next.
+   * Assignment cost, which also penalises uncertain predictions and unlikely models: −2 ln L up to
+   * a constant (Bar-Shalom, Willett and Tian, Tracking and Data Fusion, 2011, section 7.2).
+   * Otherwise, an object not seen for a while would match anything seen next.
    */
   double cost(Point place, Point sigma) {
     double least = Double.POSITIVE_INFINITY;
@@ -131,7 +130,7 @@ final class TrackFilter {
     return least;
   }
 
-  /** Takes a measurement. */
+  /** Updates with a measurement. */
   void update(Point place, Point sigma, Optional<Point> velocity, OptionalDouble velocitySigma) {
     weigh(place, sigma);
     standing.update(place, sigma);
@@ -139,17 +138,17 @@ final class TrackFilter {
     turning.update(place, sigma);
     steady.updateSpeed(velocity, velocitySigma);
     turning.updateSpeed(velocity, velocitySigma);
-    if (turning.chance() > SURE * chance()) { // goes on steadily from now on, perhaps
+    if (turning.chance() > SURE * chance()) { // a steady course may start from here
       steady.adopt(turning);
     }
-    if (chance() > SURE) { // a later stop is where it is then, not where it once stood
+    if (chance() > SURE) { // a later stop is at its position then
       standing.restartAt(moving(), 0.0);
     }
     moves = isSurelyMoving();
     seenAt = believed().place();
   }
 
-  /** Each is believed as it foretold this (Bayes), but none ever not at all. */
+  /** Updates the model probabilities by Bayes' rule, with a lower bound. */
   private void weigh(Point place, Point sigma) {
     if (all.size() == 1) {
       return;
@@ -173,24 +172,24 @@ final class TrackFilter {
     }
   }
 
-  /** That it moves. */
+  /** Probability that it moves. */
   private double chance() {
     return steady.chance() + turning.chance();
   }
 
-  /** What is known to move is believed to for longer, so that it does not come and go. */
+  /** Whether it is certain to move, with hysteresis to prevent flicker. */
   private boolean isSurelyMoving() {
     double least = Math.max(SURELY_MPS, velocitySigma());
     double speed = velocity().distance();
     return moves ? chance() > 0.5 && speed > STILL_SHARE * least : chance() > SURE && speed > least;
   }
 
-  /** Whether it moved when it was seen last, as far as one can tell. */
+  /** Whether it was moving when last seen. */
   boolean isMoving() {
     return moves;
   }
 
-  /** Where it is [m]; what is not known to move stays where it was seen. */
+  /** Position [m]; an object not known to move stays where it was seen. */
   Point place() {
     return moves ? moving().place() : seenAt;
   }
@@ -200,12 +199,12 @@ final class TrackFilter {
     return believed().sigma(squared(assumed.systematic()));
   }
 
-  /** Its velocity, if it moves [m/s]. */
+  /** Velocity if it moves [m/s]. */
   Point velocity() {
     return moving().velocity();
   }
 
-  /** Largest standard deviation of the velocity along an axis of the plane [m/s]. */
+  /** Larger standard deviation of the horizontal velocity components [m/s]. */
   double velocitySigma() {
     return moving().velocitySigma();
   }

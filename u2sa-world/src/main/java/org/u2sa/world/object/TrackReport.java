@@ -7,11 +7,11 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.world.modeller.MapFrame;
 
-/** Makes messages of tracks: what moves becomes a moving sphere (thesis 4.4.1.3). */
+/** Converts tracks to messages; moving objects become moving spheres (thesis 4.4.1.3). */
 final class TrackReport {
   private static final double STEP_S = 1.0;
 
-  /** A track as it is published. */
+  /** Creates the published message of a track. */
   ObjectDescription of(
       MappedObject track, MapFrame frame, ObjectMapSettings settings, long micros) {
     ObjectDescription object =
@@ -23,7 +23,7 @@ final class TrackReport {
     return object;
   }
 
-  /** The object in its own shape where it is thought to be. */
+  /** Creates the object in its own shape at its estimated position. */
   ObjectDescription estimate(MappedObject track, MapFrame frame) {
     ObjectDescription object = track.template().movedTo(frame.point(track.place()));
     object.uid(track.uid()).confidence(track.existence());
@@ -34,7 +34,7 @@ final class TrackReport {
           .velocity(track.filter().velocity())
           .velocitySigma(track.filter().velocitySigma());
     } else if (track.hasMoved() || object.motion().velocity().isPresent()) {
-      object.motion().velocity(Point.ORIGIN); // it stands now, but may set off again
+      object.motion().velocity(Point.ORIGIN); // stationary now, but may move again
     }
     return object;
   }

@@ -26,10 +26,10 @@ final class ObjectElement {
   private ObjectElement() {}
 
   /**
-   * The object of an element.
+   * Creates the object that an element describes.
    *
-   * @param frame of objects that name none
-   * @param number in the file, from 1, for the UID of an object that has none
+   * @param frame default frame
+   * @param number position in the file, from 1, for the UID of an object without one
    */
   static <T extends ObjectDescription> T read(
       XmlElement element, MessageType<T> type, ReferenceFrame frame, int number) {
@@ -37,7 +37,7 @@ final class ObjectElement {
     T object = type.create();
     object.referenceFrame(frame);
     Map<String, List<XmlElement>> byField = byField(element, type);
-    fillFirst(object, type, byField); // the units of the others depend on it
+    fillFirst(object, type, byField); // the units of other fields depend on it
     byField.forEach((name, each) -> fill(object, type.field(name).orElseThrow(), each));
     if (!byField.containsKey(UID)) {
       object.uid(type.name() + " " + number);
@@ -117,7 +117,7 @@ final class ObjectElement {
     }
   }
 
-  /** Points as children {@code <point>}, or in a text: {@code 4 8; 5 9 0.5}. */
+  /** Reads points from {@code <point>} children or from text such as {@code 4 8; 5 9 0.5}. */
   private static List<Point> points(XmlElement element, ReferenceFrame frame) {
     element.refuseUnknownAttributes();
     element.refuseUnknownChildren("point");
@@ -193,7 +193,7 @@ final class ObjectElement {
     return point;
   }
 
-  /** Objects of points need no centre in the file: it is the middle of the points. */
+  /** Sets the centre to the mean of the points if the file gives none. */
   private static void place(
       XmlElement element, ObjectDescription object, Map<String, List<XmlElement>> byField) {
     boolean hasX = byField.containsKey("x");

@@ -15,8 +15,8 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * A world as its file has it (docs/world-model.md): {@code <world>} with an element for each
- * object, named as its class (thesis 3.2.3.3). The objects have unique UIDs and are frozen.
+ * A world read from a file (docs/world-model.md): {@code <world>} with an element for each object,
+ * named after its class (thesis 3.2.3.3). The objects have unique UIDs and are frozen.
  */
 public final class WorldFile {
   private static final String REFERENCE = "reference";
@@ -42,14 +42,14 @@ public final class WorldFile {
   /**
    * Reads a world.
    *
-   * @param types among which classes of objects are looked up
-   * @throws org.u2sa.interfaces.BadInputException as {@link #load(Path)}
+   * @param types message types in which object classes are looked up
+   * @throws org.u2sa.interfaces.BadInputException see {@link #load(Path)}
    */
   public static WorldFile load(Path file, MessageTypes types) {
     return parse(XmlReader.read(file, "world"), types);
   }
 
-  /** The world in an element {@code <world>}. */
+  /** Parses an element {@code <world>}. */
   public static WorldFile parse(XmlElement root, MessageTypes types) {
     root.refuseUnknownAttributes();
     ReferenceFrame frame =
@@ -115,7 +115,7 @@ public final class WorldFile {
     return (MessageType<? extends ObjectDescription>) type;
   }
 
-  /** The file, as the user named it. */
+  /** File name as given by the user. */
   public String origin() {
     return origin;
   }
@@ -125,7 +125,7 @@ public final class WorldFile {
     return objects;
   }
 
-  /** The object of that UID. */
+  /** Object with the given UID; empty if none. */
   public Optional<ObjectDescription> object(String uid) {
     return objects.stream().filter(object -> object.uid().equals(uid)).findFirst();
   }

@@ -1,5 +1,2 @@
-/**
- * Files of objects that are known beforehand (thesis 3.2.3.3). What becomes of them is the World
- * Modeler's matter.
- */
+/** Files of a priori objects (thesis 3.2.3.3). Their use belongs to the World Modeler. */
 package org.u2sa.world.xml;
