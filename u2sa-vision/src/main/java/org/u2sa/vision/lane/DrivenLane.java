@@ -2,6 +2,7 @@ package org.u2sa.vision.lane;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 
@@ -27,6 +28,7 @@ final class DrivenLane {
   private static final double BEHIND_M = 6.0; // path kept open for backing out
   private static final long HELD_UP_MICROS = 25 * Clock.MICROS_PER_SECOND;
   private static final double HOLE_M = 1.5; // longest step along an inferred side
+  private static final double BARRIER_M = 2.0; // minimum length of a line that a side is not behind
 
   /** A candidate line, and whether it is certain. */
   record Known(List<Point> line, boolean sure) {}
@@ -97,9 +99,10 @@ final class DrivenLane {
     int from = Math.max(0, places.size() - LOOKED_AT);
     follow(from, known, reach);
     bridge(from, reach);
+    List<Known> barriers = barriers(known);
     List<Inferred> sides = new ArrayList<>();
-    side(1.0, sides);
-    side(-1.0, sides);
+    side(1.0, barriers, sides);
+    side(-1.0, barriers, sides);
     return sides;
   }
 
@@ -167,14 +170,15 @@ final class DrivenLane {
   }
 
   /** Builds the inferred stretches of one side (1: left). */
-  private void side(double sign, List<Inferred> sides) {
+  private void side(double sign, List<Known> barriers, List<Inferred> sides) {
     List<Point> string = new ArrayList<>();
     for (int i = 0; i < places.size(); i++) {
       LanePlace place = places.get(i);
       LanePlace.Side side = place.side(sign);
       boolean isSide = !Double.isNaN(side.awayM) && !side.sure;
-      Point at = isSide ? beside(i, sign * side.awayM) : place.at;
-      isSide &= isClear(i, at, side.awayM);
+      double awayM = isSide ? beforeBarrierM(i, sign, side.awayM, barriers) : Double.NaN;
+      Point at = isSide ? beside(i, sign * awayM) : place.at;
+      isSide &= isClear(i, at, awayM);
       boolean goesOn =
           isSide
               && !string.isEmpty()
@@ -188,6 +192,22 @@ final class DrivenLane {
       }
     }
     add(string, now == places.size() - 1, sides);
+  }
+
+  private static List<Known> barriers(List<Known> known) {
+    return known.stream()
+        .filter(each -> each.sure() && LineGeometry.lengthM(each.line()) >= BARRIER_M)
+        .collect(Collectors.toList());
+  }
+
+  /**
+   * Distance of a side, at most that of the nearest certain line: in open ground such as no-man's
+   * land the width of a lane is a coincidence, and what follows from it would block the next lane.
+   */
+  private double beforeBarrierM(int i, double sign, double awayM, List<Known> barriers) {
+    double[] along = direction(i);
+    LineRay ray = new LineRay(places.get(i).at, -sign * along[1], sign * along[0], awayM);
+    return ray.nearest(barriers, 0.0) == null ? awayM : ray.metres();
   }
 
   private Point beside(int i, double leftM) {

@@ -68,6 +68,19 @@ class DrivenLaneTest {
     assertThat(sides).allSatisfy(p -> assertThat(p.y()).isNegative());
   }
 
+  /** As in no-man's land, where lines of two other lanes are by chance as far apart as a lane. */
+  @Test
+  void sides_certainLineSeenLaterAndNearer_lieNotBeyondIt() {
+    line(true, -6.0, 20.0, 2.5);
+    line(true, -6.0, 0.0, -3.0);
+    drive(-5.0, 8.0);
+    assertThat(runs(sides(), 0.6, 7.5, -3.0)).isTrue();
+
+    line(true, 3.0, 12.0, -1.8);
+    drive(8.0, 24.0); // farther than sides are still looked for
+    assertThat(sides()).noneMatch(p -> p.x() > 3.3 && p.x() < 11.7 && p.y() < -1.9);
+  }
+
   @Test
   void sides_bothLinesHaveAGap_areBridgedWhereTheyGoOn() {
     line(true, -6.0, 0.0, 2.0);
