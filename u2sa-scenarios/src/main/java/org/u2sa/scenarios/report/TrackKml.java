@@ -54,7 +54,7 @@ final class TrackKml {
   }
 
   /**
-   * @param joined altitude mode and extrusion of the line
+   * @param joined KML element that joins the line to the ground, such as {@code extrude}; empty if none
    */
   private static void beginLine(Writer out, String name, String style, boolean flies, String joined)
       throws IOException {
