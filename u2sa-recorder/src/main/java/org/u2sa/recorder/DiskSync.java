@@ -29,7 +29,7 @@ final class DiskSync implements AutoCloseable {
     thread.start();
   }
 
-  /** Requests a sync; requests made before a pending one starts are merged with it. */
+  /** Requests a sync; covered by a pending request that has not started yet. */
   void ask(FileChannel file) {
     asked.offer(file);
   }

@@ -255,7 +255,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
             ConnectionFault.MALFORMED,
             cause == null ? "" : Refusals.shown("" + cause.getMessage()));
       } else if (stage == Stage.STRANGER) {
-        hasNews = true; // hands it on by itself
+        hasNews = true; // connect passes it on
         connect(ctx, packet);
       } else {
         handedOn = packets.examine(ctx, packet);

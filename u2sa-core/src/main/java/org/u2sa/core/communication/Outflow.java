@@ -30,7 +30,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   private static final int BYTES_OF_A_NUMBER = 128; // memory of one map entry
   private static final int PUBACK = 0x4002; // type and length
 
-  /** More than one read of ordinary messages makes. */
+  /** More answers than one read of ordinary messages causes. */
   private static final int MAX_UNSENT_ANSWERS = 512;
 
   private final ConnectionFilter filter;

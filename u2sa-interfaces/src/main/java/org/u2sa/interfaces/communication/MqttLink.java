@@ -186,7 +186,7 @@ final class MqttLink {
     }
     try {
       owner.interrupted("connection to " + address + " lost: " + why);
-    } finally { // whatever the report comes to
+    } finally { // even if the report throws
       onLinkThread(
           () -> {
             lostAtMicros = clock.micros();

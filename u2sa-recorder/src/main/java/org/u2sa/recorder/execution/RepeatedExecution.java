@@ -183,7 +183,7 @@ final class RepeatedExecution implements Execution {
 
     @Override
     public void close() {
-      // nobody waits
+      // no thread waits
     }
   }
 }

@@ -64,7 +64,7 @@ final class RecordSearch {
     }
   }
 
-  /** Numbers of the same file. */
+  /** Random access to the file. */
   FileWindow file() {
     return file;
   }
