@@ -45,7 +45,8 @@ final class LoginQueue {
     return Optional.of(worst);
   }
 
-  /** Takes the next request.
+  /**
+   * Takes the next request.
    *
    * @param blamelessOnly whether to consider only addresses without wrong passwords
    */

@@ -28,7 +28,8 @@ final class MemoryBudget<C> {
     this.end = end;
   }
 
-  /** Creates a budget for clients.
+  /**
+   * Creates a budget for clients.
    *
    * @param part divisor of the heap size, such as 8 for an eighth; direct memory has the same size by default
    * @param maxBytes upper limit for any heap size [B]

@@ -25,7 +25,8 @@ final class ShutdownDrain {
     this.clock = clock;
   }
 
-  /** Undelivered messages of one client or all.
+  /**
+   * Undelivered messages of one client or all.
    *
    * @param messages number sent without knowing whether they arrived
    * @param sentMicros time of the last one [µs]

@@ -19,7 +19,8 @@ import org.u2sa.messages.schema.MessageTypes;
 final class TopicPermissions {
   private static final int TOPICS_REMEMBERED = 256;
 
-  /** Result of a check.
+  /**
+   * Result of a check.
    *
    * @param refusal reason for refusing; null if allowed
    * @param topic parsed topic; null if malformed

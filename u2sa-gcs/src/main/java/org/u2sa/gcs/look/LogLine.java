@@ -6,7 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.log.LogLevelEnum;
 
-/** An entry of a service's log.
+/**
+ * An entry of a service's log.
  *
  * @param time time as written, in UTC of the run's clock; sortable as text
  * @param text text including continuation lines, such as a stack trace

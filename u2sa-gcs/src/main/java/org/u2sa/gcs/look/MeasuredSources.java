@@ -53,7 +53,8 @@ final class MeasuredSources {
     this.meterFrom = meterFrom;
   }
 
-  /** Adds a message.
+  /**
+   * Adds a message.
    *
    * @param micros arrival time [µs of real time]
    * @param beganMicros start of measuring [µs of real time]

@@ -6,7 +6,8 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** Measures one source's messages. */
 interface Meter {
-  /** Adds a message.
+  /**
+   * Adds a message.
    *
    * @param micros arrival time [µs of real time]
    */

@@ -54,10 +54,12 @@ public final class Playback {
     void at(Position position);
   }
 
-  /** Position in a recording.
+  /**
+   * Position in a recording.
    *
    * @param nanos log time [ns]
-   * @param rate speed relative to the recording * @param isPaused whether it is paused
+   * @param rate speed relative to the recording
+   * @param isPaused whether it is paused
    */
   public record Position(long nanos, double rate, boolean isPaused) {}
 

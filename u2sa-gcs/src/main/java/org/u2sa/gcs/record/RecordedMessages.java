@@ -38,7 +38,8 @@ public final class RecordedMessages implements AutoCloseable {
   /** Receives messages in sequence. */
   @FunctionalInterface
   public interface Taker {
-    /** Receives a message.
+    /**
+     * Receives a message.
      *
      * @param logNanos recording time [ns of the recording's clock]
      */
@@ -97,7 +98,8 @@ public final class RecordedMessages implements AutoCloseable {
     return topics.values().stream().map(Topic::systemId).findFirst();
   }
 
-  /** Rejects a recording without native messages.
+  /**
+   * Rejects a recording without native messages.
    * @return this
    * @throws BadInputException saying how to record them
    */

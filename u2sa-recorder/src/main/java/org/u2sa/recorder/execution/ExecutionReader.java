@@ -40,7 +40,8 @@ final class ExecutionReader implements AutoCloseable {
   private long nextPart;
   private Next next; // read ahead; null if not read yet
 
-  /** An entry with its message.
+  /**
+   * An entry with its message.
    *
    * @param entry the interaction
    * @param message its message; null if it has none

@@ -40,7 +40,8 @@ final class RecordedMessage {
         && track.topic.typeChain().equals(other.typeChain());
   }
 
-  /** Decoded message, frozen.
+  /**
+   * Decoded message, frozen.
    *
    * @throws McapException if the bytes are not a message
    */

@@ -25,7 +25,8 @@ public final class Rerun {
   private final ExecutionStart start;
   private final MessageTypes types = MessageTypes.discovered();
 
-  /** Result of a re-execution.
+  /**
+   * Result of a re-execution.
    *
    * @param execution name of the execution
    * @param channels comparison per channel

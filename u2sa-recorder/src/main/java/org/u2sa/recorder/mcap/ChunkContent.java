@@ -48,7 +48,10 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
     return records;
   }
 
-  /** Bytes of its records. * * @param indexed size according to the summary
+  /**
+   * Bytes of its records.
+   *
+   * @param indexed size according to the summary
    */
   byte[] decompressed(long indexed) throws McapException {
     if (size != indexed) {

@@ -3,7 +3,8 @@ package org.u2sa.recorder.mcap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** Position and content of a chunk.
+/**
+ * Position and content of a chunk.
  *
  * @param startNanos log time of its earliest message [ns]
  * @param endNanos log time of its latest message [ns]

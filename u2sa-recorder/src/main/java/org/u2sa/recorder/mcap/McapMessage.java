@@ -1,6 +1,7 @@
 package org.u2sa.recorder.mcap;
 
-/** A message.
+/**
+ * A message.
  *
  * @param channelId ID of its channel
  * @param sequence sequence number in the channel, 0…2³²−1

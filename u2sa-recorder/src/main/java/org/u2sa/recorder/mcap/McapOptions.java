@@ -3,7 +3,8 @@ package org.u2sa.recorder.mcap;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** Options of a writer.
+/**
+ * Options of a writer.
  *
  * @param features optional contents
  * @param compression compression of chunks

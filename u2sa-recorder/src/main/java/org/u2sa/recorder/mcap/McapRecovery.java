@@ -24,7 +24,8 @@ public final class McapRecovery {
   private int damagedChunks;
   private String trouble;
 
-  /** Result of a recovery.
+  /**
+   * Result of a recovery.
    *
    * @param messages number of messages recovered
    * @param damagedChunks number of chunks dropped

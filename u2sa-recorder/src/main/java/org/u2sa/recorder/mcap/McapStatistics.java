@@ -3,7 +3,8 @@ package org.u2sa.recorder.mcap;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Statistics of a file.
+/**
+ * Statistics of a file.
  *
  * @param messages number of messages
  * @param schemas number of schemas

@@ -23,7 +23,8 @@ public final class McapWriter implements AutoCloseable {
   private long lost;
   private boolean closed;
 
-  /** Starts a file.
+  /**
+   * Starts a file.
    *
    * @param file destination; must be empty; closed by {@link #close}
    * @throws IOException if it cannot be written

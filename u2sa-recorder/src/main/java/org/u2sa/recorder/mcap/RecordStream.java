@@ -13,7 +13,8 @@ final class RecordStream {
   private final long size;
   private long position;
 
-  /** A record.
+  /**
+   * A record.
    *
    * @param offset file offset [B]
    * @param opcode its opcode
@@ -74,7 +75,8 @@ final class RecordStream {
     return entry;
   }
 
-  /** Next bytes.
+  /**
+   * Next bytes.
    *
    * @throws McapException if they exceed the size limit
    */

@@ -52,7 +52,8 @@ public final class SeenPicture {
     pen.setStroke(new BasicStroke(2.0f));
   }
 
-  /** Draws the detections.
+  /**
+   * Draws the detections.
    *
    * @param frame uncompressed frame
    * @param sight detector that last processed the frame

@@ -86,7 +86,8 @@ final class CourseBuilder {
     named(new Circle(), Scenery.POTHOLE, placed(at), 0.0).radius(POTHOLE_RADIUS_M);
   }
 
-  /** Adds a sawhorse.
+  /**
+   * Adds a sawhorse.
    *
    * @param alongRad direction of its length in the layout [rad]
    */

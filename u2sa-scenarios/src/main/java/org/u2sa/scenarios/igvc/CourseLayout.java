@@ -20,7 +20,8 @@ record CourseLayout(Centreline line, int lanesEnd, int lanesBegin) {
   private static final double INNER_RADIUS_M = 1.6; // the rules require 5 ft
   private static final double STRAIGHT_M = 15.0; // at the start: 44 ft are timed
 
-  /** Creates a random layout.
+  /**
+   * Creates a random layout.
    *
    * @param calm factor on the lanes' sway, 0…1
    */

@@ -25,7 +25,9 @@ final class CourseMission {
   private CourseMission() {}
 
   /**
-   * Writes the mission. * * @param origin origin of the course
+   * Writes the mission.
+   *
+   * @param origin origin of the course
    */
   static Mission write(Course course, Geodetic origin, Path file) {
     LocalPlane plane = new LocalPlane(origin);

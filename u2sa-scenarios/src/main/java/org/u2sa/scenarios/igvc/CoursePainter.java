@@ -54,7 +54,8 @@ final class CoursePainter {
     toPixels = new AffineTransform(scale, 0.0, 0.0, -scale, -window[0] * scale, north * scale);
   }
 
-  /** Draws the whole course.
+  /**
+   * Draws the whole course.
    *
    * @param longest longer side of the picture [px]
    */

@@ -34,7 +34,8 @@ public final class FigureChart {
   /**
    * Draws a histogram.
    *
-   * @param name name of the metric * @param values one per run, not all equal
+   * @param name name of the metric
+   * @param values one per run, not all equal
    */
   public static String histogram(String name, double[] values) {
     HistogramDataset data = new HistogramDataset();
@@ -56,7 +57,8 @@ public final class FigureChart {
   /**
    * Draws a box plot of a metric over a parameter: for each parameter value, quartiles, median and extremes.
    *
-   * @param name name of the metric * @param parameter swept parameter
+   * @param name name of the metric
+   * @param parameter swept parameter
    * @param byValue the runs' metrics for each parameter value, in drawing order
    */
   public static String dependence(String name, String parameter, Map<String, double[]> byValue) {

@@ -94,7 +94,8 @@ final class MapChart {
     axis.setTickUnit(grid);
   }
 
-  /** Creates the map of a run.
+  /**
+   * Creates the map of a run.
    *
    * @param size size of the map within its axes [px]
    */

@@ -41,7 +41,8 @@ final class ProfileChart {
 
   private ProfileChart() {}
 
-  /** Creates the chart.
+  /**
+   * Creates the chart.
    *
    * @param quantity quantity shown
    * @param colour quantity that determines the colour
