@@ -61,8 +61,8 @@ public final class CommunicationManager implements AutoCloseable {
    * Starts the Communication Manager of a system.
    *
    * @param systemId the vehicle
-   * @param configuration the Communication Manager's variables @param types the message types that
-   *     remote clients may publish
+   * @param configuration the Communication Manager's variables
+   * @param types the message types that remote clients may publish
    * @param log receives later failures, one line each
    * @throws CommunicationException if the port is taken or the external broker does not answer
    * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is wrong

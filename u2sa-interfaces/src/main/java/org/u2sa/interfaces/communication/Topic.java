@@ -49,7 +49,7 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
   }
 
   /**
-   * * Parses a topic.
+   * Parses a topic.
    *
    * @throws IllegalArgumentException if it is not of the form above
    */
