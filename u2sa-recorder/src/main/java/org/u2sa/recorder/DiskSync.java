@@ -9,20 +9,19 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * Has the disk keep what was written to a file, so that a power cut does not lose it. On a thread
- * of its own: a busy disk may take seconds, in which messages are to be written on.
+ * Syncs a file to disk so that a power cut does not lose it. Runs on its own thread: a busy disk may take seconds, during which writing must continue.
  */
 final class DiskSync implements AutoCloseable {
-  private static final long LOOK_UP_EVERY_MS = 100; // for the end
+  private static final long LOOK_UP_EVERY_MS = 100; // polls for the end
 
   private final BlockingQueue<FileChannel> asked = new ArrayBlockingQueue<>(1);
   private final Consumer<String> trouble;
   private final Thread thread = new Thread(this::run, "u2sa-recorder-sync");
   private volatile boolean closing;
-  private String said = ""; // by the thread
+  private String said = ""; // last reported failure; used by the thread only
 
   /**
-   * @param trouble told if the disk refuses
+   * @param trouble notified when a sync fails
    */
   DiskSync(Consumer<String> trouble) {
     this.trouble = trouble;
@@ -30,7 +29,7 @@ final class DiskSync implements AutoCloseable {
     thread.start();
   }
 
-  /** Asks for it; a file that was asked for and not begun yet is enough for both. */
+  /** Requests a sync; covered by a pending request that has not started yet. */
   void ask(FileChannel file) {
     asked.offer(file);
   }
@@ -52,10 +51,10 @@ final class DiskSync implements AutoCloseable {
     try {
       file.force(false);
     } catch (ClosedChannelException e) {
-      return; // the file was ended meanwhile: the system writes it out by itself
-    } catch (IOException | RuntimeException e) { // the next one may work
+      return; // closed in the meantime: the system flushes it
+    } catch (IOException | RuntimeException e) { // the next sync may succeed
       String what = "the disk does not keep what is recorded: " + e.getMessage();
-      if (!what.equals(said)) { // four times a second otherwise
+      if (!what.equals(said)) { // otherwise four times a second
         said = what;
         trouble.accept(what);
       }

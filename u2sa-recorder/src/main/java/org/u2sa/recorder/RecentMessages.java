@@ -8,8 +8,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionPart;
 
 /**
- * Where in the present file the messages of late are, so that an execution can refer to them.
- * Belongs to one thread.
+ * Positions of recently written messages in the current file, so that an execution can refer to them. Not thread-safe.
  */
 final class RecentMessages {
   private record Kept(U2SAData message, ExecutionPart.Place place) {}
@@ -22,11 +21,11 @@ final class RecentMessages {
     kept.add(new Kept(message, place));
     if (kept.size() > ExecutionPart.REACH) {
       Kept oldest = kept.remove();
-      places.remove(oldest.message, oldest.place); // unless it was published once more since
+      places.remove(oldest.message, oldest.place); // unless published again since
     }
   }
 
-  /** The place of that very object; null if it is not among those of late. */
+  /** Place of this object (by identity); null if not among the recent messages. */
   ExecutionPart.Place place(U2SAData message) {
     return places.get(message);
   }

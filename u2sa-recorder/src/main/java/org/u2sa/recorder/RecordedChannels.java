@@ -17,15 +17,13 @@ import org.u2sa.recorder.mcap.McapSchema;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /**
- * The channels and schemas of a recording, numbered as they come; each file of the recording
- * defines those that it uses. Belongs to one thread.
+ * Channels and schemas of a recording, numbered in order of first use; each file defines those it uses. Not thread-safe.
  */
 final class RecordedChannels {
-  private static final int MOST = 0xFFFF; // numbers have 16 bits
+  private static final int MOST = 0xFFFF; // IDs have 16 bits
 
   /**
-   * Of these, the channels for sources and types of any name, of which somebody may invent tens of
-   * thousands. The rest is for the standard ones.
+   * Limit for channels of arbitrary sources and types, of which a sender may invent tens of thousands. The rest is reserved for the standard channels.
    */
   private static final int MAX_OF_ANY_NAME = MOST - 4_096;
 
@@ -34,12 +32,12 @@ final class RecordedChannels {
   private final Map<String, McapSchema> schemas = new HashMap<>();
   private int file;
 
-  /** One channel of the recording. */
+  /** A channel of the recording. */
   static final class Track {
     private final McapChannel channel;
     private final McapSchema schema;
     private long sequence;
-    private int definedIn; // which file; 0: none yet
+    private int definedIn; // number of the file; 0 if none yet
 
     private Track(McapChannel channel, McapSchema schema) {
       this.channel = channel;
@@ -49,12 +47,12 @@ final class RecordedChannels {
 
   private final Map<Integer, Integer> schemaDefinedIn = new HashMap<>();
 
-  /** Takes note that a new file is begun. */
+  /** Called when a new file is started; it needs all definitions again. */
   void nextFile() {
     file++;
   }
 
-  /** The channel of a message as it is: its topic at a broker. */
+  /** Channel of native messages; its topic is the one at a broker. */
   Track of(String systemId, Channel<?> channel, U2SAData message) {
     Topic its = Topic.of(systemId, channel, message);
     String topic = its.toString();
@@ -72,19 +70,19 @@ final class RecordedChannels {
       throw new IllegalStateException(
           "a recording cannot have more than " + MAX_OF_ANY_NAME + " channels of any name");
     }
-    // A type unknown here is described as the nearest known ancestor; its bytes hold all fields.
+    // An unknown type is described as its nearest known ancestor; its bytes hold all fields.
     byte[] text =
         texts.computeIfAbsent(
             message.type(), type -> SchemaText.of(type).getBytes(StandardCharsets.UTF_8));
     return add(topic, "cbor", name, "jsonschema", text, Map.of("channel", channel.name()));
   }
 
-  /** The channel of that topic; null if there is none yet. */
+  /** Channel of a topic; null if not added yet. */
   Track named(String topic) {
     return tracks.get(topic);
   }
 
-  /** A further channel. */
+  /** Adds a channel. */
   Track add(
       String topic,
       String messageEncoding,
@@ -108,11 +106,11 @@ final class RecordedChannels {
   }
 
   /**
-   * Writes a message, and before it what defines its channel, unless this file has it.
+   * Writes a message, preceded by its channel's definition if this file lacks it.
    *
-   * @param logNanos when it was recorded [ns]
-   * @param publishNanos when it was measured, as it says itself [ns]
-   * @return where it is
+   * @param logNanos recording time [ns]
+   * @param publishNanos measurement time according to the message [ns]
+   * @return its place in the file
    */
   ExecutionPart.Place write(
       McapWriter writer, Track track, long logNanos, long publishNanos, byte[] data)

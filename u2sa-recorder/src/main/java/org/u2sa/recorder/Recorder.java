@@ -18,11 +18,9 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Records every message of a system into MCAP files (thesis 3.2.1.5). In: all channels, by a
- * connection of its own that hands messages over as they are published, none replaced by a newer
- * one. Out: nothing but the contract's messages; health tells what was dropped.
+ * Records every message of a system into MCAP files (thesis 3.2.1.5). In: all channels, over a connection of its own that delivers every message on publication, without replacing older ones. Out: only the messages every service publishes; health reports dropped messages.
  *
- * <p>Serves in a system file as well, on a phone too.
+ * <p>Can also be listed in a system file, including on a phone.
  */
 public final class Recorder extends EventDrivenService implements Execution.Keeper {
   private static final String LIBRARY = "u2sa";
@@ -33,16 +31,16 @@ public final class Recorder extends EventDrivenService implements Execution.Keep
   private final Connection connection;
   private final Optional<LocalBus> bus;
 
-  /** A recorder that says nothing of the run but its seed. */
+  /** Creates a recorder that stores no facts about the run except its seed. */
   public Recorder(ServiceContext context) {
     this(context, new RecordingFacts());
   }
 
   /**
-   * Connects; recording begins at once, so that nothing of what follows is missed.
+   * Connects and starts recording immediately, so that no later message is missed.
    *
-   * @param facts about the run, to be recorded with it
-   * @throws CommunicationException if there is no Communication Manager
+   * @param facts facts about the run, stored in the recording
+   * @throws CommunicationException if no Communication Manager is reachable
    */
   public Recorder(ServiceContext context, RecordingFacts facts) {
     super(context, ServiceRole.OBSERVER, "Recorder");
@@ -105,25 +103,24 @@ public final class Recorder extends EventDrivenService implements Execution.Keep
   }
 
   /**
-   * Ends the service, and returns when its last file is whole. {@link #kill} waits for a service's
-   * thread only for a while, in which a busy machine may not have written all.
+   * Ends the service and waits until its last file is complete. {@link #kill} has a timeout, within which a busy machine may not have written everything.
    */
   public void finish() {
     kill();
     recording.close();
   }
 
-  /** The files, oldest first; for when the service has ended. */
+  /** Recorded files, oldest first. Call after the service has ended. */
   public List<Path> files() {
     return recording.written();
   }
 
-  /** Messages so far, those dropped included. */
+  /** Number of messages so far, including dropped ones. */
   public long messages() {
     return recording.taken();
   }
 
-  /** Messages that came faster than they could be recorded, and are not in the file. */
+  /** Number of messages dropped because they arrived faster than they could be recorded. */
   public long dropped() {
     return recording.dropped();
   }

@@ -44,24 +44,24 @@ record RecorderSettings(
             ifAbsent = 8192,
             text = "Messages that may wait to be written; more are dropped and counted.")
         int waitingAtMost) {
-  /** In which form messages are recorded. */
+  /** Format of the recorded messages. */
   enum Form {
-    /** As they are. */
+    /** Native messages (CBOR). */
     U2SA,
-    /** As Foxglove's types, those that have one; the others are not recorded. */
+    /** Foxglove types only; messages without a counterpart are not recorded. */
     FOXGLOVE,
-    /** As they are and, those that have one, as Foxglove's types too. */
+    /** Native messages, plus Foxglove types where a counterpart exists. */
     BOTH
   }
 
   private static final double BYTES_PER_MEGABYTE = 1e6;
 
-  /** Bytes after which the next file is begun; never for the largest number. */
+  /** File size limit [B]; {@code Long.MAX_VALUE} if unlimited. */
   long splitBytes() {
     return splitMegabytes == 0 ? Long.MAX_VALUE : Math.round(splitMegabytes * BYTES_PER_MEGABYTE);
   }
 
-  /** Time after which the next file is begun [ns]; never for the largest number. */
+  /** File duration limit [ns]; {@code Long.MAX_VALUE} if unlimited. */
   long splitNanos() {
     return splitTime == 0 ? Long.MAX_VALUE : Math.round(splitTime * 1e9);
   }

@@ -24,9 +24,7 @@ import org.u2sa.recorder.foxglove.FoxgloveMessages;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /**
- * Takes messages from any thread and writes them on one of its own. Whoever publishes never waits
- * for the disk: what finds no room in the queue is dropped and counted. In simulated time, where
- * waiting costs nothing, publishers wait instead, and nothing is dropped.
+ * Accepts messages from any thread and writes them on its own. Publishers never wait for the disk: messages that do not fit into the queue are dropped and counted. In simulated time, where waiting costs nothing, publishers block instead, and nothing is dropped.
  */
 final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private static final long NANOS_PER_MICRO = 1_000L;
@@ -35,9 +33,9 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private static final long END_WITHIN_MS = 60_000;
   private static final long STOPPED_WITHIN_MS = 3_000;
 
-  /** What waits to be written. */
+  /** An item waiting to be written. */
   private interface Waiting {
-    /** When it came [µs of the run's clock]. */
+    /** Arrival time [µs of the run's clock]. */
     long micros();
   }
 
@@ -62,17 +60,17 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private final AtomicLong dropped = new AtomicLong();
   private final AtomicLong taken = new AtomicLong();
   private final Thread thread = new Thread(this::write, "u2sa-recorder");
-  private long failedToWrite; // by the writing thread, as are the following
-  private long unrecordable; // messages that cannot be written whatever the disk is like
-  private long failures; // of anything else
+  private long failedToWrite; // used by the writing thread only, like those below
+  private long unrecordable; // messages that fail for reasons other than the disk
+  private long failures; // other failures
   private long savedMicros;
-  private long lastNanos; // of the run's clock
+  private long lastNanos; // latest time of the run's clock
   private final CountDownLatch toClose = new CountDownLatch(1);
   private final Thread atExit = new Thread(this::endWithProgram, "u2sa-recorder-exit");
 
   /**
-   * @param clock the run's
-   * @param trouble told what cannot be recorded; from any thread
+   * @param clock the run's clock
+   * @param trouble notified of what cannot be recorded; called from any thread
    */
   Recording(
       String systemId,
@@ -104,14 +102,13 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   }
 
   /**
-   * The program ends, and with it the writing thread. Whoever stops the services is given a moment
-   * for their last messages; then the file is made whole, whether somebody has closed it or not.
+   * Shutdown hook: the writing thread ends with the program. Allows a moment for the services' last messages, then completes the file whether or not it was closed.
    */
   private void endWithProgram() {
     try {
       toClose.await(STOPPED_WITHIN_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // closes it at once
+      Thread.currentThread().interrupt(); // so that the file is closed immediately
     }
     close();
   }
@@ -122,7 +119,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     take(new Taken(channel, message, clock.micros()));
   }
 
-  /** Records what a service was given; from any thread. */
+  /** Records the start of an execution; from any thread. */
   void begin(String execution, ExecutionStart start) {
     take(new TakenStart(execution, start, clock.micros()));
   }
@@ -134,7 +131,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
 
   private void take(Waiting one) {
     if (waiting.offer(one)) {
-      return; // also of a thread that was interrupted
+      return; // also on an interrupted thread
     }
     if (inRealTime || isClosing()) {
       drop();
@@ -148,7 +145,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     }
   }
 
-  /** Of local services: the channels that are not standard, to which nobody could subscribe. */
+  /** Records messages of local services on non-standard channels, to which it cannot subscribe. */
   @Override
   public void forward(Channel<?> channel, U2SAData message) {
     if (Channels.named(channel.name()).isEmpty()) {
@@ -168,18 +165,18 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     }
   }
 
-  /** Messages that were taken or dropped so far. */
+  /** Number of messages so far, accepted or dropped. */
   long taken() {
     return taken.get();
   }
 
-  /** Messages that found no room. */
+  /** Number of messages dropped because the queue was full. */
   long dropped() {
     return dropped.get();
   }
 
   private void write() {
-    // Attachments come first, and there is a file at once.
+    // Attachments come first, and the file exists immediately.
     unlessItFails(() -> files.at(lastNanos, this::nextFile));
     try (DiskSync sync = new DiskSync(trouble)) {
       while (!(isClosing() && waiting.isEmpty())) {
@@ -207,12 +204,12 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     }
   }
 
-  /** Does something after which the recording goes on, whatever comes of it. */
+  /** Runs a step; the recording continues even if it fails. */
   private void unlessItFails(Runnable action) {
     try {
       action.run();
     } catch (RuntimeException e) {
-      if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: a disk is tried four times a second
+      if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: retried four times a second
         trouble.accept("recording failed, " + failures + " times so far: " + e);
       }
     }
@@ -240,7 +237,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
       }
     } catch (IOException e) {
       files.failed(e);
-    } catch (RuntimeException e) { // this one cannot be written; others can
+    } catch (RuntimeException e) { // only this message cannot be written
       failedToWrite++;
       if (Long.bitCount(++unrecordable) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
         trouble.accept("cannot be recorded, " + unrecordable + " so far: " + e + ": " + next);
@@ -303,18 +300,18 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   }
 
   /**
-   * Messages that were taken and could not be written, as on a full disk; for when it is closed.
+   * Number of accepted messages that could not be written, e.g. on a full disk. Call after closing.
    */
   long notWritten() {
     return failedToWrite + files.lost();
   }
 
-  /** The files so far; for when it is closed. */
+  /** Recorded files. Call after closing. */
   List<Path> written() {
     return files.written();
   }
 
-  /** Writes all that was taken, and ends the file. Safe to call twice. */
+  /** Writes all accepted messages and completes the file. Idempotent. */
   @Override
   public void close() {
     toClose.countDown();
@@ -333,7 +330,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     try {
       Runtime.getRuntime().removeShutdownHook(atExit);
     } catch (IllegalStateException e) {
-      return; // the program ends already
+      return; // the program is already exiting
     }
   }
 }

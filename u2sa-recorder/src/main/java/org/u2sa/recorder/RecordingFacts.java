@@ -13,18 +13,17 @@ import org.u2sa.recorder.mcap.McapAttachment;
 import org.u2sa.recorder.mcap.McapMetadata;
 
 /**
- * What a recording is to say of its run beside the messages: named texts, and files that belong to
- * it. Filled before the recording begins.
+ * Facts about a run stored beside its messages: named texts and attached files. Filled before recording starts.
  */
 public final class RecordingFacts {
-  /** No larger file is attached whole. */
+  /** Size limit of an attached file. */
   private static final long LARGEST_ATTACHMENT = 16L << 20;
 
   private final Map<String, Map<String, String>> metadata = new LinkedHashMap<>();
   private final Map<String, Path> files = new LinkedHashMap<>();
   private Supplier<Map<String, Path>> filesOfEnd = Map::of;
 
-  /** A file that is to be attached and cannot be. */
+  /** A file that could not be attached. */
   record Missing(String name, String why) {}
 
   /** Adds a text, for example {@code ("run", "seed", "1")}. */
@@ -33,7 +32,7 @@ public final class RecordingFacts {
     return this;
   }
 
-  /** Has a file attached at the beginning of each file of the recording. */
+  /** Attaches a file at the beginning of each file of the recording. */
   public RecordingFacts attach(String name, Path file) {
     files.put(name, file);
     return this;
@@ -42,7 +41,7 @@ public final class RecordingFacts {
   /**
    * Sets which files are attached when the recording ends, such as logs.
    *
-   * @param byName asked at the end
+   * @param byName called when the recording ends
    */
   public RecordingFacts attachAtEnd(Supplier<Map<String, Path>> byName) {
     filesOfEnd = byName;

@@ -22,18 +22,15 @@ import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /**
- * The files of one recording: begins the next where the present one is full, and deletes the oldest
- * where only some are to be kept. Belongs to one thread.
+ * Files of one recording: starts the next file when the current one is full, and deletes the oldest beyond the configured number. Not thread-safe.
  *
- * <p>A disk that is full, or gone, ends nothing: what cannot be written is counted, and tried again
- * with the next chunk. Where the present file was deleted or moved away, the next one is begun, in
- * a folder that is created again.
+ * <p>Survives a full or missing disk: what cannot be written is counted, and writing is retried with the next chunk. If the current file was deleted or moved away, the next one is started, recreating the folder if necessary.
  */
 final class RecordingFiles {
   private static final String SUFFIX = ".mcap";
   private static final long TRY_AGAIN_NANOS = 1_000_000_000L;
-  private static final long WORKS_AFTER_NANOS = 5_000_000_000L; // without a failure
-  private static final int MAX_SAID = 8; // different failures until writing works again
+  private static final long WORKS_AFTER_NANOS = 5_000_000_000L; // time without failures
+  private static final int MAX_SAID = 8; // distinct failures logged until writing works again
 
   private final Disk disk;
   private final Path first;
@@ -43,24 +40,24 @@ final class RecordingFiles {
   private final Consumer<String> trouble;
   private final Deque<Path> written = new ArrayDeque<>();
   private int number;
-  private McapWriter writer; // null: none could be begun
+  private McapWriter writer; // null if no file could be started
   private FileChannel channel; // the writer's
   private long begunNanos;
   private long tryAgainNanos = Long.MIN_VALUE;
   private long lost;
-  private final Set<String> failures = new HashSet<>(); // said so far; empty: writing works
-  private long positionAtFailure; // in the present file [B]
+  private final Set<String> failures = new HashSet<>(); // logged so far; empty while writing works
+  private long positionAtFailure; // in the current file [B]
   private long presentNanos;
   private long failedNanos;
 
-  /** Creates a file, which must not exist. */
+  /** Creates a new file. */
   @FunctionalInterface
   interface Disk {
     FileChannel create(Path file) throws IOException;
   }
 
   /**
-   * @param first where to; with a number if it exists or further ones are to follow
+   * @param first path of the first file; numbered if it exists or more files follow
    */
   RecordingFiles(
       Path first,
@@ -93,9 +90,9 @@ final class RecordingFiles {
   }
 
   /**
-   * The file to write messages of that time into; null if there is none at present.
+   * Writer for messages of the given time; null if there is currently none.
    *
-   * @param onBegin told when another file was begun
+   * @param onBegin called when another file was started
    */
   McapWriter at(long nanos, Runnable onBegin) {
     presentNanos = nanos;
@@ -121,7 +118,7 @@ final class RecordingFiles {
 
   private boolean isFull(long nanos) {
     return writer.position() >= settings.splitBytes()
-        || Math.abs(nanos - begunNanos) >= settings.splitNanos(); // a clock may jump back, too
+        || Math.abs(nanos - begunNanos) >= settings.splitNanos(); // clocks may also jump back
   }
 
   private void begin(long nanos) {
@@ -165,7 +162,7 @@ final class RecordingFiles {
     }
   }
 
-  /** Deletes the one file whose turn it is, never the only one: it may be what fills the disk. */
+  /** Deletes the oldest file if the limit is reached, but never the only one: it may be what fills the disk. */
   private void makeRoom() {
     if (written.size() > 1
         && settings.keptAtMost().isPresent()
@@ -213,9 +210,9 @@ final class RecordingFiles {
   }
 
   /**
-   * Writes what waits in the present chunk: a program that is killed then does not lose it.
+   * Writes the current chunk, so that it survives if the program is killed.
    *
-   * @param sync has the disk keep it too
+   * @param sync also syncs the file to disk
    */
   void save(DiskSync sync) {
     if (writer != null) {
@@ -229,9 +226,9 @@ final class RecordingFiles {
   }
 
   /**
-   * Ends the present file.
+   * Completes the current file.
    *
-   * @param counts what the recorder has counted so far
+   * @param counts the recorder's counters so far
    */
   void end(long nanos, Map<String, String> counts) {
     if (writer == null) {
@@ -240,7 +237,7 @@ final class RecordingFiles {
     McapWriter ended = writer;
     try {
       ended.flush();
-    } catch (IOException e) { // there may be room for less
+    } catch (IOException e) { // there may be room for the rest
       failed(e);
     }
     try {
@@ -262,8 +259,7 @@ final class RecordingFiles {
   }
 
   /**
-   * Begins the next file if the present one was deleted or moved away: what is written on into it
-   * would be lost with it.
+   * Starts the next file if the current one was deleted or moved away, since further writes to it would be lost.
    */
   void requirePresent(long nanos) {
     if (writer == null || Files.exists(file())) {
@@ -279,15 +275,15 @@ final class RecordingFiles {
     end(nanos, Map.of());
   }
 
-  /** Takes note of something that could not be written, and says so until writing works again. */
+  /** Counts a failed write; logs each distinct failure once until writing works again. */
   void failed(IOException e) {
     positionAtFailure = writer == null ? 0 : writer.position();
     failedNanos = presentNanos;
     String what =
         e instanceof FileSystemException
-            ? e.getClass().getSimpleName() + " " + e.getMessage() // which is the file's name alone
+            ? e.getClass().getSimpleName() + " " + e.getMessage() // message is only the name
             : String.valueOf(e.getMessage());
-    if (failures.size() < MAX_SAID && failures.add(what)) { // a full disk does not fill the log too
+    if (failures.size() < MAX_SAID && failures.add(what)) { // must not flood the log
       trouble.accept("recording into " + file() + ": " + what + "; tried again until it works");
     }
   }
@@ -296,12 +292,12 @@ final class RecordingFiles {
     return written.isEmpty() ? first : written.peekLast();
   }
 
-  /** Messages that were taken and could not be written. */
+  /** Number of accepted messages that could not be written. */
   long lost() {
     return lost + (writer == null ? 0 : writer.lost());
   }
 
-  /** The files of the recording, those deleted since left out; oldest first. */
+  /** Files of the recording, oldest first, without deleted ones. */
   List<Path> written() {
     return List.copyOf(written);
   }

@@ -16,8 +16,7 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 
 /**
- * Has the files of a run attached to its recording: the system file, its configurations, whatever
- * XML files these name, such as mission, fence and world, and the logs.
+ * Attaches the files of a run to its recording: the system file, its configurations, the XML files they name (mission, fence, world, …) and the logs.
  */
 public final class RunFiles {
   private static final int FOLDERS_IN_NAME = 3;
@@ -26,16 +25,16 @@ public final class RunFiles {
   private final Set<Path> attached = new HashSet<>();
 
   /**
-   * @param facts what the recording is to say of the run
+   * @param facts receives the files
    */
   public RunFiles(RecordingFacts facts) {
     this.facts = facts;
   }
 
   /**
-   * Attaches a system file, its configurations, and the files that these name.
+   * Attaches a system file, its configurations and the files they name.
    *
-   * @param configurations of its services and of the Communication Manager
+   * @param configurations those of its services and of the Communication Manager
    * @throws org.u2sa.interfaces.BadInputException if a configuration is not well-formed
    */
   public RunFiles system(Path file, Collection<Path> configurations) {
@@ -54,10 +53,10 @@ public final class RunFiles {
     }
   }
 
-  /** Attaches what a variable names, if it is an XML file: only its service knows what it means. */
+  /** Attaches the file a variable names, if it is XML; only the service knows its meaning. */
   public void attachIfFile(Path folder, String value) {
     if (!value.endsWith(".xml")) {
-      return; // passwords and keys are files too, and have no place in a recording
+      return; // passwords and keys must not be recorded
     }
     try {
       Path file = folder.resolve(value);
@@ -74,20 +73,20 @@ public final class RunFiles {
     attach(name(absolute), absolute);
   }
 
-  /** Attaches a file under a name of its own, unless it is attached already. */
+  /** Attaches a file under a unique name, unless already attached. */
   public void attach(String name, Path file) {
     if (attached.add(file.toAbsolutePath().normalize())) {
       facts.attach(name, file);
     }
   }
 
-  /** Attaches the logs of a folder as they are when the recording ends. */
+  /** Attaches the logs of a folder in their state at the end of the recording. */
   public RunFiles logs(Path folder) {
     facts.attachAtEnd(() -> logsIn(folder));
     return this;
   }
 
-  /** The file's name with its two folders, such as {@code config/ugv/system.xml}. */
+  /** File name with its two parent folders, such as {@code config/ugv/system.xml}. */
   private static String name(Path file) {
     int names = file.getNameCount();
     return file.subpath(Math.max(0, names - FOLDERS_IN_NAME), names).toString().replace('\\', '/');

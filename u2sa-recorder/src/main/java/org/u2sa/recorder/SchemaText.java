@@ -9,15 +9,14 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The JSON Schema of a message's CBOR map, with units. The keyword {@code unit} is ours; readers of
- * JSON Schema ignore what they do not know.
+ * The JSON Schema of a message's CBOR map, with units. The keyword {@code unit} is a U2SA extension; JSON Schema readers ignore unknown keywords.
  */
 public final class SchemaText {
   private static final String DIALECT = "https://json-schema.org/draft/2020-12/schema";
 
   private SchemaText() {}
 
-  /** The schema of that type, on one line. */
+  /** Schema of a type, on one line. */
   public static String of(MessageType<?> type) {
     JsonText properties = new JsonText();
     List<String> required = new ArrayList<>();

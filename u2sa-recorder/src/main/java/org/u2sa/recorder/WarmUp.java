@@ -12,9 +12,7 @@ import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /**
- * Writes a message nowhere, so that the classes and schemas that the first one needs are loaded
- * before there is one. That takes a tenth of a second of processor time, which a busy machine may
- * stretch to seconds, in which the writing thread would save nothing.
+ * Writes a message to nowhere, so that classes and schemas are loaded before the first message. Loading takes a tenth of a second of processor time, which a busy machine may stretch to seconds during which nothing would be saved.
  */
 final class WarmUp {
   private static final String SYSTEM = "warm-up";
@@ -54,7 +52,7 @@ final class WarmUp {
     }
   }
 
-  /** Keeps nothing but how much was written. */
+  /** Discards all bytes, keeping only the size. */
   private static final class Nowhere implements SeekableByteChannel {
     private long position;
 

@@ -1,5 +1,4 @@
 /**
- * Recording of runs: every message of a system, into files. What a demo or a command line does with
- * the files is no concern of this module.
+ * Recording of runs: every message of a system, into files. Demos and command lines that use the files are elsewhere.
  */
 package org.u2sa.recorder;

@@ -4,11 +4,10 @@ import java.net.InetAddress;
 import java.util.Map;
 
 /**
- * How many connections a second are accepted: of one network, and of all from which nobody has
- * logged in, which leaves the others their own. Confined to the accepting thread.
+ * Limits the accepted connections per second, for each network and for all networks without a successful login together, so that known networks keep their own rate. Confined to the accepting thread.
  */
 final class AcceptRate {
-  private static final double BURST_S = 1.0; // a system's clients may connect all at once
+  private static final double BURST_S = 1.0; // a system's clients may connect simultaneously
   private static final int NETWORKS_REMEMBERED = 1_024;
 
   private final double perNetworkPerS;
@@ -16,8 +15,7 @@ final class AcceptRate {
   private final Map<String, Allowance> byNetwork = new RecentlyUsed<>(NETWORKS_REMEMBERED);
 
   /**
-   * @param perS connections a second from all networks from which nobody has logged in; each
-   *     network has half of that
+   * @param perS connections per second from all networks without a successful login; half of it for a single network
    */
   AcceptRate(double perS, long nowMicros) {
     perNetworkPerS = perS / 2.0;
@@ -25,9 +23,9 @@ final class AcceptRate {
   }
 
   /**
-   * Whether one more may be accepted, which then counts.
+   * Whether another connection may be accepted; if so, it is counted.
    *
-   * @param isKnown whether somebody has logged in from its network
+   * @param isKnown whether its network has had a successful login
    */
   boolean accepts(InetAddress from, boolean isKnown, long nowMicros) {
     Allowance network =

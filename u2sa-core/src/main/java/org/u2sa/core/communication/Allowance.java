@@ -3,10 +3,10 @@ package org.u2sa.core.communication;
 import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
-/** A rate limit with bursts, usually of up to a quarter of a second's worth. For one thread. */
+/** Token bucket: a rate limit with bursts, by default a quarter of a second's worth. Not thread-safe. */
 final class Allowance {
   private static final double BURST_S = 0.25;
-  private static final double LEAST_BURST = 1.0; // even of a slow one
+  private static final double LEAST_BURST = 1.0; // even at low rates
 
   private final double perS;
   private final double burst;
@@ -18,7 +18,7 @@ final class Allowance {
   }
 
   /**
-   * @param burst how many may come at once; one at least
+   * @param burst burst size; at least one
    */
   Allowance(double perS, double burst, long nowMicros) {
     this.perS = perS;
@@ -27,27 +27,26 @@ final class Allowance {
     asOfMicros = nowMicros;
   }
 
-  /** Whether anything is left; one may overdraw it once. */
+  /** Whether anything is left; the next take may overdraw it. */
   boolean isOpen(long nowMicros) {
     left = Math.min(burst, left + perS * Clock.seconds(nowMicros - asOfMicros));
     asOfMicros = nowMicros;
     return left > 0.0;
   }
 
-  /** To be called after {@link #isOpen}. */
+  /** Takes an amount; call {@link #isOpen} before. */
   void take(double amount) {
     left -= amount;
   }
 
-  /** Takes without asking before: what has come cannot be refused. */
+  /** Takes unconditionally, for what was already received. */
   void take(double amount, long nowMicros) {
     isOpen(nowMicros);
     take(amount);
   }
 
   /**
-   * One {@link Allowance} per user, however many connections the user has. Safe for several
-   * threads.
+   * One {@link Allowance} per user, shared by all of the user's connections. Thread-safe.
    */
   static final class PerUser {
     private static final int USERS_REMEMBERED = 1_024;
@@ -60,7 +59,7 @@ final class Allowance {
       this.perS = perS;
     }
 
-    /** Takes from the user's allowance if there is any left; it may be overdrawn once. */
+    /** Takes from the user's allowance if any is left; may overdraw it. */
     synchronized boolean take(String user, double amount, long nowMicros) {
       Allowance allowance = byUser.computeIfAbsent(user, name -> new Allowance(perS, nowMicros));
       if (!allowance.isOpen(nowMicros)) {
@@ -70,7 +69,7 @@ final class Allowance {
       return true;
     }
 
-    /** Takes without asking: what was done already. */
+    /** Takes unconditionally, for what was already done. */
     synchronized void charge(String user, double amount, long nowMicros) {
       byUser.computeIfAbsent(user, name -> new Allowance(perS, nowMicros)).take(amount, nowMicros);
     }

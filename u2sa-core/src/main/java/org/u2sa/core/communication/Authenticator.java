@@ -59,10 +59,10 @@ final class Authenticator implements AutoCloseable {
   private final LoginQueue queue;
   private final Map<String, Proven> proven = new ConcurrentHashMap<>();
   private final Thread thread = new Thread(this::work, "u2sa-login");
-  private long restUntil = Long.MIN_VALUE; // touched by the thread only
+  private long restUntil = Long.MIN_VALUE; // used by the thread only
 
   /**
-   * @param trouble told of passwords that could not be checked
+   * @param trouble notified of passwords that could not be checked
    */
   Authenticator(Users users, Clock clock, Consumer<String> trouble) {
     this.users = users;
@@ -130,11 +130,11 @@ final class Authenticator implements AutoCloseable {
         }
       }
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // the end
+      Thread.currentThread().interrupt(); // shut down
     }
   }
 
-  /** An application that fails keeps nobody else from logging in. */
+  /** Judges an application; a failure must not prevent other logins. */
   private void tryToJudge(LoginApplication application) {
     try {
       judge(application);

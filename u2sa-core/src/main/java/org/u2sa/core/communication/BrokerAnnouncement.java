@@ -11,20 +11,19 @@ import javax.jmdns.JmDNS;
 import javax.jmdns.ServiceInfo;
 
 /**
- * Tells the local network by multicast DNS where this system's broker listens. Announcing takes
- * seconds, so it is done on a thread of its own, as is taking it back.
+ * Tells the local network by multicast DNS where this system's broker listens. Announcing and withdrawing take seconds and run on a separate thread.
  */
 final class BrokerAnnouncement implements AutoCloseable {
-  /** The kind of service, as registered for MQTT. */
+  /** DNS-SD service type registered for MQTT. */
   static final String TYPE = "_mqtt._tcp.local.";
 
-  /** Key of the IDs of the systems that talk over the broker, with commas between; * for any. */
+  /** TXT key: comma-separated IDs of the systems on the broker; * for any. */
   static final String SYSTEMS = "u2sa";
 
-  /** Key of whether the broker wants TLS. */
+  /** TXT key: whether the broker requires TLS. */
   static final String ENCRYPTED = "tls";
 
-  /** Key of what tells brokers apart that are seen through several networks. */
+  /** TXT key: unique ID that identifies a broker seen through several networks. */
   static final String ID = "id";
 
   private static final long GOODBYE_WITHIN_MS = 700;
@@ -34,7 +33,7 @@ final class BrokerAnnouncement implements AutoCloseable {
   private final int port;
   private final boolean encrypted;
   private final Consumer<String> log;
-  private final List<JmDNS> open = new ArrayList<>(); // this and the following under this
+  private final List<JmDNS> open = new ArrayList<>(); // guarded by this, like those below
   private boolean closed;
 
   private BrokerAnnouncement(
@@ -47,10 +46,9 @@ final class BrokerAnnouncement implements AutoCloseable {
   }
 
   /**
-   * Begins to announce; what does not work is told to the log only, since the broker serves
-   * without.
+   * Starts announcing. Failures are only logged, since the broker works without announcements.
    *
-   * @param bindAddress where the broker listens
+   * @param bindAddress address the broker listens on
    */
   static BrokerAnnouncement start(
       String bindAddress, String systemId, int port, boolean encrypted, Consumer<String> log) {
@@ -93,7 +91,7 @@ final class BrokerAnnouncement implements AutoCloseable {
       Map<String, String> properties =
           Map.of(SYSTEMS, systemId, ENCRYPTED, String.valueOf(encrypted), ID, id);
       dns.registerService(ServiceInfo.create(TYPE, "u2sa-" + systemId, port, 0, 0, properties));
-    } catch (IOException | RuntimeException e) { // the latter as when closed meanwhile
+    } catch (IOException | RuntimeException e) { // the latter e.g. when closed concurrently
       log.accept(
           "the broker is not announced by mDNS through "
               + address.getHostAddress()
@@ -102,7 +100,7 @@ final class BrokerAnnouncement implements AutoCloseable {
     }
   }
 
-  /** Says goodbye, and returns after a short while in any case. */
+  /** Withdraws the announcement (mDNS goodbye); returns after a short time in any case. */
   @Override
   public void close() {
     List<JmDNS> toClose;
@@ -115,7 +113,7 @@ final class BrokerAnnouncement implements AutoCloseable {
     toClose.forEach(dns -> goodbyes.add(daemon(() -> close(dns))));
     try {
       for (Thread goodbye : goodbyes) {
-        goodbye.join(GOODBYE_WITHIN_MS); // the first word goes out at once, it is repeated for 2 s
+        goodbye.join(GOODBYE_WITHIN_MS); // the first is sent immediately, repeats follow for 2 s
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -6,21 +6,21 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.u2sa.interfaces.communication.CommunicationException;
 
-/** Holds the embedded broker of a running system, and puts a new one in its place when it fails. */
+/** Owns the embedded broker of a running system, and replaces it when it fails. */
 final class BrokerSupervisor implements AutoCloseable {
   private static final long TRY_AGAIN_MS = 500;
 
   private final Function<Runnable, EmbeddedBroker> starter;
   private final Consumer<String> log;
   private final InetSocketAddress address;
-  private EmbeddedBroker broker; // null while none could be started; this and the following: this
+  private EmbeddedBroker broker; // null if none could be started; guarded by this, as below
   private long droppedBefore; // by predecessors
   private boolean closed;
 
   /**
    * Starts the broker.
    *
-   * @param starter starts one, given whom to tell when it fails
+   * @param starter starts a broker, given a callback for its failure
    * @throws CommunicationException if it cannot listen
    */
   BrokerSupervisor(Function<Runnable, EmbeddedBroker> starter, Consumer<String> log) {
@@ -40,7 +40,7 @@ final class BrokerSupervisor implements AutoCloseable {
         });
   }
 
-  /** Called on a thread of the broker, which is not to end itself. */
+  /** Called on a thread of the broker, which must not shut down itself; repairs on another. */
   private void repairSoon() {
     Thread repair = new Thread(this::repair, "u2sa-broker-restart");
     repair.setDaemon(true);
@@ -53,10 +53,10 @@ final class BrokerSupervisor implements AutoCloseable {
       try {
         restart();
         return;
-      } catch (RuntimeException e) { // a port that is taken, or anything else
+      } catch (RuntimeException e) { // port taken, or any other failure
         String failure = e instanceof CommunicationException ? e.getMessage() : e.toString();
         if (!lastFailure.equals(failure)) {
-          lastFailure = failure; // said once, however long it lasts
+          lastFailure = failure; // logged once, however long it lasts
           log.accept(failure + "; services of other processes are cut off, retrying");
         }
       }
@@ -70,7 +70,7 @@ final class BrokerSupervisor implements AutoCloseable {
   }
 
   /**
-   * Puts a new broker in the place of the one that runs.
+   * Replaces the running broker with a new one.
    *
    * @throws CommunicationException if it cannot listen
    */
@@ -86,7 +86,7 @@ final class BrokerSupervisor implements AutoCloseable {
   private void endPresent() {
     EmbeddedBroker present = broker;
     if (present != null) {
-      broker = null; // even if its end fails
+      broker = null; // even if closing it fails
       present.close();
       droppedBefore += present.dropped();
     }
@@ -96,7 +96,7 @@ final class BrokerSupervisor implements AutoCloseable {
     return address;
   }
 
-  /** What clients and the broker were too slow for, since the start. */
+  /** Number of messages dropped because clients or the broker were too slow, since the start. */
   synchronized long dropped() {
     return droppedBefore + (broker == null ? 0 : broker.dropped());
   }

@@ -43,7 +43,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private PacketFilter packets; // set on admission, like the rules
   private PacketRules rules;
   private ClientSubscriptions subscriptions;
-  private boolean isBudgeted; // what is kept for the client counts
+  private boolean isBudgeted; // the client's memory is counted
   private ConnectRequest.Will will; // null if none or already published
   private boolean hasNews; // packets passed to Moquette since the last read-complete
   private String clientId = "";
@@ -179,12 +179,12 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     outflow.answer(context, answer);
   }
 
-  /** Whether it has not identified itself yet. */
+  /** Whether the client has not identified itself yet. */
   boolean isPending() {
     return stage == Stage.STRANGER;
   }
 
-  /** Whether nothing that it sends counts any more. */
+  /** Whether the session has ended and its packets are ignored. */
   boolean isOut() {
     return stage == Stage.OUT;
   }
@@ -211,7 +211,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     if (stage != Stage.OUT) {
       stage = Stage.OUT;
       filter.refusals().add(kind, who() + (details.isEmpty() ? "" : ", " + details));
-      // Past the encryption, which would wait until the client has read its goodbye.
+      // Bypasses the encryption, which would wait until the client has read its close_notify.
       ctx.pipeline().firstContext().close();
     }
   }
@@ -255,7 +255,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
             ConnectionFault.MALFORMED,
             cause == null ? "" : Refusals.shown("" + cause.getMessage()));
       } else if (stage == Stage.STRANGER) {
-        hasNews = true; // hands it on by itself
+        hasNews = true; // connect passes it on
         connect(ctx, packet);
       } else {
         handedOn = packets.examine(ctx, packet);
@@ -324,7 +324,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     }
     user = known.get();
     name = user.name();
-    if (isOperator()) { // of the account, not anybody
+    if (isOperator()) { // of the account, not anonymous
       filter.pending().proven(this);
     }
     admit(ctx, said);
@@ -425,7 +425,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
     ConnectionFault fault = ConnectionFault.of(cause);
     if (stage == Stage.IN && fault.isLoss()) {
-      stage = Stage.OUT; // its will reports that, and what it was part of
+      stage = Stage.OUT; // its will reports the loss
       ctx.close();
     } else {
       putOut(ctx, fault.kind(), fault.words());

@@ -61,8 +61,8 @@ public final class CommunicationManager implements AutoCloseable {
    * Starts the Communication Manager of a system.
    *
    * @param systemId the vehicle
-   * @param configuration the Communication Manager's variables @param types the message types that
-   *     remote clients may publish
+   * @param configuration the Communication Manager's variables
+   * @param types the message types that remote clients may publish
    * @param log receives later failures, one line each
    * @throws CommunicationException if the port is taken or the external broker does not answer
    * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is wrong
@@ -171,7 +171,7 @@ public final class CommunicationManager implements AutoCloseable {
    * The transport to another system on the same broker, which requires a user and encryption as for
    * any client.
    *
-   * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all and publish nothing
+   * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to receive all and publish nothing
    * @throws CommunicationException if nothing leaves this process
    */
   public Transport transportOf(String otherSystemId) {

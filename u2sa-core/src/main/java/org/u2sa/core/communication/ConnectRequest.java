@@ -11,7 +11,7 @@ import java.util.UUID;
 
 /** The contents of a client's first packet. */
 final class ConnectRequest {
-  /** Why a request is refused, and what the client is told (MQTT 3.1.1, 3.2.2.3). */
+  /** Reason for refusing a request, with the return code for the client (MQTT 3.1.1, 3.2.2.3). */
   enum Fault {
     VERSION(
         "it speaks another MQTT than 3.1 and 3.1.1",
@@ -41,7 +41,7 @@ final class ConnectRequest {
   }
 
   /**
-   * What the client wants to be published when its connection breaks.
+   * The client's will, published when its connection breaks.
    *
    * @param eachMatters whether it has QoS 1
    */
@@ -60,17 +60,17 @@ final class ConnectRequest {
   }
 
   /**
-   * @param pass what the connection filter gives those it lets in, in place of a password
+   * @param pass pass that the connection filter puts in place of an admitted client's password
    */
   static ConnectRequest of(MqttConnectMessage packet, String pass) {
     String said = packet.payload().clientIdentifier();
-    // mosquitto_sub and HiveMQ's client leave naming themselves to the broker unless told otherwise
+    // by default, mosquitto_sub and HiveMQ's client let the broker assign a name
     boolean isNamed = said != null && !said.isEmpty();
     String id = isNamed ? said : "unnamed-" + UUID.randomUUID();
     return new ConnectRequest(packet, id, isNamed, pass);
   }
 
-  /** Why it is refused, regardless of the user; empty if it is not. */
+  /** Reason for refusing it regardless of the user, or empty. */
   Optional<Fault> fault() {
     int version = packet.variableHeader().version();
     if (version != MqttVersion.MQTT_3_1_1.protocolLevel()
@@ -90,7 +90,7 @@ final class ConnectRequest {
     return clientId;
   }
 
-  /** Empty if it says none. */
+  /** User name; empty if none. */
   String user() {
     String user = packet.payload().userName();
     return packet.variableHeader().hasUserName() && user != null ? user : "";
@@ -114,11 +114,9 @@ final class ConnectRequest {
   }
 
   /**
-   * The packet as Moquette gets it: with the connection filter's pass for a password, without the
-   * will, which the session publishes, and with no session that would outlast the connection.
+   * The packet as passed to Moquette: with the connection filter's pass as password, without the will (published by the session), and without a persistent session.
    *
-   * @param connection the connection's own ID, in place of the client's: Moquette takes two
-   *     connections of one client for one, and ends the newer with the older
+   * @param connection unique connection ID that replaces the client ID: Moquette confuses two connections of one client, and closes the newer together with the older
    */
   MqttConnectMessage forMoquette(String connection, String name) {
     MqttConnectVariableHeader said = packet.variableHeader();

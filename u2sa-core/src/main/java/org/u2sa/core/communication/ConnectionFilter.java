@@ -43,12 +43,12 @@ final class ConnectionFilter implements AutoCloseable {
 
   private static final long ACCEPT_AGAIN_AFTER_MS = 200;
 
-  /** Connections accepted per second from networks that are not known, see {@link AcceptRate}. */
+  /** Connections accepted per second from unknown networks, see {@link AcceptRate}. */
   static final double ACCEPTED_PER_S = 2_000.0;
 
   static final double ENCRYPTED_PER_S = 200.0; // each costs milliseconds
 
-  /** Connections beyond that which are refused per second; others wait, unseen. */
+  /** Further connections refused per second; the rest wait in the listen backlog. */
   private static final double REFUSED_PER_S = 20_000.0;
 
   private static final double REFUSED_AT_ONCE = 200.0;
@@ -136,7 +136,7 @@ final class ConnectionFilter implements AutoCloseable {
   }
 
   /**
-   * Called by Moquette: whether the connection was admitted by this filter.
+   * Called by Moquette: returns whether this filter admitted the connection.
    *
    * @throws StartingException if not, because the filter was not installed yet: the connection
    *     closes without an answer and the client retries, whereas "wrong password" would be final

@@ -10,9 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * TLS of the broker's connections. A thread of its own computes their handshakes (key exchange and
- * signature take milliseconds), so that the network thread serves the others meanwhile. Those from
- * networks from which somebody has logged in go first.
+ * TLS of the broker's connections. Handshakes are computed on a separate thread (key exchange and signature take milliseconds), so that the network thread keeps serving others. Networks with a successful login have priority.
  */
 final class Encryption implements AutoCloseable {
   private final SslContext context;
@@ -32,9 +30,9 @@ final class Encryption implements AutoCloseable {
   }
 
   /**
-   * Puts encryption before a connection's other handlers.
+   * Inserts encryption before a connection's other handlers.
    *
-   * @param isKnown whether somebody has logged in from the client's network
+   * @param isKnown whether the client's network has had a successful login
    */
   void addTo(ChannelPipeline pipeline, TlsRecords records, boolean isKnown) {
     Channel channel = pipeline.channel();
@@ -46,14 +44,13 @@ final class Encryption implements AutoCloseable {
   }
 
   /**
-   * One computation of a handshake. Their number is bounded by that of the accepted connections,
-   * each of which waits for one at most.
+   * A handshake computation. Bounded by the number of accepted connections, each of which waits for at most one.
    */
   private record Step(Channel channel, Runnable computation, boolean isKnown, long number)
       implements Runnable, Comparable<Step> {
     @Override
     public void run() {
-      if (channel.isActive()) { // else it was put out for a newer one
+      if (channel.isActive()) { // otherwise displaced by a newer connection
         computation.run();
       }
     }

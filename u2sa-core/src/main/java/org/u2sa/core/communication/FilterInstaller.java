@@ -18,10 +18,7 @@ import java.util.concurrent.ExecutionException;
 import org.u2sa.interfaces.communication.CommunicationException;
 
 /**
- * Puts the connection filter before Moquette's listening socket. Moquette has no way of its own for
- * that, so its private field is read; should a later version keep it elsewhere, the broker does not
- * start. What connects before the connection filter is there has no pass, is not let in, and is
- * disconnected, since nothing would limit what Moquette decodes for it.
+ * Installs the connection filter before Moquette's listening socket. Moquette has no API for that, so a private field is read; if a later version moves it, the broker refuses to start. Connections made before the filter is installed have no pass, are not admitted, and are closed, because nothing would limit what Moquette decodes for them.
  */
 final class FilterInstaller {
   private static final long END_WITHIN_S = 5;
@@ -51,8 +48,7 @@ final class FilterInstaller {
   }
 
   /**
-   * Ends the network threads. Moquette would do it too, but wait for two seconds in which nothing
-   * happens any more: what clients are owed was sent before.
+   * Ends the network threads. Moquette would do it too, but would wait idly for two seconds, although everything was sent before.
    */
   static void takeDown(Server server) {
     try {
@@ -72,9 +68,7 @@ final class FilterInstaller {
   }
 
   /**
-   * Has one thread serve all connections, so that a message changes threads nowhere between two of
-   * them: to wake another takes longer than to route a message. Netty would spread them over
-   * several.
+   * Serves all connections on one thread, so that messages between them never change threads: waking another thread takes longer than routing a message. Netty would use several.
    */
   private static EventLoop putOnOneThread(Channel listening) throws ReflectiveOperationException {
     ChannelHandler acceptor = listening.pipeline().last();
@@ -85,7 +79,7 @@ final class FilterInstaller {
     return one;
   }
 
-  /** Ends connections from before the connection filter was there. On the loop's own thread. */
+  /** Closes connections made before the filter was installed. Call on the loop's thread. */
   private static void closeUnfiltered(SingleThreadEventLoop loop) {
     List<Channel> unfiltered = new ArrayList<>();
     loop.registeredChannelsIterator()
@@ -98,7 +92,7 @@ final class FilterInstaller {
     unfiltered.forEach(Channel::close);
   }
 
-  /** On the loop's own thread, as its channels may be looked at there only. */
+  /** Call on the loop's thread, the only one that may access its channels. */
   private static int install(ConnectionFilter filter, EventLoop loop)
       throws ReflectiveOperationException {
     int installed = 0;

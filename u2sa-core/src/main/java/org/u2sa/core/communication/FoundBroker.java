@@ -5,10 +5,10 @@ import java.util.Set;
 /**
  * A broker that announced itself.
  *
- * @param host its address
+ * @param host IP address or host name
  * @param port its TCP port
- * @param systems IDs of the systems that talk over it; {@code *} stands for any
- * @param encrypted whether it wants TLS
+ * @param systems IDs of the systems on it; {@code *} for any
+ * @param encrypted whether it requires TLS
  */
 public record FoundBroker(String host, int port, Set<String> systems, boolean encrypted) {
   private static final String ANY = "*";
@@ -17,7 +17,7 @@ public record FoundBroker(String host, int port, Set<String> systems, boolean en
     systems = Set.copyOf(systems);
   }
 
-  /** Whether the system talks over it. */
+  /** Whether the system is on this broker. */
   public boolean carries(String systemId) {
     return systems.contains(systemId) || systems.contains(ANY);
   }

@@ -16,8 +16,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.LocalToken;
 
 /**
- * The account under which this program runs, as a user of a broker that only this host can reach:
- * whoever can read the token file has full access, everybody else may listen and query.
+ * Access to a broker that only this host can reach: programs that can read the token file, i.e. run under the same account, have full access; all others may only listen and query.
  */
 final class LocalAccount implements AutoCloseable {
   private final Path file;
@@ -25,7 +24,7 @@ final class LocalAccount implements AutoCloseable {
   private final User anybody =
       ProcessAccount.with(ConnectionFilter.ANONYMOUS, EnumSet.of(AccessRole.OBSERVER)).user();
   private final Consumer<String> log;
-  private boolean published; // while the broker is being started
+  private boolean published; // used while the broker starts
 
   private LocalAccount(Path file, Consumer<String> log) {
     this.log = log;
@@ -33,10 +32,9 @@ final class LocalAccount implements AutoCloseable {
   }
 
   /**
-   * Makes a new token for the broker that is to listen there, and writes it down unless another
-   * broker does, whose token it would overwrite.
+   * Creates a new token for the broker that is to listen at this address, and writes it to the file, unless another broker listens there, whose token would be overwritten.
    *
-   * @param log is told if it cannot be written, and what follows
+   * @param log notified if the file cannot be written, with the consequence
    */
   static LocalAccount at(String bindAddress, int port, Consumer<String> log) {
     LocalAccount account = new LocalAccount(LocalToken.file(bindAddress, port), log);
@@ -55,7 +53,7 @@ final class LocalAccount implements AutoCloseable {
     }
   }
 
-  /** Writes the token down, unless that is done. Where it fails, nobody else has one. */
+  /** Writes the token file, unless already written. On failure, no other program has access. */
   void publish() {
     if (published) {
       return;
@@ -75,17 +73,17 @@ final class LocalAccount implements AutoCloseable {
     }
   }
 
-  /** The account's programs. */
+  /** User for programs with the token. */
   ProcessAccount own() {
     return own;
   }
 
-  /** Anonymous clients. */
+  /** User for anonymous clients. */
   User anybody() {
     return anybody;
   }
 
-  /** Removes the token, unless a later broker of that port has put its own there. */
+  /** Removes the token file, unless a later broker on this port has replaced it. */
   @Override
   public void close() {
     try {
@@ -96,7 +94,7 @@ final class LocalAccount implements AutoCloseable {
         Files.delete(file);
       }
     } catch (IOException e) {
-      return; // of use to nobody: the broker that it opens has ended
+      return; // harmless: its broker has ended
     }
   }
 }

@@ -4,10 +4,10 @@ import java.net.InetAddress;
 import java.util.function.Consumer;
 
 /**
- * A request to log in under a name. Equal only to itself: passwords are compared by identity.
+ * A login request. Equality is by identity, because the password is an array.
  *
- * @param from the address, or for IPv6 its network
- * @param answer takes the verdict; called once
+ * @param from client address, or its network for IPv6
+ * @param answer receives the verdict; called once
  */
 record LoginApplication(
     String name, byte[] password, String from, Consumer<Authenticator.Verdict> answer) {
@@ -16,7 +16,7 @@ record LoginApplication(
     this(name, password, SourceNetwork.of(from), answer);
   }
 
-  /** Name and address together. */
+  /** Key of name and address. */
   String key() {
     return from + " " + name;
   }

@@ -3,13 +3,13 @@ package org.u2sa.core.communication;
 import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
-/** Counts wrong passwords by name and address. Safe for several threads. */
+/** Counts wrong passwords by name and address. Thread-safe. */
 final class LoginFailures {
   private static final int REMEMBERED = 4_096;
   private static final long FIRST_WAIT_MICROS = 250_000;
   private static final long LONGEST_WAIT_MICROS = 30 * Clock.MICROS_PER_SECOND;
   private static final long FORGOTTEN_AFTER_MICROS = 600 * Clock.MICROS_PER_SECOND;
-  private static final int DOUBLINGS = 20; // beyond the longest wait, and within a long
+  private static final int DOUBLINGS = 20; // exceeds the longest wait, without overflow
 
   private record Failures(int count, long lastMicros) {}
 
@@ -37,12 +37,12 @@ final class LoginFailures {
     return counts ? before.count : 0;
   }
 
-  /** Forgets those of the same name from the same address; the address's own stay. */
+  /** Resets the count of the name from the address; the address's own count remains. */
   synchronized void forget(LoginApplication right) {
     byKey.remove(right.key());
   }
 
-  /** Whether the same name from the same address gave a wrong password a short time ago. */
+  /** Whether the name from the address is still in back-off after a wrong password. */
   synchronized boolean mustWait(LoginApplication application) {
     int count = recent(byKey, application.key());
     if (count == 0) {
@@ -52,7 +52,7 @@ final class LoginFailures {
     return clock.micros() < byKey.get(application.key()).lastMicros + wait;
   }
 
-  /** Wrong passwords that came from the address lately. */
+  /** Number of recent wrong passwords from the address. */
   synchronized int from(LoginApplication application) {
     return recent(byAddress, application.from());
   }

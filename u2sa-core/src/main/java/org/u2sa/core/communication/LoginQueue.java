@@ -8,8 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Login requests that wait for their password check, in order of arrival; those from addresses
- * without wrong passwords go first. Safe for several threads.
+ * Login requests waiting for their password check, in order of arrival; addresses without wrong passwords have priority. Thread-safe.
  */
 final class LoginQueue {
   private static final int AT_MOST = 256;
@@ -23,8 +22,7 @@ final class LoginQueue {
   }
 
   /**
-   * Adds one. Returns the one displaced, perhaps itself: from the address with the most wrong
-   * passwords, then with the most waiting requests.
+   * Adds a request. Returns the displaced one, possibly itself: from the address with the most wrong passwords, then with the most waiting requests.
    */
   synchronized Optional<LoginApplication> add(LoginApplication application) {
     long same = waiting.stream().filter(other -> other.from().equals(application.from())).count();
@@ -48,13 +46,13 @@ final class LoginQueue {
   }
 
   /**
-   * Takes the next one.
+   * Takes the next request.
    *
-   * @param blamelessOnly whether to take only those from addresses without wrong passwords
+   * @param blamelessOnly whether to consider only addresses without wrong passwords
    */
   synchronized Optional<LoginApplication> poll(boolean blamelessOnly) {
     Optional<LoginApplication> next =
-        waiting.stream().min(Comparator.comparingInt(failures::from)); // of equals the oldest
+        waiting.stream().min(Comparator.comparingInt(failures::from)); // the oldest on ties
     if (next.isEmpty() || blamelessOnly && failures.from(next.get()) > 0) {
       return Optional.empty();
     }

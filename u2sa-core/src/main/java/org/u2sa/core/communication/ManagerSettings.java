@@ -3,7 +3,7 @@ package org.u2sa.core.communication;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.schema.WireForm;
 
-/** The variables of the {@link CommunicationManager}, its limits and security aside. */
+/** Variables of the {@link CommunicationManager}, except limits and security. */
 public record ManagerSettings(
     @Variable(
             oneOf = {"embedded", "external", "none"},

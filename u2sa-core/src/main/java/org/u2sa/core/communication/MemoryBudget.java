@@ -7,9 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * Bytes of one kind that the broker keeps for its connections, such as those of packets that are
- * not complete. Beyond a limit for all together, the connection with the most of the user with the
- * most is ended, so that nobody fills the memory. For one thread.
+ * Limits one kind of memory that the broker holds for its connections, such as incomplete packets. Beyond the total limit, closes the largest connection of the user with the most, so that nobody can exhaust memory. Not thread-safe.
  *
  * @param <C> a connection
  */
@@ -21,8 +19,8 @@ final class MemoryBudget<C> {
   private long total;
 
   /**
-   * @param maxBytes of all connections
-   * @param end ends a connection; called once for each
+   * @param maxBytes limit of all connections together [B]
+   * @param end closes a connection; called once for each
    */
   MemoryBudget(long maxBytes, Function<C, String> userOf, Consumer<C> end) {
     this.maxBytes = maxBytes;
@@ -31,12 +29,11 @@ final class MemoryBudget<C> {
   }
 
   /**
-   * A budget of clients.
+   * Creates a budget for clients.
    *
-   * @param part which part of the heap's size it is, such as 8 for an eighth; direct memory has
-   *     that size too, unless Java was told otherwise
-   * @param maxBytes at most, whatever the heap's size
-   * @param why for the log
+   * @param part divisor of the heap size, such as 8 for an eighth; direct memory has the same size by default
+   * @param maxBytes upper limit for any heap size [B]
+   * @param why reason for the log
    */
   static MemoryBudget<ClientSession> ofClients(int part, long maxBytes, String why) {
     long fitting = Math.min(maxBytes, Runtime.getRuntime().maxMemory() / part);
@@ -46,7 +43,7 @@ final class MemoryBudget<C> {
         client -> client.putOutFor(why));
   }
 
-  /** Sets how many bytes are kept for one connection; 0: none. */
+  /** Sets the bytes held for a connection; 0 for none. */
   void set(C connection, long length) {
     Long before = length == 0 ? bytes.remove(connection) : bytes.put(connection, length);
     total += length - (before == null ? 0 : before);

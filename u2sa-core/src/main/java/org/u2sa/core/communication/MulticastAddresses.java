@@ -14,9 +14,9 @@ final class MulticastAddresses {
   private MulticastAddresses() {}
 
   /**
-   * Those of all networks that are up, loopback last.
+   * Addresses of all networks that are up, loopback last.
    *
-   * @throws IOException if the host cannot say
+   * @throws IOException if they cannot be determined
    */
   static List<InetAddress> all() throws IOException {
     List<InetAddress> networks = new ArrayList<>();
@@ -38,9 +38,9 @@ final class MulticastAddresses {
   }
 
   /**
-   * Those at which a server bound to that address can be reached.
+   * Addresses at which a server bound to the given address can be reached.
    *
-   * @param bindAddress an address of this host, or the one that stands for all
+   * @param bindAddress an address of this host, or the wildcard address
    */
   static List<InetAddress> of(String bindAddress) throws IOException {
     InetAddress address = InetAddress.getByName(bindAddress);

@@ -28,9 +28,9 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   private static final int MAX_UNACKNOWLEDGED = LAST_PACKET / 2;
 
   private static final int BYTES_OF_A_NUMBER = 128; // memory of one map entry
-  private static final int PUBACK = 0x4002; // its type and length
+  private static final int PUBACK = 0x4002; // type and length
 
-  /** More than one read of ordinary messages makes. */
+  /** More answers than one read of ordinary messages causes. */
   private static final int MAX_UNSENT_ANSWERS = 512;
 
   private final ConnectionFilter filter;
@@ -44,9 +44,9 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   private int onTheWay; // unacknowledged messages queued but not yet written
   private long sentMicros = Long.MIN_VALUE / 2; // time of the last message
   private int lastPacket;
-  private String mayHear = ""; // what topics begin with of which it is known
+  private String mayHear = ""; // topic prefix last found to be allowed
   private boolean isFlushing; // flush scheduled
-  private ChannelHandlerContext packets; // where they are bytes already
+  private ChannelHandlerContext packets; // position where packets are encoded
 
   /**
    * A message awaiting acknowledgement.
@@ -66,7 +66,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     client = clientId;
   }
 
-  /** What Moquette sends are answers. */
+  /** Handles Moquette's writes, which are answers. */
   @Override
   public void write(ChannelHandlerContext ctx, Object message, ChannelPromise promise) {
     note(ctx.write(message, promise.unvoid()));

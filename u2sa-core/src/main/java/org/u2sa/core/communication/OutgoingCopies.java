@@ -38,12 +38,12 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final Consumer<String> log;
   private final OriginNumbers numbers = OriginNumbers.ofNewSender();
   private final BlockingQueue<Copy> waiting = new ArrayBlockingQueue<>(WAITING_AT_MOST);
-  private Semaphore onTheWay = new Semaphore(ON_THE_WAY_AT_MOST); // touched by the sender only
+  private Semaphore onTheWay = new Semaphore(ON_THE_WAY_AT_MOST); // used by the sender only
   private final AtomicLong dropped = new AtomicLong();
   private final Thread sender = new Thread(this::send, "u2sa-outgoing-copies");
   private volatile boolean closing;
 
-  /** Takes the messages of one system to the clients of a broker. */
+  /** Creates a sender of one system's messages to a broker's clients. */
   OutgoingCopies(
       String systemId, MessageCodec codec, ConnectionFilter filter, Consumer<String> log) {
     this.systemId = systemId;
@@ -60,7 +60,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   @Override
   public void forward(Channel<?> channel, U2SAData message) {
-    if (channel.isRetained()) { // needed by late subscribers, too
+    if (channel.isRetained()) { // also for late subscribers
       String topic = Topic.of(systemId, channel, message).toString();
       number(numbers.on(topic), channel, topic, message, true);
     } else {
@@ -126,7 +126,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     try {
       publish(copy, place::release);
     } catch (
-        RuntimeException e) { // this one cannot be sent, such as a message too long; others can
+        RuntimeException e) { // only this message cannot be sent, e.g. too long
       place.release();
       drop("publishing on \"" + copy.topic + "\" failed: " + e.getMessage());
     }

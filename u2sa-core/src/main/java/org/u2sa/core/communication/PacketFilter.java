@@ -10,7 +10,7 @@ import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
 import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
 import java.util.Optional;
 
-/** Looks at each packet of a client that was let in. Belongs to its connection's thread. */
+/** Filters the packets of an admitted client. Confined to its connection's thread. */
 final class PacketFilter {
   private final ConnectionFilter filter;
   private final PacketRules rules;
@@ -19,7 +19,7 @@ final class PacketFilter {
   private final ClientSession session;
 
   /**
-   * @param who for the log
+   * @param who client description for the log
    */
   PacketFilter(
       ConnectionFilter filter,
@@ -35,9 +35,9 @@ final class PacketFilter {
   }
 
   /**
-   * Looks at a packet and, if it may pass, does what it asks or hands it on to Moquette.
+   * Checks a packet and, if allowed, executes it or passes it to Moquette.
    *
-   * @return whether it was handed on; otherwise it is the caller's still
+   * @return whether it was passed on; otherwise the caller still owns it
    */
   boolean examine(ChannelHandlerContext ctx, MqttMessage packet) {
     switch (packet.fixedHeader().messageType()) {
@@ -60,13 +60,13 @@ final class PacketFilter {
       case DISCONNECT:
         ctx.fireChannelRead(packet);
         return true;
-      default: // QoS 2, a second CONNECT, or what only a broker says
+      default: // QoS 2, a second CONNECT, or a packet only brokers send
         session.putOut(ctx, "unexpected packet", packet.fixedHeader().messageType().toString());
         return false;
     }
   }
 
-  /** The answer goes first, as clients expect it; what is new from then on follows. */
+  /** Answers first, as clients expect; newer messages follow. */
   private void subscribe(MqttSubscribeMessage wanted) {
     Optional<String> refused = subscriptions.refusalOf(wanted);
     session.answer(ClientSubscriptions.answerTo(wanted, refused.isPresent()));
@@ -83,7 +83,7 @@ final class PacketFilter {
       session.putOut(ctx, "unexpected packet", "QoS 2, which no channel of U2SA uses");
       return;
     }
-    if (filter.isEnding()) { // not acknowledged: who wants to know learns that it is lost
+    if (filter.isEnding()) { // unacknowledged, so the client knows that it is lost
       filter.refusals().add("message not taken, the broker ends", who);
       return;
     }
@@ -100,7 +100,7 @@ final class PacketFilter {
           .router()
           .route(publish.variableHeader().topicName(), publish.content(), eachMatters, session);
     }
-    if (eachMatters) { // a refused one too: MQTT 3.1.1 knows no other answer
+    if (eachMatters) { // also if refused: MQTT 3.1.1 has no other answer
       session.acknowledge(publish.variableHeader().packetId());
     }
   }

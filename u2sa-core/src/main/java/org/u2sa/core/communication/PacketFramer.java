@@ -6,19 +6,15 @@ import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.util.ReferenceCountUtil;
 
 /**
- * Hands complete MQTT packets to the decoder, so that the decoder reads each byte once however the
- * packets were split on the way. Refuses packets that are too long for their type as soon as their
- * length is known (MQTT 3.1.1, section 2.2), and packets whose contents reach beyond their end, for
- * which the decoder would wait and start again with each further byte. Belongs to its connection's
- * thread.
+ * Passes complete MQTT packets to the decoder, so that it reads each byte once, however the packets were fragmented. Rejects packets that are too long for their type as soon as their length is known (MQTT 3.1.1, section 2.2), and packets whose contents exceed their length, for which the decoder would wait and start over with each further byte. Confined to its connection's thread.
  */
 final class PacketFramer extends ChannelInboundHandlerAdapter {
   private static final int CONNECT = 1;
   private static final int PUBLISH = 3;
-  private static final int TYPE_BITS = 4; // beside the flags
+  private static final int TYPE_BITS = 4; // next to the flags
   private static final int MAX_LENGTH_BYTES = 4;
   private static final int LENGTH_BITS = 7; // of each byte of a packet's length
-  private static final int INCOMPLETE = -1; // the length is not known yet
+  private static final int INCOMPLETE = -1; // length not known yet
   private static final int REFUSED = -2;
 
   private final ClientSession session;
@@ -26,12 +22,12 @@ final class PacketFramer extends ChannelInboundHandlerAdapter {
   private final MemoryBudget<ClientSession> unfinished;
   private ByteBuf pending; // start of an incomplete packet; null if none
   private int pendingLength; // of that packet with its header; INCOMPLETE until known
-  private long handedOn; // packets
+  private long handedOn; // number of packets passed on
   private boolean isClosed;
 
   /**
-   * @param inflow counts what the decoder makes of the packets
-   * @param unfinished bounds what waits for the rest of its packet, of all connections
+   * @param inflow counts the decoded packets
+   * @param unfinished budget for incomplete packets of all connections
    */
   PacketFramer(ClientSession session, Inflow inflow, MemoryBudget<ClientSession> unfinished) {
     this.session = session;
@@ -57,7 +53,7 @@ final class PacketFramer extends ChannelInboundHandlerAdapter {
     }
   }
 
-  /** Hands on what is complete and keeps the rest. Takes the data over. */
+  /** Passes on complete packets and keeps the rest. Takes ownership of the data. */
   private void split(ChannelHandlerContext ctx, ByteBuf data) {
     int packets = 0;
     int end = data.readerIndex();
@@ -85,7 +81,7 @@ final class PacketFramer extends ChannelInboundHandlerAdapter {
     handedOn += packets;
     ctx.fireChannelRead(complete);
     if (inflow.decoded() != handedOn && !isClosed) {
-      refuse(); // the decoder waits for more than the packet has
+      refuse(); // contents exceed the packet
     }
   }
 
@@ -94,7 +90,7 @@ final class PacketFramer extends ChannelInboundHandlerAdapter {
     session.putOutFor(ConnectionFault.MALFORMED);
   }
 
-  /** Length of the packet at an index, header included; INCOMPLETE or REFUSED. */
+  /** Length of the packet at an index including its header, or INCOMPLETE or REFUSED. */
   private static int length(ByteBuf data, int start) {
     int remaining = 0;
     for (int i = 1; i <= MAX_LENGTH_BYTES; i++) {

@@ -8,10 +8,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Connections that have not identified themselves yet. They are few: a new one puts out the one
- * that has waited longest of the network with most of them, first of those from which nobody has
- * come in, so that a flood puts out its own, be it from many addresses. Who means well needs
- * milliseconds. Safe for several threads.
+ * Connections that have not identified themselves yet, limited in number. A new one displaces the oldest of the network with the most pending connections, preferring networks without a successful login, so that a flood displaces its own connections even if it uses many addresses. Legitimate clients need only milliseconds. Thread-safe.
  *
  * @param <C> a connection
  */
@@ -19,10 +16,10 @@ final class PendingConnections<C> {
   private static final int NETWORKS_REMEMBERED = 1_024;
 
   private final Map<C, String> waiting = new LinkedHashMap<>(); // oldest first
-  private final Map<String, Boolean> known = // as a set, the least lately seen first
+  private final Map<String, Boolean> known = // a set, least recently seen first
       new RecentlyUsed<>(NETWORKS_REMEMBERED);
 
-  /** Adds one, and returns those to put out for it. */
+  /** Adds a connection, and returns those it displaces. */
   synchronized List<C> add(C connection, InetAddress from) {
     String network = SourceNetwork.of(from);
     Map<String, List<C>> byNetwork = new LinkedHashMap<>(); // oldest first
@@ -35,7 +32,7 @@ final class PendingConnections<C> {
     } else if (waiting.size() >= BrokerLimits.PENDING) {
       out.add(
           byNetwork.entrySet().stream()
-              .max( // of equal ones the oldest
+              .max( // the oldest on ties
                   Comparator.<Map.Entry<String, List<C>>>comparingInt(
                           entry -> known.containsKey(entry.getKey()) ? 0 : 1)
                       .thenComparingInt(entry -> entry.getValue().size()))
@@ -48,7 +45,7 @@ final class PendingConnections<C> {
     return out;
   }
 
-  /** One whose password was right: others of its network are put out last from now on. */
+  /** Removes a connection that logged in; its network is displaced last from now on. */
   synchronized void proven(C connection) {
     String network = waiting.remove(connection);
     if (network != null) {
@@ -56,9 +53,9 @@ final class PendingConnections<C> {
     }
   }
 
-  /** Whether somebody's password from that network was right. */
+  /** Whether the network has had a successful login. */
   synchronized boolean isKnown(InetAddress from) {
-    return known.get(SourceNetwork.of(from)) != null; // seen now
+    return known.get(SourceNetwork.of(from)) != null; // the look-up marks it as seen
   }
 
   synchronized void remove(C connection) {

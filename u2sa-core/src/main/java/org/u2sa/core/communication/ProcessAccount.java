@@ -9,19 +9,18 @@ import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;
 
 /**
- * A user with full access and a generated password for one run of the broker: its own process's
- * services, and programs of the account that runs it.
+ * A user with a generated password that is valid for one run of the broker: for the services of its process and programs of the same account.
  */
 record ProcessAccount(User user, String password) {
   private static final int PASSWORD_BYTES = 32;
-  // The password is random and long: nothing is gained by making a guess costly.
+  // The password is long and random: no need to make guesses costly.
   private static final int ITERATIONS = 1;
 
   static ProcessAccount named(String name) {
     return with(name, EnumSet.allOf(AccessRole.class));
   }
 
-  /** One with a random name. */
+  /** Creates an account with a random name. */
   static ProcessAccount unnamed() {
     return named("process-" + random());
   }

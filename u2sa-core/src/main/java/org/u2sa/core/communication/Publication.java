@@ -5,8 +5,7 @@ import io.netty.buffer.ByteBufAllocator;
 import io.netty.buffer.Unpooled;
 
 /**
- * A message on its way to several clients, as packets of MQTT. What all get alike is composed once,
- * and a long payload is copied for nobody. For one thread.
+ * A message sent to several clients as MQTT packets. Common parts are encoded once, and long payloads are not copied. Not thread-safe.
  */
 final class Publication {
   private static final int PUBLISH = 0x30;
@@ -14,17 +13,17 @@ final class Publication {
   private static final int RETAIN = 0x01;
   private static final int LENGTH_BITS = 7; // of each byte of a packet's length
   private static final int MORE = 0x80;
-  private static final int LONGEST_HEADER = 9; // type, length, the topic's length, packet
-  private static final int COPIED_AT_MOST = 4_096; // cheaper than one more buffer to send
+  private static final int LONGEST_HEADER = 9; // type, length, topic length, packet ID
+  private static final int COPIED_AT_MOST = 4_096; // cheaper than sending another buffer
 
   private final TopicRoute route;
   private final ByteBuf payload;
   private final boolean isRetained;
-  private ByteBuf unconfirmed; // null until somebody wants it
+  private ByteBuf unconfirmed; // null until needed
 
   /**
-   * @param payload stays the caller's
-   * @param isRetained whether it was retained before its receiver subscribed
+   * @param payload remains owned by the caller
+   * @param isRetained whether it was retained before the receiver subscribed
    */
   Publication(TopicRoute route, ByteBuf payload, boolean isRetained) {
     this.route = route;
@@ -32,7 +31,7 @@ final class Publication {
     this.isRetained = isRetained;
   }
 
-  /** Whether it was retained before its receiver subscribed. */
+  /** Whether it was retained before the receiver subscribed. */
   boolean isRetained() {
     return isRetained;
   }
@@ -45,7 +44,7 @@ final class Publication {
     return payload.readableBytes();
   }
 
-  /** The packet of QoS 0. It is the caller's to release. */
+  /** QoS 0 packet; to be released by the caller. */
   ByteBuf packet(ByteBufAllocator memory) {
     if (unconfirmed == null) {
       unconfirmed = composed(memory, 0);
@@ -54,7 +53,7 @@ final class Publication {
   }
 
   /**
-   * The packet of QoS 1. It is the caller's to release.
+   * QoS 1 packet; to be released by the caller.
    *
    * @param packetId 1…65535
    */
@@ -83,7 +82,7 @@ final class Publication {
         : Unpooled.wrappedBuffer(packet, payload.retainedDuplicate());
   }
 
-  /** Gives back what is kept for further clients. */
+  /** Releases the shared buffers. */
   void release() {
     if (unconfirmed != null) {
       unconfirmed.release();

@@ -6,9 +6,7 @@ import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.util.ReferenceCountUtil;
 
 /**
- * Counts every byte that a client sends, encryption's included, before anything is decrypted or
- * decoded, and bounds those before its first packet is complete. Belongs to its connection's
- * thread.
+ * Counts every byte a client sends, including TLS overhead, before decryption and decoding, and limits the bytes before its first complete packet. Confined to its connection's thread.
  */
 final class ReceivedBytes extends ChannelInboundHandlerAdapter {
   private final ClientSession session;
@@ -24,7 +22,7 @@ final class ReceivedBytes extends ChannelInboundHandlerAdapter {
   public void channelRead(ChannelHandlerContext ctx, Object message) {
     int length = ((ByteBuf) message).readableBytes();
     inflow.received(length);
-    if (session.isOut()) { // closing takes a while when the client does not read
+    if (session.isOut()) { // closing takes a while if the client does not read
       ReferenceCountUtil.release(message);
       return;
     }

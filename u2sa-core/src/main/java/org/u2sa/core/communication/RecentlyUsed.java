@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * A map of bounded size that forgets what was used least recently. Not safe for several threads.
+ * A bounded map that evicts the least recently used entry (LRU). Not thread-safe.
  */
 final class RecentlyUsed<V> extends LinkedHashMap<String, V> {
   private static final long serialVersionUID = 1L;

@@ -7,8 +7,7 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.OneLine;
 
 /**
- * Counts what the broker refuses or drops, and logs each kind at its 1st, 2nd, 4th, 8th … time, so
- * that a flood does not fill the log. Safe for several threads.
+ * Counts what the broker refuses or drops, and logs the 1st, 2nd, 4th, 8th … of each kind, so that a flood does not fill the log. Thread-safe.
  */
 final class Refusals {
   private static final int KINDS_AT_MOST = 512;
@@ -24,7 +23,7 @@ final class Refusals {
 
   /**
    * @param kind the counter; never text from a client
-   * @param details who, from where, on what; may contain text from a client
+   * @param details client, address and object; may contain text from a client
    */
   void add(String kind, String details) {
     total.incrementAndGet();
@@ -35,12 +34,12 @@ final class Refusals {
     }
   }
 
-  /** All of them. */
+  /** Total number. */
   long total() {
     return total.get();
   }
 
-  /** Those of a kind. */
+  /** Number of one kind. */
   long of(String kind) {
     AtomicLong count = byKind.get(kind);
     return count == null ? 0 : count.get();

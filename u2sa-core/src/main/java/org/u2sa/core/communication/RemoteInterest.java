@@ -9,8 +9,7 @@ import org.u2sa.interfaces.communication.OriginNumbers;
 import org.u2sa.interfaces.communication.Topic;
 
 /**
- * Which topics messages of local services have elsewhere, and whether anybody wants them. Asked for
- * every message, by any thread.
+ * Topics of local services' messages at the broker, and whether any remote client subscribes to them. Thread-safe; called for every message.
  */
 final class RemoteInterest {
   private final String systemId;
@@ -25,14 +24,14 @@ final class RemoteInterest {
     this.numbers = numbers;
   }
 
-  /** Where messages of one type on one channel go. */
+  /** Destination of messages of one type on one channel. */
   final class Destination {
     private final List<String> typeChain;
     private final String topic;
     private final OriginNumbers.Stream stream;
     private volatile Answer last;
 
-    /** Whether anybody wanted it, as of a version of the subscriptions. */
+    /** Whether the topic is subscribed to in a version of the subscriptions. */
     private record Answer(boolean wanted, int version) {}
 
     Destination(List<String> typeChain, String topic) {
@@ -43,7 +42,7 @@ final class RemoteInterest {
     }
 
     private Answer ask() {
-      int version = subscriptions.version(); // read first: what changes meanwhile is asked again
+      int version = subscriptions.version(); // read first, so that concurrent changes are noticed
       return new Answer(subscriptions.wants(topic), version);
     }
 
@@ -51,7 +50,7 @@ final class RemoteInterest {
       return topic;
     }
 
-    /** Numbers what is sent there. */
+    /** Numbering of the messages sent there. */
     OriginNumbers.Stream stream() {
       return stream;
     }
@@ -66,14 +65,14 @@ final class RemoteInterest {
     }
   }
 
-  /** Where a message that is not retained goes, given its {@code typeChain}. */
+  /** Destination of a non-retained message with this {@code typeChain}. */
   Destination destination(Channel<?> channel, List<String> typeChain) {
     List<Destination> ofChannel = destinations.get(channel.name());
     Destination known = ofChannel == null ? null : find(ofChannel, typeChain);
     return known == null ? add(channel, typeChain) : known;
   }
 
-  /** Types are few on a channel, and nearly always the very same lists. */
+  /** Linear search: a channel has few types, nearly always identical lists. */
   private static Destination find(List<Destination> ofChannel, List<String> typeChain) {
     for (Destination destination : ofChannel) {
       if (destination.typeChain == typeChain || destination.typeChain.equals(typeChain)) {

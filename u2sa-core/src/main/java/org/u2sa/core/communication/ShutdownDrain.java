@@ -8,14 +8,12 @@ import java.util.concurrent.TimeoutException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * At the broker's end: waits until its clients have taken what was sent to them, such as neutral
- * commands. What was sent with QoS 1 they acknowledge; for the rest they are given some time, since
- * a client forgets what it has not looked at when its connection ends.
+ * On broker shutdown, waits until clients have received what was sent to them, such as neutral commands. QoS 1 messages are acknowledged; for others it waits some time, because clients discard unprocessed messages when the connection closes.
  */
 final class ShutdownDrain {
   private static final long QUIET_MICROS = 500_000;
   private static final long LOOK_EVERY_MICROS = 10_000;
-  private static final long GIVE_UP_AFTER_MICROS = 1_500_000; // if nobody takes anything
+  private static final long GIVE_UP_AFTER_MICROS = 1_500_000; // without progress
   private static final long AT_MOST_MICROS = 10_000_000;
   private static final long ANSWER_WITHIN_MS = 1_000;
 
@@ -28,17 +26,17 @@ final class ShutdownDrain {
   }
 
   /**
-   * Of one client or all.
+   * Undelivered messages of one client or all.
    *
-   * @param messages that were sent and of which nobody can say that they have arrived
-   * @param sentMicros when the last one was sent
+   * @param messages number sent without knowing whether they arrived
+   * @param sentMicros time of the last one [µs]
    */
   record Owed(int messages, long sentMicros) {}
 
   /**
-   * Waits for as long as anybody takes anything. Nothing new may come in meanwhile.
+   * Waits while there is progress. No new messages may arrive meanwhile.
    *
-   * @return messages that were not taken; at least, since more may have waited behind them
+   * @return lower bound of undelivered messages; more may have been queued behind them
    */
   int await() {
     Owed owed = new Owed(0, Long.MIN_VALUE);
@@ -78,7 +76,7 @@ final class ShutdownDrain {
         messages += one.messages;
         sentMicros = Math.max(sentMicros, one.sentMicros);
       } catch (ExecutionException | TimeoutException e) {
-        messages++; // it cannot say how many
+        messages++; // number unknown
       }
     }
     return new Owed(messages, sentMicros);

@@ -5,7 +5,7 @@ import java.net.InetAddress;
 import java.util.Arrays;
 
 /**
- * The key by which addresses are counted: the address, or for IPv6 its /64, which one host owns.
+ * Key for counting by address: the IPv4 address, or the /64 of an IPv6 address, since a single host owns all of it.
  */
 final class SourceNetwork {
   private static final int NETWORK_BYTES = 8;

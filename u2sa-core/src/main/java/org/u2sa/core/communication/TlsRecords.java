@@ -9,13 +9,10 @@ import io.netty.handler.ssl.SslHandshakeCompletionEvent;
 import java.util.List;
 
 /**
- * Hands TLS records to the decryption one by one and limits those that carry no data. Each costs
- * more than it weighs: a KeyUpdate of TLS 1.3 (RFC 8446, section 4.6.3) has 27 bytes and derives
- * new keys on the network thread. A second handshake, which TLS 1.2 allows on the same connection,
- * is refused. Confined to its connection's thread.
+ * Passes TLS records to the decryption one by one and limits those without data, which are disproportionately expensive: a TLS 1.3 KeyUpdate (RFC 8446, section 4.6.3) has 27 bytes and derives new keys on the network thread. Rejects renegotiation, which TLS 1.2 allows. Confined to its connection's thread.
  */
 final class TlsRecords extends ByteToMessageDecoder {
-  /** Records without data that may come at once; a handshake needs about five. */
+  /** Burst of records without data; a handshake needs about five. */
   static final int WITHOUT_DATA_AT_ONCE = 12;
 
   private static final double WITHOUT_DATA_PER_S = 8.0 / 60.0; // clients rarely renew their keys
@@ -40,7 +37,7 @@ final class TlsRecords extends ByteToMessageDecoder {
     withoutData = new Allowance(WITHOUT_DATA_PER_S, WITHOUT_DATA_AT_ONCE, filter.nowMicros());
   }
 
-  /** Handler for the place behind the decryption, where it notices what the records carry. */
+  /** Handler placed after the decryption; detects records with data. */
   ChannelHandler behind() {
     return new Behind();
   }
@@ -61,13 +58,13 @@ final class TlsRecords extends ByteToMessageDecoder {
     int type = in.getUnsignedByte(in.readerIndex());
     int length = in.getUnsignedShort(in.readerIndex() + LENGTH_AT);
     if (type < MIN_TYPE || type > MAX_TYPE || length > MAX_LENGTH) {
-      out.add(in.readRetainedSlice(in.readableBytes())); // the decryption says what is wrong
+      out.add(in.readRetainedSlice(in.readableBytes())); // the decryption reports the error
     } else if (established && type == HANDSHAKE) {
       end("connection closed, it begins a second TLS handshake");
       in.skipBytes(in.readableBytes());
     } else if (in.readableBytes() >= HEADER + length) {
       out.add(in.readRetainedSlice(HEADER + length));
-      hadData = false; // unless it turns out to have some
+      hadData = false; // until data is seen
     }
   }
 

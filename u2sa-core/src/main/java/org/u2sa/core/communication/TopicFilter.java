@@ -1,12 +1,11 @@
 package org.u2sa.core.communication;
 
-/** The syntax of topic filters (MQTT 3.1.1, section 4.7). */
+/** Syntax of topic filters (MQTT 3.1.1, section 4.7). */
 final class TopicFilter {
   private TopicFilter() {}
 
   /**
-   * Whether a text is a filter. Moquette would refuse it too, but print a line for each, which a
-   * client could fill the log with.
+   * Whether a text is a valid filter. Moquette would also reject it, but log a line each time, so that a client could flood the log.
    */
   static boolean isValid(String text) {
     if (text.isEmpty() || text.indexOf('\0') >= 0) {

@@ -14,18 +14,17 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * What one client may publish, by topic alone: judged is the type that a reader will make of the
- * whole chain, on the channel on which it comes. For one thread.
+ * What one client may publish, judged by topic alone: by channel and by the type a reader will resolve the whole type chain to. Not thread-safe.
  */
 final class TopicPermissions {
   private static final int TOPICS_REMEMBERED = 256;
 
   /**
-   * What came of it.
+   * Result of a check.
    *
-   * @param refusal why it may not be published; null if it may
-   * @param topic null if it cannot be read
-   * @param rule the table's row; null on a channel that is no standard one
+   * @param refusal reason for refusing; null if allowed
+   * @param topic parsed topic; null if malformed
+   * @param rule row of the table; null on non-standard channels
    */
   record Verdict(String refusal, Topic topic, AccessRule rule) {
     boolean is(AccessRule.Kind kind) {
@@ -34,7 +33,7 @@ final class TopicPermissions {
   }
 
   private final MessageTypes types;
-  private final User user; // null: in the place of every role
+  private final User user; // null: has every role
   private final Map<String, Verdict> verdicts = new HashMap<>();
 
   TopicPermissions(MessageTypes types, User user) {
@@ -42,7 +41,7 @@ final class TopicPermissions {
     this.user = user;
   }
 
-  /** A topic's verdict does not change, and a client has few topics. */
+  /** Cached verdict: a topic's verdict never changes, and a client has few topics. */
   Verdict judge(String topic) {
     Verdict known = verdicts.get(topic);
     if (known == null && BrokerLimits.isTooLong(topic)) {
@@ -68,7 +67,7 @@ final class TopicPermissions {
     } catch (MalformedMessageException e) {
       return new Verdict("its types are no ancestry", null, null);
     }
-    if (!topic.toString().equals(text)) { // nothing has two names
+    if (!topic.toString().equals(text)) { // only the canonical form is allowed
       return new Verdict("its topic is none of U2SA", null, null);
     }
     if (user != null && !user.mayEnter(topic.systemId())) {

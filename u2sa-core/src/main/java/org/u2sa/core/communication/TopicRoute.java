@@ -8,16 +8,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** A topic and the connections that listen to it. Safe for several threads. */
+/** A topic and its subscribed connections. Thread-safe. */
 final class TopicRoute {
   /**
-   * A connection that listens.
+   * A subscribed connection.
    *
    * @param eachMatters whether it asked for QoS 1 or more
    */
   record Listener(String connection, boolean eachMatters) {}
 
-  /** How many filters of one connection the topic matches. */
+  /** Number of matching filters of one connection. */
   private static final class Count {
     private int all;
     private int eachMatters;
@@ -28,7 +28,7 @@ final class TopicRoute {
   private final byte[] utf8;
   private final Map<String, Count> counts = new LinkedHashMap<>(); // by connection; guarded by this
   private volatile boolean wanted;
-  private volatile List<Listener> listeners = List.of(); // null: to be made anew
+  private volatile List<Listener> listeners = List.of(); // null: to be rebuilt
 
   TopicRoute(String name) {
     this.name = name;
@@ -40,22 +40,22 @@ final class TopicRoute {
     return name;
   }
 
-  /** For comparison with filters. */
+  /** Parsed topic, for matching filters. */
   Topic topic() {
     return topic;
   }
 
-  /** The topic as it stands in a packet. Not to be changed. */
+  /** Topic as encoded in a packet; must not be modified. */
   byte[] utf8() {
     return utf8;
   }
 
-  /** Whether anybody listens. */
+  /** Whether there are subscribers. */
   boolean isWanted() {
     return wanted;
   }
 
-  /** Who listens, each connection once. */
+  /** Subscribers, each connection once. */
   List<Listener> listeners() {
     List<Listener> known = listeners;
     return known != null ? known : listed();
@@ -68,7 +68,7 @@ final class TopicRoute {
     return listeners;
   }
 
-  /** One more filter of a connection matches the topic. */
+  /** Adds a matching filter of a connection. */
   synchronized void add(String connection, boolean eachMatters) {
     Count count = counts.computeIfAbsent(connection, id -> new Count());
     count.all++;
@@ -77,7 +77,7 @@ final class TopicRoute {
     listeners = null;
   }
 
-  /** Takes {@link #add} back. */
+  /** Reverts one {@link #add}. */
   synchronized void remove(String connection, boolean eachMatters) {
     Count count = counts.get(connection);
     count.all--;
@@ -89,7 +89,7 @@ final class TopicRoute {
     listeners = null;
   }
 
-  /** Takes every {@link #add} of a connection back. */
+  /** Reverts every {@link #add} of a connection. */
   synchronized void remove(String connection) {
     if (counts.remove(connection) != null) {
       wanted = !counts.isEmpty();

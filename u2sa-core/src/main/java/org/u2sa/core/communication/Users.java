@@ -14,19 +14,18 @@ import org.u2sa.core.security.UserFile;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * The users of a running broker: those of the file, which is read again when it changes, and those
- * of this run only. Safe for several threads.
+ * Users of a running broker: those of the file, which is reloaded when it changes, and temporary ones of this run. Thread-safe.
  */
 final class Users {
-  private final Path file; // null: there is none
+  private final Path file; // null if none
   private final Consumer<String> log;
-  private final LocalAccount account; // null: none, but names and passwords
+  private final LocalAccount account; // null if users have passwords
   private final Map<String, User> ofThisRun = new ConcurrentHashMap<>();
   private volatile Map<String, User> ofFile;
   private FileTime readAt; // guarded by this
 
   /**
-   * @throws BadInputException if the file is wrong
+   * @throws BadInputException if the file is invalid
    */
   Users(Path file, Consumer<String> log) {
     this.file = file;
@@ -36,7 +35,7 @@ final class Users {
     ofFile = UserFile.read(file);
   }
 
-  /** Those of a broker that only this host can reach. */
+  /** Users of a broker that only this host can reach. */
   Users(LocalAccount account) {
     file = null;
     log = line -> {};
@@ -46,16 +45,15 @@ final class Users {
     add(account.anybody());
   }
 
-  /** Whether users have passwords, which take time to check; else there is the account's token. */
+  /** Whether users have passwords, which take time to check; otherwise the account's token is used. */
   boolean havePasswords() {
     return account == null;
   }
 
   /**
-   * Who one is where there is an account's token. It is long and random, so that nobody need be
-   * slowed down who guesses it.
+   * User for a name and an account's token. The token is long and random, so guessing needs no rate limit.
    *
-   * @param name empty: none is said
+   * @param name empty if none was given
    * @return empty if the token is wrong
    */
   Optional<User> ofAccount(String name, byte[] token) {
@@ -71,12 +69,12 @@ final class Users {
     return Optional.ofNullable(temporary != null ? temporary : ofFile.get(name));
   }
 
-  /** Adds one that is gone when the broker ends. */
+  /** Adds a temporary user, valid until the broker ends. */
   void add(User user) {
     ofThisRun.put(user.name(), user);
   }
 
-  /** Reads the file again if it has changed; a wrong one is told, and the users before stay. */
+  /** Reloads the file if it has changed; an invalid one is reported and the previous users are kept. */
   synchronized void refresh() {
     if (file == null) {
       return;
@@ -98,7 +96,7 @@ final class Users {
     try {
       return Files.getLastModifiedTime(file);
     } catch (IOException e) {
-      return FileTime.fromMillis(0); // gone: reading it tells so
+      return FileTime.fromMillis(0); // missing: reading it reports so
     }
   }
 }

@@ -11,16 +11,16 @@ import org.u2sa.messages.contract.HealthReport;
 
 /**
  * Offsets of other services' clocks from this one, from the timestamps of their health reports:
- * timestamp minus arrival of the least delayed of several reports.
+ * timestamp minus arrival time, of the least delayed among several reports.
  */
 final class ClockOffsets {
   private static final int REPORTS = 8; // 2 s at the usual interval
 
-  /** What is known of one service's clock. */
+  /** State of one service's clock. */
   private static final class Source {
     private final ArrayDeque<Long> offsetsMicros = new ArrayDeque<>();
     private String instance = "";
-    private OptionalDouble saidS = OptionalDouble.empty(); // empty: that it agrees
+    private OptionalDouble saidS = OptionalDouble.empty(); // as reported; empty if it agrees
   }
 
   private final Map<String, Source> sources = new TreeMap<>();
@@ -28,8 +28,8 @@ final class ClockOffsets {
   /**
    * Handles a report that a service sent about itself.
    *
-   * @param toleranceS beyond which a clock is reported [s]
-   * @return what to report of its clock that was not reported before; empty if nothing
+   * @param toleranceS offset beyond which a clock is reported [s]
+   * @return new remark on its clock, or empty
    */
   Optional<String> hear(HealthReport report, long nowMicros, double toleranceS) {
     if (report.timestamp().isEmpty()) {
@@ -39,7 +39,7 @@ final class ClockOffsets {
     String instance = report.instance().orElse("");
     if (!instance.equals(source.instance)) {
       source.instance = instance;
-      source.offsetsMicros.clear(); // another process, perhaps another clock
+      source.offsetsMicros.clear(); // another process, possibly another clock
     }
     source.offsetsMicros.add(report.timestamp().getAsLong() - nowMicros);
     if (source.offsetsMicros.size() < REPORTS) {

@@ -101,7 +101,7 @@ public final class HealthMonitor extends PeriodicService {
     }
   }
 
-  private void onOrder(U2SAData message) { // orders come on the same channel
+  private void onOrder(U2SAData message) { // orders share this channel
     if (message instanceof ServiceOrderResult result) {
       onResult(result);
     }
@@ -126,7 +126,7 @@ public final class HealthMonitor extends PeriodicService {
     return getServiceName() + " " + getThreadID() + " ";
   }
 
-  /** What is retained of an earlier monitor; of what this one said it is told too. */
+  /** Restores a retained condition of an earlier monitor; also receives this one's own. */
   private void remember(ServiceCondition before) {
     if (watches(before.serviceName())) {
       service(before.serviceName()).remember(before);
@@ -136,7 +136,7 @@ public final class HealthMonitor extends PeriodicService {
     }
   }
 
-  /** Takes back what was said of a service, which is retained and would count for ever. */
+  /** Withdraws the retained condition of a service, which would otherwise stay valid forever. */
   private void unwatch(String name) {
     log(name + " is no longer watched");
     publish(

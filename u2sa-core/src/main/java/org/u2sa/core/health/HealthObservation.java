@@ -27,13 +27,13 @@ final class HealthObservation {
   record Finding(Condition condition, String reason, boolean mayPass) {}
 
   private final Set<String> former = new LinkedHashSet<>();
-  private String instance = ""; // empty until it said one
-  private HealthReport last; // of the present instance; null until heard
-  private double heardS; // when the present instance, or its launcher for it, was heard last
-  private double spokeS; // when it spoke for itself
-  private double sinceS; // when waiting for it began, or the present instance was first heard
+  private String instance = ""; // empty until known
+  private HealthReport last; // of the current instance; null until heard
+  private double heardS; // last report by the current instance or, for it, its launcher
+  private double spokeS; // last report by the instance itself
+  private double sinceS; // start of waiting, or first report of the current instance
   private boolean lost; // its connection
-  private String processEnd = ""; // words; empty while nobody said that its process has ended
+  private String processEnd = ""; // in words; empty unless reported that its process ended
   private boolean dead; // its thread
 
   HealthObservation(double nowS) {
@@ -67,12 +67,12 @@ final class HealthObservation {
     spokeS = forItself || isNew ? nowS : spokeS;
     lost &= !forItself; // a connection that was restored
     dead |= report.threadAlive().equals(Optional.of(false));
-    dead &= !(forItself && report.status() == ServiceStatus.RUNNING); // it speaks, so it lives
+    dead &= !(forItself && report.status() == ServiceStatus.RUNNING); // it reports, so it is alive
     return isNew;
   }
 
   /**
-   * The broker says that a connection broke; a supervisor, that the process behind it has ended.
+   * Handles a broken connection (reported by the broker) or an ended process (reported by a supervisor).
    */
   private void lose(String of, HealthReport word) {
     if (of.equals(instance) && !hasStopped()) {
@@ -83,7 +83,7 @@ final class HealthObservation {
     }
   }
 
-  /** Leaves an instance behind: what it still says no longer counts. */
+  /** Marks an instance as superseded; its later reports are ignored. */
   private void leave(String old) {
     if (!old.isEmpty()) {
       former.add(old);
@@ -93,7 +93,7 @@ final class HealthObservation {
     }
   }
 
-  /** Waits for another instance, if that one is still the present one. */
+  /** Waits for a new instance, if the given one is still current. */
   void expectAnother(String than, double nowS) {
     if (than.equals(instance)) {
       leave(instance);
@@ -110,7 +110,7 @@ final class HealthObservation {
   }
 
   /**
-   * Excuses a silence in which the monitor itself could not hear; it begins then at the soonest.
+   * Excuses a silence during which the monitor itself could not receive; silence counts from the given time.
    */
   void excuse(double untilS) {
     heardS = untilS;
@@ -120,7 +120,7 @@ final class HealthObservation {
     }
   }
 
-  /** The instance that was heard last; empty if none. */
+  /** Instance heard last; empty if none. */
   String instance() {
     return instance;
   }
@@ -129,7 +129,7 @@ final class HealthObservation {
     return last != null && last.status() == ServiceStatus.STOPPED;
   }
 
-  /** Present condition of the service. */
+  /** Current condition of the service. */
   Finding judge(MonitorSettings.Limits limits, double dataTimeoutS, double nowS) {
     if (last == null) {
       return nowS - sinceS > limits.startWithin()
@@ -159,7 +159,7 @@ final class HealthObservation {
     if (runningS > limits.hungAfter()) {
       return finding(Condition.HUNG, "its callback has been running for " + seconds(runningS));
     }
-    if (nowS - spokeS > limits.lostAfter()) { // spoken for, and in no callback that would end
+    if (nowS - spokeS > limits.lostAfter()) { // only the launcher reports; no callback
       return finding(Condition.HUNG, "its thread has not come back for " + seconds(nowS - spokeS));
     }
     if (nowS - spokeS > SILENT_AFTER * last.interval().orElse(USUAL_INTERVAL_S)) {

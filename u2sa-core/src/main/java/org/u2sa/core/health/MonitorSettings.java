@@ -10,9 +10,9 @@ import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 
-/** The health monitor's variables, and what they say of each service. */
+/** Variables of the health monitor, global and per service. */
 final class MonitorSettings {
-  /** The variables that hold for all services. */
+  /** Variables that apply to all services. */
   record Limits(
       @Variable(
               ifAbsentText = "",
@@ -136,12 +136,12 @@ final class MonitorSettings {
             "Time without data after which service " + service + " counts as stalled; 0: never.");
   }
 
-  /** What holds for all services. */
+  /** Settings that apply to all services. */
   Limits limits() {
     return limits;
   }
 
-  /** Services that must be there; empty: every service that is heard is watched. */
+  /** Required services; if empty, every service heard is watched. */
   Set<String> watched() {
     return watched;
   }
@@ -154,12 +154,12 @@ final class MonitorSettings {
     return policies.getOrDefault(service, limits.policy());
   }
 
-  /** Time without data after which the service is stalled [s]; 0: never. */
+  /** Time without data after which the service is stalled [s]; 0 for never. */
   double dataTimeoutS(String service) {
     return dataTimeoutsS.getOrDefault(service, limits.dataTimeout());
   }
 
-  /** Delay before a restart [s], after that many within the window. */
+  /** Back-off delay before a restart [s], given the number of restarts within the window. */
   double delayS(int restartsBefore) {
     return limits.restartDelay() * Math.pow(2.0, restartsBefore);
   }

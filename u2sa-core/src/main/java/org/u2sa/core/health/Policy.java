@@ -2,10 +2,10 @@ package org.u2sa.core.health;
 
 /** Action on a failed service. The names are used in configurations. */
 enum Policy {
-  /** Restart it a few times, then do what AFTER RESTARTS says. */
+  /** Restart it a few times, then apply AFTER RESTARTS. */
   RESTART,
-  /** Report it, and nothing else. */
+  /** Only report it. */
   ALERT,
-  /** Give it up: the Safety Manager acts at once. */
+  /** Give it up: the Safety Manager acts immediately. */
   FAILSAFE
 }

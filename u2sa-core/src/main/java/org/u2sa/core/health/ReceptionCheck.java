@@ -10,7 +10,7 @@ final class ReceptionCheck {
   private static final double LOST_AFTER_INTERVALS = 4.0;
   private static final double LOST_AFTER_AT_LEAST_S = 1.0;
 
-  /** Services reconnect after an attempt that may hang, and a back-off. */
+  /** Time services need to reconnect: one hanging attempt plus a back-off. */
   private static final double OTHERS_RECONNECT_WITHIN_S = 6.0;
 
   private double heardS;
@@ -27,15 +27,15 @@ final class ReceptionCheck {
     lostAfterS = Math.max(LOST_AFTER_AT_LEAST_S, LOST_AFTER_INTERVALS * own.interval().orElse(0.0));
   }
 
-  /** What has changed since the last check. */
+  /** Change since the last check. */
   enum Change {
-    /** Receives, as before. */
+    /** Still receiving. */
     NONE,
     /** Reception has just been lost. */
     LOST,
     /** Still lost. */
     STILL_LOST,
-    /** Receives again: other services have until {@link #excusedUntilS} to report. */
+    /** Restored: other services have until {@link #excusedUntilS} to report. */
     RESTORED
   }
 
@@ -50,7 +50,7 @@ final class ReceptionCheck {
     return before ? Change.RESTORED : Change.NONE;
   }
 
-  /** Until when silence is not held against a service, after reception was restored. */
+  /** Time until which silence is excused after reception was restored. */
   static double excusedUntilS(double nowS) {
     return nowS + OTHERS_RECONNECT_WITHIN_S;
   }

@@ -33,9 +33,9 @@ final class WatchedService {
   private boolean toldToStop;
   private boolean givenUp;
   private String givenUpWords = "";
-  private double orderedS = Double.NaN; // when a restart was ordered that has not shown yet
-  private String orderedInstance = ""; // which one it is to replace
-  private String said = ""; // what was published last
+  private double orderedS = Double.NaN; // time of the pending restart order; NaN if none
+  private String orderedInstance = ""; // instance it is to replace
+  private String said = ""; // last published condition
 
   WatchedService(String name, double nowS) {
     this.name = name;
@@ -59,7 +59,7 @@ final class WatchedService {
     return !Double.isNaN(orderedS);
   }
 
-  /** Takes over what an earlier monitor said of the service, unless this one has said more. */
+  /** Takes over an earlier monitor's condition, unless this one has already published its own. */
   void remember(ServiceCondition before) {
     if (!said.isEmpty()) {
       return;
@@ -73,12 +73,12 @@ final class WatchedService {
     }
   }
 
-  /** Called when it was told to stop, so that its absence is no failure. */
+  /** Called when the service was told to stop, so that its absence is not a failure. */
   void toldToStop() {
     toldToStop = true;
   }
 
-  /** Called when somebody else had it started or restarted. */
+  /** Called when somebody else ordered its start or restart. */
   void startedByOthers() {
     toldToStop = false;
     givenUp = false;
@@ -112,7 +112,7 @@ final class WatchedService {
     if (isPending()) {
       boolean shown = found.condition() == Condition.ALIVE;
       if (!shown && nowS - orderedS <= settings.limits().startWithin()) {
-        return false; // what was said stands until the new one is heard, or overdue
+        return false; // keep the condition until the new instance reports or is overdue
       }
       orderedS = Double.NaN;
     }
@@ -196,7 +196,7 @@ final class WatchedService {
       total++;
     }
 
-    /** Takes over a count of before. */
+    /** Takes over an earlier monitor's count. */
     void remember(long before) {
       total = Math.max(total, before);
     }
@@ -209,12 +209,12 @@ final class WatchedService {
       return timesS.size();
     }
 
-    /** When the newest was [s]; minus infinity without one. */
+    /** Time of the latest restart [s]; minus infinity if none. */
     double lastS() {
       return lastS;
     }
 
-    /** All that were ever made. */
+    /** Total number of restarts. */
     long total() {
       return total;
     }

@@ -1,5 +1,4 @@
 /**
- * Watches how the services of a system are and has the failed ones started again. What is done with
- * the vehicle when something is wrong does not belong here, nor how services are started.
+ * Monitors the services of a system and orders restarts of failed ones. Reactions of the vehicle and the starting of services belong elsewhere.
  */
 package org.u2sa.core.health;

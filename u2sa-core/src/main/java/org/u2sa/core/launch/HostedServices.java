@@ -16,7 +16,7 @@ import org.u2sa.service.U2SAService;
  * The services that run as threads of this process. The list may be read and changed by any thread;
  * ending and making services takes time and happens outside its lock.
  *
- * <p>A restart ends the present instance (its {@code release} leaves actuators neutral), and makes
+ * <p>A restart ends the current instance (its {@code release} leaves actuators neutral), and makes
  * and starts a new one of the same class, name and configuration file. A thread that hangs cannot
  * be ended in Java: it is disconnected and abandoned.
  *

@@ -11,8 +11,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Checks that actuators obey, by the counts of obeyed and refused commands in their services'
- * health reports. Trouble is a service that has only refused for a time. Refusals while disarmed do
- * not count.
+ * health reports. A service that has only refused for some time is reported. Refusals while disarmed are ignored.
  */
 final class ActuationWatch implements Watch {
   /** Last report of a service. */
@@ -20,8 +19,8 @@ final class ActuationWatch implements Watch {
     private String instance = "";
     private long obeyed;
     private long refused;
-    private long refusedBefore; // when it began to refuse all
-    private long sinceMicros = Clock.NEVER; // time of that; NEVER if it obeys
+    private long refusedBefore; // count when it began to refuse all
+    private long sinceMicros = Clock.NEVER; // when it began to refuse all; NEVER if it obeys
     private long refusedMicros; // time of the last refusal
   }
 
@@ -90,7 +89,7 @@ final class ActuationWatch implements Watch {
     return Optional.empty();
   }
 
-  /** Before the vehicle is armed, actuators refuse all that they require arming for. */
+  /** Before arming, actuators refuse all commands that require it. */
   @Override
   public Optional<String> objection(long nowMicros) {
     return Optional.empty();

@@ -14,13 +14,13 @@ final class Arming {
   private final SafetyManager manager;
   private final ArmingChecks checks;
   private boolean armed;
-  private boolean waits; // for the checks to pass, to arm by itself
-  private int waitsForReasons; // as said last
+  private boolean waits; // for the checks to pass, to arm automatically
+  private int waitsForReasons; // number last logged
   private boolean saidArmed;
   private int saidReasons = -1;
 
   /**
-   * @param atStart whether to arm by itself, once, as soon as the checks pass
+   * @param atStart whether to arm automatically, once, as soon as the checks pass
    */
   Arming(SafetyManager manager, ArmingChecks checks, boolean atStart) {
     this.manager = manager;
@@ -51,14 +51,14 @@ final class Arming {
     }
   }
 
-  /** Stays armed, as the previous Safety Manager was. */
+  /** Resumes armed, like the previous Safety Manager. */
   void stayArmed() {
     armed = true;
     waits = false;
     manager.log("still armed, as the previous Safety Manager was");
   }
 
-  /** Arms as soon as the checks pass, once, if ARM AT START. */
+  /** Arms once as soon as the checks pass, if ARM AT START. */
   void armAtStart(long nowMicros) {
     if (!waits) {
       return;
@@ -66,7 +66,7 @@ final class Arming {
     List<String> reasons = checks.reasons(nowMicros);
     if (reasons.isEmpty()) {
       arm(nowMicros);
-    } else if (reasons.size() != waitsForReasons) { // their figures change all the time
+    } else if (reasons.size() != waitsForReasons) { // the reasons' numbers change continually
       manager.log("waiting to arm: " + String.join("; ", reasons));
       waitsForReasons = reasons.size();
     }
@@ -80,7 +80,7 @@ final class Arming {
     }
   }
 
-  /** Whether what {@link #state} would say differs from what it said last, numbers aside. */
+  /** Whether {@link #state} would differ from the last one, ignoring numbers. */
   boolean hasChanged(long nowMicros) {
     return armed != saidArmed || reasons(nowMicros).size() != saidReasons;
   }

@@ -27,7 +27,7 @@ final class ArmingChecks {
   private final List<Watch> watches;
   private final Conditions conditions;
   private final EmergencyLatch emergency;
-  private final Map<String, Long> actuators = new TreeMap<>(); // when each was heard last [µs]
+  private final Map<String, Long> actuators = new TreeMap<>(); // when last heard [µs]
   private boolean mission;
   private OptionalLong landGoals = OptionalLong.empty(); // empty if unknown
   private List<String> fileFaults = List.of();
@@ -59,7 +59,7 @@ final class ArmingChecks {
     }
   }
 
-  /** Present reasons against arming; empty if none. */
+  /** Current reasons against arming; empty if none. */
   List<String> reasons(long nowMicros) {
     List<String> reasons = new ArrayList<>();
     emergency
@@ -91,7 +91,7 @@ final class ArmingChecks {
     return actuators.isEmpty() ? Optional.of("actuators: none announced") : Optional.empty();
   }
 
-  /** A mission to land by must be loaded if the matrix says LAND anywhere. */
+  /** A mission with a landing must be loaded if any hazard's action is LAND. */
   private Optional<String> landMission() {
     return watches.stream()
         .map(Watch::hazard)

@@ -12,7 +12,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** Checks whether a battery has been below a voltage or charge threshold for BATTERY TIME. */
 final class BatteryWatch implements Watch {
-  /** Since when a battery has been below, and what is below what, in words. */
+  /** Start time and description of a battery's undershoot. */
   private record Low(long sinceMicros, String words) {}
 
   private final Hazard hazard;

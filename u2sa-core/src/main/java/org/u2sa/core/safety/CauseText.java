@@ -16,7 +16,7 @@ final class CauseText {
     return String.format(Locale.ROOT, "%.0f m", metres);
   }
 
-  /** The names of a list with commas between; none for an empty one. */
+  /** Parses a comma-separated list; empty text gives no names. */
   static List<String> names(String list) {
     List<String> names = new ArrayList<>();
     for (String name : list.split(",")) {

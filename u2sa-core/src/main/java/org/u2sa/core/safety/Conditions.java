@@ -12,10 +12,10 @@ import org.u2sa.messages.contract.ServiceCondition;
 
 /** Condition of each service, as published by the health monitor. */
 final class Conditions {
-  /** A service that is silent may yet turn out to be alive. */
+  /** Conditions that do not count as failed. A silent service may still be alive. */
   private static final Set<Condition> WORKING = EnumSet.of(Condition.ALIVE, Condition.SILENT);
 
-  /** How the health monitor's actions begin for services that it gives up. */
+  /** Prefix of the health monitor's action for services it gives up. */
   private static final String GIVEN_UP = "failsafe";
 
   private final Map<String, ServiceCondition> newest = new TreeMap<>();
@@ -29,9 +29,9 @@ final class Conditions {
   }
 
   /**
-   * Fault of the first of these services that fails; empty if all work as far as known.
+   * Fault of the first failed one of these services; empty if none is known to have failed.
    *
-   * @param services names with commas between
+   * @param services comma-separated names
    */
   Optional<String> failure(String services) {
     return CauseText.names(services).stream()
@@ -42,7 +42,7 @@ final class Conditions {
         .findFirst();
   }
 
-  /** A service that the health monitor has given up, by its policy or after its restarts. */
+  /** A service the health monitor has given up, by policy or after its restarts. */
   Optional<String> givenUp() {
     return newest.values().stream()
         .filter(condition -> condition.action().startsWith(GIVEN_UP))

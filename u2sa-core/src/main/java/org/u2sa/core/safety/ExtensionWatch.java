@@ -12,7 +12,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Watches by an extension's {@link SafetyCheck}. */
+/** Watch that delegates to an extension's {@link SafetyCheck}. */
 final class ExtensionWatch implements Watch {
   private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9 ]*");
 

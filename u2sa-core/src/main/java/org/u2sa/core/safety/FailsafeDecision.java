@@ -30,7 +30,7 @@ final class FailsafeDecision {
   private Cause kept; // most severe latched cause that is gone; null if none
 
   /**
-   * @param hazards all that there are, in the order in which equal causes are reported
+   * @param hazards all hazards, in the order in which equal causes are reported
    */
   FailsafeDecision(Configurator matrix, Supplier<SafetySettings> settings, List<Hazard> hazards) {
     this.matrix = matrix;
@@ -42,7 +42,7 @@ final class FailsafeDecision {
     }
   }
 
-  /** Adds a hazard that is present now. */
+  /** Adds a hazard that is currently present. */
   void present(Hazard hazard, String words, long nowMicros) {
     Cause cause = new Cause(hazard, hazard.action(matrix), words, nowMicros);
     causes.put(hazard, cause);

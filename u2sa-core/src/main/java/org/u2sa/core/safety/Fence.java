@@ -21,7 +21,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * kilometres. Immutable.
  */
 final class Fence {
-  private final Optional<Geodetic> origin; // empty: of a local plane
+  private final Optional<Geodetic> origin; // empty on a local plane
   private final Polygon keepIn;
   private final List<Polygon> keepOuts;
   private final OptionalDouble floorM;
@@ -31,7 +31,7 @@ final class Fence {
   private final List<PreparedGeometry> outside;
 
   /**
-   * @param origin where the plane touches the earth; empty for a plane of its own (LOCAL_ENU)
+   * @param origin tangent point of the plane; empty for a local frame (LOCAL_ENU)
    * @param keepIn the vehicle must stay inside
    * @param keepOuts the vehicle must stay out of each
    */
@@ -58,7 +58,7 @@ final class Fence {
   /**
    * Copy shrunk on all sides.
    *
-   * @throws IllegalArgumentException if nothing is left of it
+   * @throws IllegalArgumentException if nothing remains of it
    */
   Fence drawnInBy(double marginM) {
     if (marginM == 0.0) {
@@ -91,10 +91,9 @@ final class Fence {
   }
 
   /**
-   * Where a state lies on the fence's plane: x east, y north, z altitude [m]; an altitude that it
-   * lacks is 0.
+   * Position of a state in the fence's plane: x east, y north, z altitude [m]; 0 if it has no altitude.
    *
-   * @throws IllegalArgumentException if the one is on the earth and the other on a local plane
+   * @throws IllegalArgumentException if one is global and the other in a local frame
    */
   Point place(StateInformation state) {
     if (state.referenceFrame().isEarth() != origin.isPresent()) {
@@ -115,7 +114,7 @@ final class Fence {
     return Point.of(plane.x(), plane.y(), z);
   }
 
-  /** East, north and up velocity of a state [m/s]; what it lacks is 0. */
+  /** East, north and up velocity of a state [m/s]; 0 for missing components. */
   Point velocity(StateInformation state) {
     StateInformation own = inFrame(state);
     return Point.of(own.xDot().orElse(0.0), own.yDot().orElse(0.0), own.zDot().orElse(0.0));
@@ -126,7 +125,7 @@ final class Fence {
     return state.referenceFrame().equals(wanted) ? state : state.in(wanted);
   }
 
-  /** A place on the earth on the plane that touches it at the origin. */
+  /** Projects a global position onto the tangent plane at the origin. */
   static Point plane(Geodetic origin, double longitudeDeg, double latitudeDeg) {
     return origin.enuOf(new Geodetic(longitudeDeg, latitudeDeg, 0.0));
   }

@@ -17,9 +17,9 @@ final class FenceFile {
   }
 
   /**
-   * The fence that the variables describe, drawn in by its margin; empty if they name none.
+   * Fence described by the variables, shrunk by its margin; empty if they name none.
    *
-   * @throws BadInputException naming the variable, the file and what is wrong in it
+   * @throws BadInputException naming the variable, the file and the error
    */
   Optional<Fence> load(SafetySettings settings) {
     String path = settings.fence();
@@ -54,9 +54,9 @@ final class FenceFile {
   }
 
   /**
-   * Why these values would give no fence where they name one; empty if they would do.
+   * Reason why the fence named by these values is invalid, or empty.
    *
-   * @param before the present values: a fence that they give already is not read again
+   * @param before current values; an unchanged fence is not read again
    */
   Optional<String> refusal(Map<String, Object> values, SafetySettings before) {
     String path = (String) values.get(SafetySettings.FENCE);

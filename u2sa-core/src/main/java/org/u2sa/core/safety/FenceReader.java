@@ -16,7 +16,7 @@ import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
-/** Reads {@code <fence>} (docs/health-and-failsafes.md) and refuses what encloses nothing. */
+/** Reads {@code <fence>} (docs/health-and-failsafes.md) and rejects areas that enclose nothing. */
 final class FenceReader {
   private static final int LEAST_CORNERS = 3;
   private static final int CIRCLE_CORNERS = 64;
@@ -112,7 +112,7 @@ final class FenceReader {
     if (!(radiusM > 0.0)) {
       throw radius.error(radiusM + " m: expected more than 0 m");
     }
-    double around = radiusM / Math.cos(Math.PI / CIRCLE_CORNERS); // none of the circle is left out
+    double around = radiusM / Math.cos(Math.PI / CIRCLE_CORNERS); // contains all of the circle
     return (Polygon) geometry.createPoint(centre).buffer(around, CIRCLE_CORNERS / 4);
   }
 

@@ -27,9 +27,9 @@ final class FenceWatch implements Watch {
   private double clearM; // free radius around it; 0 if unknown
 
   /**
-   * Loads the fence that the configuration names.
+   * Loads the configured fence.
    *
-   * @throws org.u2sa.interfaces.BadInputException if its file is wrong
+   * @throws org.u2sa.interfaces.BadInputException if its file is invalid
    */
   FenceWatch(
       Configurator matrix,
@@ -44,16 +44,16 @@ final class FenceWatch implements Watch {
   }
 
   /**
-   * Loads the fence that the configuration names now.
+   * Reloads the configured fence.
    *
-   * @throws org.u2sa.interfaces.BadInputException if its file is wrong; then nothing has changed
+   * @throws org.u2sa.interfaces.BadInputException if its file is invalid; the current fence is then kept
    */
   void load() {
     fence = file.load(settings.get()).orElse(null);
     clearM = 0.0;
   }
 
-  /** As it is watched: drawn in by its margin; empty if there is none. Safe from any thread. */
+  /** Fence in force, shrunk by its margin; empty if none. Thread-safe. */
   Optional<Fence> fence() {
     return Optional.ofNullable(fence);
   }
@@ -73,7 +73,7 @@ final class FenceWatch implements Watch {
     return judged(nowMicros, this::trouble);
   }
 
-  /** What is wrong with the newest state: by this judgement, or that it does not fit the fence. */
+  /** Trouble with the newest state: as judged, or that its frame does not fit the fence. */
   private Optional<String> judged(
       long nowMicros, Function<StateInformation, Optional<String>> judgement) {
     try {
@@ -98,7 +98,7 @@ final class FenceWatch implements Watch {
         : Optional.empty();
   }
 
-  /** Does the full check only where the fence may be within reach. */
+  /** Runs the full check only if the fence may be within reach. */
   private boolean allows(Manoeuvre manoeuvre, Point place, Point velocity) {
     double reachM = manoeuvre.reachM(Math.hypot(velocity.x(), velocity.y()));
     if (Math.hypot(place.x() - clear.x(), place.y() - clear.y()) + reachM < clearM) {
@@ -142,7 +142,7 @@ final class FenceWatch implements Watch {
         : Optional.empty();
   }
 
-  /** A vehicle that stands is to be inside; it may be too near to turn, as on a runway. */
+  /** A stationary vehicle must be inside, but may be too near to turn, e.g. on a runway. */
   @Override
   public Optional<String> objection(long nowMicros) {
     Optional<String> fault = file.fault();

@@ -6,7 +6,7 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.contract.FailsafeAction;
 
-/** What can go wrong with a moving vehicle, each with its entry in the failsafe matrix. */
+/** Hazards of a moving vehicle, each with an entry in the failsafe matrix. */
 final class Hazard {
   static final Hazard OPERATOR =
       new Hazard("operator link", "ON OPERATOR LOSS", FailsafeAction.RETURN);
@@ -45,8 +45,8 @@ final class Hazard {
   private final VariableDeclaration<String> action;
 
   /**
-   * @param words what it is called in causes
-   * @param variable the name of its variable
+   * @param words name in causes
+   * @param variable name of its variable
    */
   Hazard(String words, String variable, FailsafeAction ifAbsent) {
     this.words = words;
@@ -60,17 +60,17 @@ final class Hazard {
             .describedAs("Failsafe matrix: action on " + words + ".");
   }
 
-  /** What it is called in causes. */
+  /** Name in causes. */
   String words() {
     return words;
   }
 
-  /** What the matrix says to do about it. */
+  /** Action according to the matrix. */
   FailsafeAction action(Configurator matrix) {
     return FailsafeAction.valueOf(matrix.getVariable(action));
   }
 
-  /** The name of its variable. */
+  /** Name of its variable. */
   String variable() {
     return action.name();
   }

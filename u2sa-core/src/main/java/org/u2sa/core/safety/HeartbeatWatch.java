@@ -11,14 +11,14 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** Checks that a periodic sender is still heard. */
 final class HeartbeatWatch implements Watch {
-  /** What is expected: from whom, whether at all before the first was heard, how often [s]. */
+  /** Expectation: sender, whether required before the first message, and timeout [s]. */
   private record Expected(String who, boolean required, double deadlineS) {}
 
   private final Hazard hazard;
   private final Supplier<Expected> expected;
   private final BiFunction<U2SAData, Expected, Optional<String>> sender;
   private String heard = "";
-  private long heardMicros = -1; // by the local clock; the sender's may differ
+  private long heardMicros = -1; // by the local clock, since the sender's may differ
 
   private HeartbeatWatch(
       Hazard hazard,
@@ -29,7 +29,7 @@ final class HeartbeatWatch implements Watch {
     this.sender = sender;
   }
 
-  /** The link to the operators: any of them keeps it alive. */
+  /** Watches the link to the operators; any of them keeps it alive. */
   static HeartbeatWatch ofOperators(Supplier<SafetySettings> settings) {
     return new HeartbeatWatch(
         Hazard.OPERATOR,
@@ -42,7 +42,7 @@ final class HeartbeatWatch implements Watch {
                 : Optional.empty());
   }
 
-  /** The health monitor, which watches all services but itself. */
+  /** Watches the health monitor, which watches all other services. */
   static HeartbeatWatch ofMonitor(Supplier<SafetySettings> settings) {
     return new HeartbeatWatch(
         Hazard.HEALTH_MONITOR,

@@ -15,12 +15,12 @@ import org.u2sa.messages.frame.Point;
  * while turning.
  *
  * @param turns whether it turns; otherwise it brakes
- * @param reactionS from the failsafe until it brakes or turns [s]; till then it goes straight on
- * @param brakingMps2 its deceleration [m/s²]
- * @param bankRad of its turns [rad]
- * @param leastRadiusM of its turns [m], where it holds on a wide circle
- * @param windMps that may blow it on while it turns [m/s]
- * @param verticalMps2 with which a climb or descent ends [m/s²]
+ * @param reactionS delay from the failsafe until it brakes or turns [s]; until then it goes straight
+ * @param brakingMps2 deceleration [m/s²]
+ * @param bankRad bank angle in turns [rad]
+ * @param leastRadiusM minimum turn radius [m], if it holds on a wide circle
+ * @param windMps wind that may drift it during a turn [m/s]
+ * @param verticalMps2 vertical acceleration that ends a climb or descent [m/s²]
  */
 record Manoeuvre(
     boolean turns,
@@ -34,7 +34,7 @@ record Manoeuvre(
   private static final int ARC_CORNERS = 12;
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
 
-  /** As configured; room for the holding circle is needed only where the fence makes it hold. */
+  /** Creates the configured manoeuvre; room for the holding circle is needed only if the fence action is to hold. */
   static Manoeuvre of(SafetySettings settings, FailsafeAction onFence) {
     return new Manoeuvre(
         settings.fenceManoeuvre().equals("TURN"),
@@ -67,7 +67,7 @@ record Manoeuvre(
     return Gravity.STANDARD_MPS2 * Math.tan(bankRad);
   }
 
-  /** Altitude that it gains or loses before a climb or descent has ended [m], signed. */
+  /** Altitude change until a climb or descent has ended [m], signed. */
   double overshootM(double upMps) {
     return upMps * reactionS + Math.signum(upMps) * upMps * upMps / (2.0 * verticalMps2);
   }
@@ -83,15 +83,14 @@ record Manoeuvre(
         : straight + stoppingM(speedMps);
   }
 
-  /** Radius of what stands for the circle in which it turns, drift included [m]. */
+  /** Radius of the polygon that approximates the turning circle, including drift [m]. */
   private double aroundM(double speedMps) {
     double inside = turnRadiusM(speedMps) + driftM(speedMps);
     return inside / Math.cos(Math.PI / (2.0 * ARC_CORNERS)); // corners lie outside the arc
   }
 
   /**
-   * Where it may be until it stands, or has turned round by either side: of a turn, the hull of
-   * both half circles ahead, and as far on as the wind may blow it meanwhile.
+   * Region it may cover until it has stopped or turned round to either side: for a turn, the hull of both half circles ahead, extended by the wind drift.
    *
    * @param place east and north [m]
    * @param velocity east and north [m/s]
@@ -114,7 +113,7 @@ record Manoeuvre(
     double drift = driftM(speed);
     double around = aroundM(speed);
     List<Coordinate> corners = new ArrayList<>();
-    for (int i = 0; 2 * i <= ARC_CORNERS; i++) { // the inner halves lie between the outer ones
+    for (int i = 0; 2 * i <= ARC_CORNERS; i++) { // inner halves lie within the hull
       double angle = Math.PI * i / ARC_CORNERS;
       double ahead = straight + around * Math.sin(angle);
       double aside = radius + around * Math.cos(angle);

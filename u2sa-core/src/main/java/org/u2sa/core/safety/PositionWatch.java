@@ -14,7 +14,7 @@ import org.u2sa.service.MessageAge;
 final class PositionWatch implements Watch {
   private final Supplier<SafetySettings> settings;
   private StateInformation newest; // null until the first
-  private long heardMicros; // when the newest came
+  private long heardMicros; // arrival of the newest
 
   PositionWatch(Supplier<SafetySettings> settings) {
     this.settings = settings;

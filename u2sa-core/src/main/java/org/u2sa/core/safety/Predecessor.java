@@ -13,7 +13,7 @@ import org.u2sa.messages.schema.U2SAData;
  * of this clock, are from another run.
  */
 final class Predecessor {
-  private static final double LISTEN_S = 0.5; // until a broker has sent what it retained
+  private static final double LISTEN_S = 0.5; // until a broker has sent retained messages
   private static final double SPOKE_WITHIN_S = 20.0;
 
   private final long listensUntilMicros;
@@ -39,7 +39,7 @@ final class Predecessor {
     }
   }
 
-  /** Whether it may still be heard. */
+  /** Whether its messages may still arrive. */
   boolean isAwaited(long nowMicros) {
     awaited &= nowMicros < listensUntilMicros;
     return awaited;
@@ -56,12 +56,12 @@ final class Predecessor {
     return armed;
   }
 
-  /** What it demanded last. */
+  /** Last failsafe action it demanded. */
   FailsafeAction action() {
     return action;
   }
 
-  /** Why, the most severe cause first. */
+  /** Causes of the action, most severe first. */
   List<String> causes() {
     return causes;
   }

@@ -7,23 +7,19 @@ import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A custom check in the Safety Manager, such as for water in the hull: it prevents arming, and in
- * motion it is a cause in the failsafe matrix. All methods are called on the Safety Manager's
- * thread and return at once. A check that throws counts as trouble.
+ * A custom check in the Safety Manager, such as for water in the hull: it prevents arming, and in motion it is a cause in the failsafe matrix. All methods are called on the Safety Manager's thread and must not block. A check that throws counts as trouble.
  */
 public interface SafetyCheck {
   /**
-   * Name of the hazard, in lower case, such as {@code leak}: the word in causes and reasons, and
-   * the name of its variable in the failsafe matrix, ON LEAK. Unique.
+   * Name of the hazard, in lower case, such as {@code leak}: used in causes and reasons, and in its variable in the failsafe matrix (ON LEAK). Unique.
    */
   String name();
 
-  /** The matrix's default for it. */
+  /** Default action in the matrix. */
   FailsafeAction defaultAction();
 
   /**
-   * The channels that it hears; any but arming and emergency-stop, which the Safety Manager keeps
-   * to itself.
+   * Channels it receives; any except arming and emergency-stop, which are reserved for the Safety Manager.
    */
   Set<Channel<?>> channels();
 
@@ -34,7 +30,7 @@ public interface SafetyCheck {
    */
   void see(U2SAData message, long nowMicros);
 
-  /** Present trouble in words, such as {@code 2 cm of water}; empty if none. */
+  /** Current trouble in words, such as {@code 2 cm of water}; empty if none. */
   Optional<String> trouble(long nowMicros);
 
   /** Reason against arming, in words; by default the trouble. */

@@ -49,9 +49,9 @@ public final class SafetyManager extends PeriodicService {
   private double repeatDueS;
 
   /**
-   * Called by the launcher.
+   * Launcher constructor.
    *
-   * @throws org.u2sa.interfaces.BadInputException if the fence's file is wrong
+   * @throws org.u2sa.interfaces.BadInputException if the fence's file is invalid
    */
   public SafetyManager(ServiceContext context) {
     super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S);
@@ -85,14 +85,13 @@ public final class SafetyManager extends PeriodicService {
   }
 
   /**
-   * The corners of the area in which it keeps the vehicle, drawn in by FENCE MARGIN; empty if there
-   * is none on the earth. Safe from any thread.
+   * Corners of the keep-in area, shrunk by FENCE MARGIN; empty without a global fence. Thread-safe.
    */
   public List<Geodetic> fenceCorners() {
     return fenceWatch.fence().map(Fence::corners).orElse(List.of());
   }
 
-  /** Refuses a fence that cannot be read, before it takes the place of one that can. */
+  /** Rejects an unreadable fence before it replaces a valid one. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
     return fence.refusal(values, settings.get());
@@ -116,7 +115,7 @@ public final class SafetyManager extends PeriodicService {
     if (predecessor.wasArmed() && !emergency.isStopped()) {
       arming.stayArmed();
     }
-    if (predecessor.action() != FailsafeAction.STOP) { // the emergency stop outlives it by itself
+    if (predecessor.action() != FailsafeAction.STOP) { // the emergency stop persists by itself
       decision.adopt(predecessor.action(), predecessor.causes());
     }
   }
@@ -154,7 +153,7 @@ public final class SafetyManager extends PeriodicService {
     boolean changed = emergency.accept(message);
     heedsEmergencyStops(emergency.identities());
     if (!message.active() && emergency.isStopped()) {
-      // The clear is retained: late subscribers must not take it for the end of the stops it left.
+      // The clear is retained: late subscribers must not conclude that the remaining stops ended.
       publish(Channels.EMERGENCY_STOP, emergency.stop().orElseThrow());
     }
     if (!changed) {
@@ -165,7 +164,7 @@ public final class SafetyManager extends PeriodicService {
     } else {
       log("emergency stop cleared by \"" + message.operator() + "\"");
       decision.acknowledge();
-      publish(Channels.EMERGENCY_STOP, message); // once more: a repeated stop may have overtaken it
+      publish(Channels.EMERGENCY_STOP, message); // again: a repeated stop may have overtaken it
     }
     publish(arming.state(clock().micros()));
   }

@@ -154,7 +154,7 @@ record SafetySettings(
             ifAbsent = 0,
             text = "Margin by which the fence is drawn in on all sides, for position errors.")
         double fenceMargin) {
-  /** Names of the variables that name the fence and change it. */
+  /** Names of the variables that define the fence. */
   static final String FENCE = "FENCE";
 
   static final String FENCE_MARGIN = "FENCE MARGIN";

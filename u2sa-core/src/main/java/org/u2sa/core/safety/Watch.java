@@ -9,8 +9,7 @@ import org.u2sa.messages.schema.U2SAData;
 /** Watches for one hazard, on the Safety Manager's thread. */
 interface Watch {
   /**
-   * What the standard watches hear. Arming state and failsafe are those of the Safety Manager
-   * before this one.
+   * Channels of the standard watches. Arming state and failsafe are those of the previous Safety Manager.
    */
   List<Channel<?>> STANDARD =
       List.of(
@@ -34,7 +33,7 @@ interface Watch {
   /** Handles a message. */
   default void see(U2SAData message, long nowMicros) {}
 
-  /** Present trouble, in words; empty if none. */
+  /** Current trouble in words; empty if none. */
   Optional<String> trouble(long nowMicros);
 
   /** Reason against arming, in words; empty if none. */

@@ -7,7 +7,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Makes the standard watches, except that of the fence. */
+/** Creates the standard watches, except the fence's. */
 final class Watches {
   private Watches() {}
 
@@ -39,7 +39,7 @@ final class Watches {
    * Whether essential services work. Never objects to arming: {@link ArmingChecks} lists all
    * services that are not alive.
    *
-   * @param failure what is wrong at a time of the run's clock [µs], in words; empty if nothing
+   * @param failure failure at a time of the run's clock [µs], in words; empty if none
    */
   private record ServiceWatch(Hazard hazard, LongFunction<Optional<String>> failure)
       implements Watch {

@@ -1,6 +1,4 @@
 /**
- * What the vehicle does when something is wrong, and whether it may move at all: failsafe matrix,
- * geofence, checks before arming. Who is alive is found out by health, and how a goal is reached by
- * planning.
+ * Failsafe actions and permission to move: failsafe matrix, geofence and pre-arm checks. Monitoring of services belongs to health, reaching goals to planning.
  */
 package org.u2sa.core.safety;

@@ -90,10 +90,9 @@ public final class AccessTable {
           row(Channels.CONDITIONS, REPORT, Set.of(MONITOR)),
           row(Channels.SERVICE_ORDERS, ServiceOrder.TYPE, ORDER, Set.of(MONITOR, OPERATOR)),
           row(Channels.SERVICE_ORDERS, ServiceOrderResult.TYPE, REPORT, Set.of(LAUNCHER)),
-          // Actuators repeat a stop that a clear did not lift, in their own process only: an
-          // account
-          // that can stop a vehicle in the air is one more to guard, and the Safety Manager repeats
-          // it.
+          // Actuators repeat a stop that a clear did not lift only within their own process: an
+          // account that can stop a vehicle in the air is one more to guard, and the Safety
+          // Manager repeats it.
           row(Channels.EMERGENCY_STOP, URGENT, Set.of(SAFETY, OPERATOR)).asWill(),
           row(Channels.FAILSAFE, URGENT, Set.of(SAFETY)),
           row(Channels.OPERATOR, REPORT, Set.of(OPERATOR)),

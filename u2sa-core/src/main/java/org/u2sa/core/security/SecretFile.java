@@ -67,7 +67,7 @@ public final class SecretFile {
   public static Optional<String> tooOpenFolder(Path folder) {
     try {
       if (!isPosix(folder)) {
-        return Optional.empty(); // another kind of permissions, which Java does not tell
+        return Optional.empty(); // permissions that Java cannot read
       }
       Set<PosixFilePermission> permissions = Files.getPosixFilePermissions(folder);
       boolean writable =
@@ -85,7 +85,7 @@ public final class SecretFile {
   public static Optional<String> tooOpen(Path file) {
     try {
       if (!isPosix(file)) {
-        return Optional.empty(); // another kind of permissions, which Java does not tell
+        return Optional.empty(); // permissions that Java cannot read
       }
       Set<PosixFilePermission> others =
           new HashSet<>(Files.getPosixFilePermissions(file, LinkOption.NOFOLLOW_LINKS));

@@ -24,7 +24,11 @@ public record User(
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_.-]{0,63}");
   private static final int PARTS = 4;
 
-  /** Checks the names. @throws IllegalArgumentException if one is wrong */
+  /**
+   * Checks the names.
+   *
+   * @throws IllegalArgumentException if one is invalid
+   */
   public User {
     if (!NAME.matcher(name).matches()) {
       throw new IllegalArgumentException(

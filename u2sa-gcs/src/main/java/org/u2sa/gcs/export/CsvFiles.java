@@ -13,8 +13,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Text files to write into by turns, of which only some are open at a time: a recording may have
- * more topics than the system lets a process open files. Belongs to one thread.
+ * Text files written alternately, with only some open at a time: a recording may have more topics than the system's limit of open files. Not thread-safe.
  */
 final class CsvFiles implements AutoCloseable {
   private static final int MAX_OPEN = 256;
@@ -38,7 +37,7 @@ final class CsvFiles implements AutoCloseable {
     this.opener = opener;
   }
 
-  /** Adds text to a file, which is created or emptied before its first. */
+  /** Appends text to a file, which is created or truncated before the first. */
   void write(Path file, String text) throws IOException {
     Writer writer = open.get(file);
     if (writer == null) {

@@ -47,7 +47,7 @@ final class GeoRun {
   /**
    * A goal in its last recorded state.
    *
-   * @param altitudeM altitude above mean sea level [m]; empty: any
+   * @param altitudeM altitude above mean sea level [m]; empty for any
    */
   record Goal(
       String name,

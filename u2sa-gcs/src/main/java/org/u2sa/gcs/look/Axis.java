@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The span of an axis, and where its marks stand.
+ * Range of an axis, with tick marks.
  *
- * @param from its lower end
- * @param to its upper end, above the lower
+ * @param from lower end
+ * @param to upper end, above the lower
  */
 record Axis(double from, double to) {
   private static final double MARGIN = 0.05;
 
-  /** One that shows all of these; a single value gets room around it. */
+  /** Creates an axis that covers the given range; a single value gets margins. */
   static Axis around(double lowest, double highest) {
     double span = highest - lowest;
     double least = Math.max(1e-9, 1e-6 * Math.max(Math.abs(lowest), Math.abs(highest)));
@@ -24,12 +24,12 @@ record Axis(double from, double to) {
     return new Axis(lowest - room, highest + room);
   }
 
-  /** Where a value is, 0 at the lower end to 1 at the upper. */
+  /** Relative position of a value, from 0 at the lower end to 1 at the upper. */
   double share(double value) {
     return (value - from) / (to - from);
   }
 
-  /** Round values for marks: 1, 2 or 5 times a power of ten apart, at most so many. */
+  /** Round values for tick marks, spaced by 1, 2 or 5 times a power of ten; at most this many. */
   List<Double> marks(int atMost) {
     double raw = (to - from) / atMost;
     double power = Math.pow(10.0, Math.floor(Math.log10(raw)));
@@ -47,7 +47,7 @@ record Axis(double from, double to) {
     return marks;
   }
 
-  /** A value with as many digits as tell it from its neighbours on this axis. */
+  /** Formats a value with just enough digits to distinguish neighbouring marks. */
   String label(double value) {
     int digits = (int) Math.ceil(-Math.log10((to - from) / 100.0));
     return String.format(Locale.ROOT, "%." + Math.max(0, Math.min(9, digits)) + "f", value);

@@ -5,7 +5,7 @@ import java.util.Locale;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.schema.U2SAData;
 
-/** How many bytes messages take as they are encoded, topics and MQTT's own bytes left out. */
+/** Measures the encoded size of messages, without topics and MQTT overhead. */
 final class BandwidthMeter implements Meter {
   static final List<String> COLUMNS =
       List.of("MESSAGES", "BANDWIDTH", "SMALLEST", "MEAN", "LARGEST");
@@ -16,7 +16,7 @@ final class BandwidthMeter implements Meter {
   private final long beganMicros;
   private long bytes;
 
-  /** Counts from then on [µs of real time]. */
+  /** Starts counting at the given time [µs of real time]. */
   BandwidthMeter(long beganMicros) {
     this.beganMicros = beganMicros;
   }

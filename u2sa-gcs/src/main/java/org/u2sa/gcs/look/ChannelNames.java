@@ -9,16 +9,16 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.NearestNames;
 
-/** Channels by the names that people type; iterates over the standard ones, for completion. */
+/** Channels by user-entered name; iterates over the standard ones for completion. */
 public final class ChannelNames implements Iterable<String> {
   private static List<String> standard() {
     return Channels.all().stream().map(Channel::name).collect(Collectors.toList());
   }
 
   /**
-   * The channel of that name; one that is not standard carries any data.
+   * Channel with this name; a non-standard one carries any data.
    *
-   * @throws BadInputException if nothing can be called so
+   * @throws BadInputException if the name is invalid
    */
   public static Channel<?> channel(String name) {
     try {
@@ -28,7 +28,7 @@ public final class ChannelNames implements Iterable<String> {
     }
   }
 
-  /** What to say where nothing came on a channel. */
+  /** Error message if nothing was received on a channel. */
   static String nothingHeard(Channel<?> channel, String system, double seconds) {
     boolean known = Channels.named(channel.name()).isPresent();
     return String.format(

@@ -6,8 +6,7 @@ import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Time from a message's timestamp, when what it tells was measured, until it is heard here. Both
- * clocks must agree; a run in simulated time has one of its own.
+ * Measures the age of messages on arrival, from the timestamp of their measurement. Requires synchronised clocks; not meaningful in simulated time, which has its own clock.
  */
 final class DelayMeter implements Meter {
   static final List<String> COLUMNS =

@@ -148,7 +148,7 @@ public final class EchoCommand implements Callable<Integer> {
         text.lines(heard.get()).forEach(out::println);
       }
       if (out.checkError()) {
-        return ExitCode.DONE; // whoever read has gone, such as head
+        return ExitCode.DONE; // the reader has exited, e.g. head
       }
     }
     if (stream.dropped() > 0) {
@@ -166,7 +166,7 @@ public final class EchoCommand implements Callable<Integer> {
     return ExitCode.DONE;
   }
 
-  /** Who asked for a number of messages waits for the first one no longer than for answers. */
+  /** Whether to stop. With a message count, the wait for the first message is limited to the answer timeout. */
   private boolean isOver(RemoteLink link, long beganMicros, long printed) {
     long now = link.clock().micros();
     boolean waitedEnough =

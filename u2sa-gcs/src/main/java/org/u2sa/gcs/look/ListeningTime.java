@@ -5,7 +5,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** How long a command listens; used as {@code @Mixin ListeningTime time}. */
+/** Listening time of a command; used as {@code @Mixin ListeningTime time}. */
 public final class ListeningTime {
   private static final long MICROS = 1_000_000L;
 
@@ -26,12 +26,12 @@ public final class ListeningTime {
     forS = value;
   }
 
-  /** Whether an end was set. */
+  /** Whether a duration was set. */
   public boolean isBounded() {
     return forS < Double.POSITIVE_INFINITY;
   }
 
-  /** Whether it is over. */
+  /** Whether the duration has elapsed. */
   public boolean isOver(long beganMicros, long nowMicros) {
     return nowMicros - beganMicros >= forS * MICROS;
   }

@@ -28,7 +28,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa log}: the logs of all services of a run, in one stream. */
+/** {@code u2sa log}: merges the logs of all services of a run into one stream. */
 @Command(
     name = "log",
     description = {

@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The logs of a folder, read as far as they go, and on from there as they grow. */
+/** Reads the logs of a folder and follows them as they grow. */
 final class LogFolder {
   private static final String ENDING = ".log";
   private static final int DEPTH = 3; // out/RUN/logs
@@ -26,7 +26,7 @@ final class LogFolder {
     this.folder = folder;
   }
 
-  /** The folder below that one whose logs were written to last. */
+  /** Most recently written log folder below the given one. */
   static Optional<Path> newestBelow(Path base) throws IOException {
     if (!Files.isDirectory(base)) {
       return Optional.empty();
@@ -43,7 +43,7 @@ final class LogFolder {
     return file.getFileName().toString().endsWith(ENDING) && Files.isRegularFile(file);
   }
 
-  /** What was written since the last call, by time. */
+  /** Entries written since the last call, by time. */
   List<LogLine> more() throws IOException {
     List<LogLine> lines = new ArrayList<>();
     for (Path file : logs()) {
@@ -59,7 +59,7 @@ final class LogFolder {
     }
   }
 
-  /** Whole lines only: the rest is read when it is whole. A shorter file is one that began anew. */
+  /** Reads complete lines only; an incomplete one is read later. A file that has shrunk was restarted. */
   private String grown(Path file) throws IOException {
     try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
       long from = readUpTo.getOrDefault(file, 0L);

@@ -7,17 +7,17 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.log.LogLevelEnum;
 
 /**
- * One entry of a service's log.
+ * An entry of a service's log.
  *
- * @param time as written, in UTC of the run's clock; sorts as text
- * @param text with the lines that belong to it, such as a stack trace
+ * @param time time as written, in UTC of the run's clock; sortable as text
+ * @param text text including continuation lines, such as a stack trace
  */
 record LogLine(String time, LogLevelEnum level, String service, String thread, String text) {
   private static final Pattern FORM =
       Pattern.compile(
           "(\\S+Z) \\| (DEBUG|INFO|WARN|ERROR) \\| (.*?) \\| (\\d+) \\| (.*)", Pattern.DOTALL);
 
-  /** The entries of a log's text; what stands before the first one is left out. */
+  /** Parses a log's entries; text before the first one is skipped. */
   static List<LogLine> of(String text) {
     List<LogLine> all = new ArrayList<>();
     StringBuilder entry = new StringBuilder();

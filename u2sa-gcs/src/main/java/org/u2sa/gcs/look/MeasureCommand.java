@@ -22,14 +22,13 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /**
- * {@code u2sa hz}, {@code delay} and {@code bw}: what the messages of channels are like, a row for
- * each source.
+ * {@code u2sa hz}, {@code delay} and {@code bw}: measures the messages of channels, one row per source.
  */
 public abstract sealed class MeasureCommand implements Callable<Integer> {
   private static final double EVERY_S = 1.0;
   private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
 
-  /** How often messages come. */
+  /** Measures message rates. */
   @Command(
       name = "hz",
       description = {
@@ -48,7 +47,7 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
     }
   }
 
-  /** How old messages are when they come. */
+  /** Measures the age of messages on arrival. */
   @Command(
       name = "delay",
       description = {
@@ -68,7 +67,7 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
     }
   }
 
-  /** How many bytes messages take. */
+  /** Measures bandwidth. */
   @Command(
       name = "bw",
       description = {

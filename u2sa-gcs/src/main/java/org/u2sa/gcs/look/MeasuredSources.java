@@ -13,8 +13,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The rows of a measuring command: one for each source and message type of each channel, with what
- * is measured of its messages and how long ago the last one came. Belongs to one thread.
+ * Rows of a measuring command, one per channel, source and message type, with the measurements and the time since the last message. Not thread-safe.
  */
 final class MeasuredSources {
   private static final double MICROS = 1e6;
@@ -46,8 +45,8 @@ final class MeasuredSources {
   }
 
   /**
-   * @param columns those of the meters
-   * @param meterFrom makes a source's meter that counts from then on [µs of real time]
+   * @param columns columns of the meters
+   * @param meterFrom creates a source's meter, given its start time [µs of real time]
    */
   MeasuredSources(List<String> columns, LongFunction<Meter> meterFrom) {
     this.columns = columns;
@@ -55,10 +54,10 @@ final class MeasuredSources {
   }
 
   /**
-   * Takes a message.
+   * Adds a message.
    *
-   * @param micros when it came [µs of real time]
-   * @param beganMicros when measuring began [µs of real time]
+   * @param micros arrival time [µs of real time]
+   * @param beganMicros start of measuring [µs of real time]
    */
   void take(Channel<?> channel, U2SAData message, long micros, long beganMicros) {
     Key key = new Key(channel.name(), channel.sourceOf(message), MessageJson.typeName(message));
@@ -71,7 +70,7 @@ final class MeasuredSources {
     return rows.isEmpty();
   }
 
-  /** The rows as they are then [µs of real time]. */
+  /** Rows at the given time [µs of real time]. */
   TextTable table(long nowMicros) {
     List<String> heads = new ArrayList<>(List.of("CHANNEL", "SOURCE", "TYPE"));
     heads.addAll(columns);
@@ -87,7 +86,7 @@ final class MeasuredSources {
     return table;
   }
 
-  /** The same as one JSON object. */
+  /** Same as a JSON object. */
   String json(long nowMicros) {
     List<JsonText> channels = new ArrayList<>();
     rows.forEach(

@@ -10,25 +10,24 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Messages of channels, waiting to be shown: a slow terminal holds nobody up. What finds no room is
- * dropped and counted.
+ * Queue of received messages waiting to be shown, so that a slow terminal blocks nobody. Overflow is dropped and counted.
  */
 public final class MessageStream {
   private static final int ROOM = 4096;
 
-  /** A message, where it came from, and when [µs of real time]. */
+  /** A message with its channel and arrival time [µs of real time]. */
   public record Heard(Channel<?> channel, U2SAData message, long micros) {}
 
   private final BlockingQueue<Heard> waiting = new ArrayBlockingQueue<>(ROOM);
   private final AtomicLong dropped = new AtomicLong();
   private final RemoteLink link;
 
-  /** Over that link. */
+  /** Creates a stream that uses the link. */
   public MessageStream(RemoteLink link) {
     this.link = link;
   }
 
-  /** Takes the messages of that channel, too. */
+  /** Adds a channel. */
   public MessageStream of(Channel<?> channel) {
     link.listen(
         channel,
@@ -40,12 +39,12 @@ public final class MessageStream {
     return this;
   }
 
-  /** The next one; empty if none comes in that time. */
+  /** Next message; empty if none arrives in time. */
   public Optional<Heard> next(long millis) throws InterruptedException {
     return Optional.ofNullable(waiting.poll(millis, TimeUnit.MILLISECONDS));
   }
 
-  /** Messages that found no room. */
+  /** Number of messages dropped. */
   public long dropped() {
     return dropped.get();
   }

@@ -13,7 +13,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
-/** A message as lines for people, or as one line of JSON for programs. */
+/** Formats a message as text lines for people or as one line of JSON for programs. */
 final class MessageText {
   private static final long MICROS = 1_000_000L;
   private static final int NANOS = 1_000;
@@ -22,13 +22,13 @@ final class MessageText {
   private static final String INDENT = "  ";
   private static final int LIST_ON_A_LINE = 8;
 
-  private final List<FieldPath> wanted; // empty: all fields
+  private final List<FieldPath> wanted; // empty for all fields
 
   MessageText(List<FieldPath> wanted) {
     this.wanted = wanted;
   }
 
-  /** When something came, in UTC. */
+  /** Formats an arrival time in UTC. */
   static String time(long micros) {
     return TIME.format(
         Instant.ofEpochSecond(
@@ -104,7 +104,7 @@ final class MessageText {
     return unit.isEmpty() ? "" : " " + unit;
   }
 
-  /** One line; {@code fields} alone is what {@code publish} takes. */
+  /** One line of JSON; its {@code fields} alone can be passed to {@code publish}. */
   String json(MessageStream.Heard heard) {
     U2SAData message = heard.message();
     JsonText json =

@@ -73,7 +73,7 @@ public final class PlotCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print the values as JSON at the end.")
   private boolean json;
 
-  /** A field that is plotted. */
+  /** A plotted field. */
   private record Wanted(String name, Channel<?> channel, FieldPath path) {}
 
   private final Map<String, Series> series = new LinkedHashMap<>();
@@ -123,7 +123,7 @@ public final class PlotCommand implements Callable<Integer> {
     }
   }
 
-  /** Returns when it ended [s since it began]. */
+  /** Returns the time at which it ended [s since the start]. */
   private double listen(
       RemoteLink link, MessageStream stream, List<Wanted> wanted, long began, Terminal live)
       throws InterruptedException {

@@ -15,7 +15,7 @@ import java.util.Map;
 import javax.imageio.ImageIO;
 import org.u2sa.gcs.command.ReportFile;
 
-/** Draws series as a PNG, a chart for each unit, one below the other. */
+/** Draws series as a PNG, with one chart per unit stacked vertically. */
 final class PlotPicture {
   private static final int WIDTH = 1000;
   private static final int CHART_HEIGHT = 320;

@@ -35,7 +35,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa publish}: puts a message of one's own on a channel. */
+/** {@code u2sa publish}: publishes a user-defined message on a channel. */
 @Command(
     name = "publish",
     description = {
@@ -91,7 +91,7 @@ public final class PublishCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print JSON.")
   private boolean json;
 
-  /** What became of a message. */
+  /** Outcome of publishing a message. */
   private enum Outcome {
     CAME_THROUGH,
     NOT_HEARD,
@@ -193,7 +193,7 @@ public final class PublishCommand implements Callable<Integer> {
     return Outcome.NOT_HEARD;
   }
 
-  /** A broker drops what is not allowed without a word: only hearing it tells. */
+  /** Listens for the message itself, because a broker silently drops what is not permitted. */
   private static Outcome publishAndListen(RemoteLink link, Channel<?> channel, U2SAData message)
       throws InterruptedException {
     AtomicReference<U2SAData> sent = new AtomicReference<>();
@@ -207,7 +207,7 @@ public final class PublishCommand implements Callable<Integer> {
               heard.set(true);
             }
           });
-    } catch (CommunicationException e) { // it may be allowed to publish all the same
+    } catch (CommunicationException e) { // publishing may still be permitted
       listens = false;
     }
     fillIn(link, message);

@@ -5,13 +5,13 @@ import java.util.Locale;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.schema.U2SAData;
 
-/** How often messages come, and how evenly. */
+/** Measures the rate and jitter of messages. */
 final class RateMeter implements Meter {
   static final List<String> COLUMNS =
       List.of("MESSAGES", "RATE", "SHORTEST", "MEAN", "LONGEST", "DEVIATION");
   private static final double MICROS = 1e6;
   private static final double MILLIS = 1e3;
-  private static final double SILENT_S = 2.0; // longer than a busy broker or network delays
+  private static final double SILENT_S = 2.0; // exceeds delays of a busy broker or network
   private static final double SILENT_INTERVALS = 5.0;
 
   private final Spread gaps = new Spread(); // [s]
@@ -30,8 +30,7 @@ final class RateMeter implements Meter {
   }
 
   /**
-   * Intervals by the time that they took [Hz]; 0 before there is one, and of a source that has been
-   * silent for much longer than usual.
+   * Mean rate [Hz]; 0 before the second message, and for a source silent for much longer than usual.
    */
   private double rate(long nowMicros) {
     double silenceS = (nowMicros - lastMicros) / MICROS;

@@ -4,9 +4,9 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 
-/** A quantity over time, of the newest seconds only. Belongs to one thread. */
+/** A quantity over a sliding time window. Not thread-safe. */
 final class Series {
-  /** A value and when it came [s of the plot]. */
+  /** A value with its arrival time [s of the plot]. */
   record Sample(double timeS, double value) {}
 
   private final String name;
@@ -26,7 +26,7 @@ final class Series {
     return unit;
   }
 
-  /** Adds a value and forgets those that are older than the window. */
+  /** Adds a value and drops those older than the window. */
   void add(double timeS, double value, double windowS) {
     samples.addLast(new Sample(timeS, value));
     forgetBefore(timeS - windowS);

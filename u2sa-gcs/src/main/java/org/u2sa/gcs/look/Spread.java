@@ -3,8 +3,7 @@ package org.u2sa.gcs.look;
 import java.util.Arrays;
 
 /**
- * The newest values of a quantity, at most 10,000 of them, and what they are like. Belongs to one
- * thread at a time.
+ * Statistics of the latest values of a quantity, at most 10,000. Not thread-safe.
  */
 final class Spread {
   private static final int MOST = 10_000;
@@ -16,13 +15,13 @@ final class Spread {
     values[(int) (count++ % MOST)] = value;
   }
 
-  /** Values so far, those no longer kept included. */
+  /** Number of values so far, including dropped ones. */
   long count() {
     return count;
   }
 
   /**
-   * The value below or at which that share of the kept ones is; the nearest rank.
+   * Quantile of the kept values, by nearest rank.
    *
    * @param share 0…1
    * @throws IllegalStateException if there are none
@@ -37,7 +36,7 @@ final class Spread {
     return Arrays.stream(sorted()).average().orElseThrow();
   }
 
-  /** Standard deviation of the kept values, as of a whole population. */
+  /** Population standard deviation of the kept values. */
   double deviation() {
     double mean = mean();
     return Math.sqrt(

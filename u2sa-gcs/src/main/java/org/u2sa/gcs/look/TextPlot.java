@@ -5,15 +5,14 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Draws series of one unit with Braille characters, each of two by four dots. Where lines of
- * several series meet, the later one gives the colour.
+ * Draws series of one unit with Braille characters of two by four dots. Where lines overlap, the later series determines the colour.
  */
 final class TextPlot {
   private static final char EMPTY = '\u2800';
   private static final int DOTS_ACROSS = 2;
   private static final int DOTS_DOWN = 4;
 
-  /** Bits of a Braille character's dots, row by row (Unicode, chapter 21.1). */
+  /** Bits of a Braille character's dots, row-major (Unicode, chapter 21.1). */
   private static final int[] DOT_BITS = {0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
 
   private static final String[] COLOURS = {"36", "33", "35", "32", "34", "31"};
@@ -25,8 +24,8 @@ final class TextPlot {
   private final int[][] owner; // index of the series that drew there last
 
   /**
-   * @param columns and rows of the field, without labels
-   * @param colours whether the terminal has them
+   * @param columns columns of the plot area, without labels
+   * @param colours whether the terminal supports colours
    */
   TextPlot(int columns, int rows, boolean colours) {
     this.columns = columns;
@@ -39,7 +38,7 @@ final class TextPlot {
     }
   }
 
-  /** Draws the series between the two times, and labels the axis of values. */
+  /** Draws the series between the two times, with a labelled value axis. */
   List<String> lines(List<Series> series, double fromS, double toS) {
     double lowest = Double.POSITIVE_INFINITY;
     double highest = Double.NEGATIVE_INFINITY;

@@ -1,5 +1,4 @@
 /**
- * Commands that show what passes through a running system, and put a message in by hand. They
- * change nothing but for {@code publish}; what is remembered of a run is {@code record}'s.
+ * Commands that show the messages of a running system and publish a message by hand. All except {@code publish} are read-only. Recordings belong to {@code record}.
  */
 package org.u2sa.gcs.look;

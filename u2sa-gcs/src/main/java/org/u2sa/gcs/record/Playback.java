@@ -13,10 +13,9 @@ import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
 
 /**
- * Plays a recording at its own pace, or at a multiple of it. {@link #play} belongs to one thread;
- * pause, step, seek, rate and end may be asked for by any, and are obeyed within 50 ms.
+ * Plays a recording in real time or at a multiple of it. {@link #play} runs on one thread; pause, step, seek, rate and end may be called from any, and take effect within 50 ms.
  *
- * <p>Where a machine cannot keep up, messages come late; none is left out.
+ * <p>If the machine cannot keep up, messages are late; none is skipped.
  */
 public final class Playback {
   private static final long LOOK_UP_MICROS = 50_000;
@@ -31,9 +30,9 @@ public final class Playback {
   private final boolean loops;
   private final Clock clock;
   private final Queue<Order> orders = new ConcurrentLinkedQueue<>();
-  private McapCursor cursor; // by the playing thread, as are the following
-  private McapMessage next; // null: the end is reached
-  private long anchorMicros; // of the clock, when the recording's time was anchorNanos
+  private McapCursor cursor; // used by the playing thread only, like those below
+  private McapMessage next; // null at the end
+  private long anchorMicros; // clock time that corresponds to anchorNanos
   private long anchorNanos;
   private long positionNanos;
   private double rate;
@@ -46,28 +45,28 @@ public final class Playback {
     void obey() throws IOException;
   }
 
-  /** Where messages are played to. */
+  /** Destination of the messages. */
   public interface Sink {
-    /** Takes one that is due. */
+    /** Receives a message that is due. */
     void play(McapMessage message) throws IOException;
 
-    /** Is told 20 times a second, and after each order, where the recording is. */
+    /** Receives the position, 20 times a second and after each command. */
     void at(Position position);
   }
 
   /**
-   * Where a recording is.
+   * Position in a recording.
    *
    * @param nanos log time [ns]
-   * @param rate how many times as fast as recorded
-   * @param isPaused whether it stands
+   * @param rate speed relative to the recording
+   * @param isPaused whether it is paused
    */
   public record Position(long nanos, double rate, boolean isPaused) {}
 
   /**
    * @param wanted channels to play
-   * @param rate how many times as fast as recorded, more than 0
-   * @param loops whether to begin anew at the end
+   * @param rate speed relative to the recording, more than 0
+   * @param loops whether to restart at the end
    * @param clock real time
    */
   public Playback(
@@ -85,11 +84,11 @@ public final class Playback {
     this.clock = clock;
   }
 
-  /** Plays until the end of the span, or until {@link #end} or {@code isOver} says so. */
+  /** Plays until the end of the span, or until {@link #end} or {@code isOver}. */
   public void play(Sink sink, BooleanSupplier isOver) throws IOException, InterruptedException {
     seek(span.fromNanos());
     if (next == null) {
-      return; // nothing is wanted: not even a loop has anything to play
+      return; // nothing selected: a loop would spin
     }
     long toldMicros = Long.MIN_VALUE;
     try (Clock.Waiter waiter = clock.newWaiter("playback")) {
@@ -150,7 +149,7 @@ public final class Playback {
     next = message.filter(m -> m.logTimeNanos() <= span.toNanos()).orElse(null);
   }
 
-  /** Time goes on from there, from now on. */
+  /** Maps the current clock time to this recording time. */
   private void anchor(long nanos) {
     anchorMicros = clock.micros();
     anchorNanos = nanos;
@@ -164,12 +163,12 @@ public final class Playback {
     return anchorNanos + Math.round((micros - anchorMicros) * rate * NANOS_PER_MICRO);
   }
 
-  /** Stands, or goes on. */
+  /** Pauses or resumes. */
   public void togglePause() {
     orders.add(() -> isPaused = !isPaused);
   }
 
-  /** Plays the next message, and stands. */
+  /** Plays the next message, then pauses. */
   public void step() {
     orders.add(
         () -> {
@@ -178,17 +177,17 @@ public final class Playback {
         });
   }
 
-  /** Goes forward, or back where negative; not beyond the ends [s of the recording]. */
+  /** Seeks forward, or backward if negative [s of the recording]; limited to the span. */
   public void seekBy(double seconds) {
     orders.add(() -> seek(positionNanos + Math.round(seconds * NANOS_PER_SECOND)));
   }
 
-  /** Plays so many times as fast as now. */
+  /** Multiplies the playback speed by a factor. */
   public void fasterBy(double factor) {
     orders.add(() -> rate = Math.max(SLOWEST, Math.min(FASTEST, rate * factor)));
   }
 
-  /** Ends it. */
+  /** Ends playback. */
   public void end() {
     orders.add(() -> isEnded = true);
   }

@@ -9,8 +9,7 @@ import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.recorder.mcap.McapStatistics;
 
 /**
- * The keyboard's hold on a playback, and a line that says where it is. Without a terminal it does
- * nothing.
+ * Keyboard control of a playback, with a status line. Does nothing without a terminal.
  */
 final class PlaybackKeys implements AutoCloseable {
   private static final double SEEK_S = 5.0;
@@ -20,7 +19,7 @@ final class PlaybackKeys implements AutoCloseable {
   private static final String TO_LINE_START_AND_CLEAR = "\r\u001b[K";
 
   private final Terminal terminal;
-  private final RawTerminal keyboard; // null: there is none
+  private final RawTerminal keyboard; // null if none
   private boolean isLineOpen;
 
   private PlaybackKeys(Terminal terminal, RawTerminal keyboard) {
@@ -28,19 +27,19 @@ final class PlaybackKeys implements AutoCloseable {
     this.keyboard = keyboard;
   }
 
-  /** Begins to listen to the keyboard, where both sides of the process are a terminal's. */
+  /** Starts reading the keyboard if input and output are a terminal. */
   static PlaybackKeys of(Terminal terminal, Playback playback) throws IOException {
     if (!terminal.redraws()) {
       return new PlaybackKeys(terminal, null);
     }
     RawTerminal keyboard = RawTerminal.open();
     Thread reader = new Thread(() -> read(System.in, playback), "u2sa-replay-keys");
-    reader.setDaemon(true); // it waits for a key that may never come
+    reader.setDaemon(true); // blocks until a key is pressed, possibly forever
     reader.start();
     return new PlaybackKeys(terminal, keyboard);
   }
 
-  /** Obeys keys until the stream ends. */
+  /** Handles keys until the stream ends. */
   static void read(InputStream keys, Playback playback) {
     try {
       for (int key = keys.read(); key >= 0; key = keys.read()) {
@@ -51,7 +50,7 @@ final class PlaybackKeys implements AutoCloseable {
         }
       }
     } catch (IOException e) {
-      playback.end(); // the terminal is gone, and with it whoever watched
+      playback.end(); // the terminal is gone, and its user with it
     }
   }
 
@@ -78,7 +77,7 @@ final class PlaybackKeys implements AutoCloseable {
     }
   }
 
-  /** Says which keys there are. */
+  /** Prints the available keys. */
   void explain() {
     if (keyboard != null) {
       terminal
@@ -87,7 +86,7 @@ final class PlaybackKeys implements AutoCloseable {
     }
   }
 
-  /** Shows where it is. */
+  /** Shows the position. */
   void show(Playback.Position position, RecordedSpan span, McapStatistics statistics) {
     if (keyboard == null) {
       return;

@@ -6,9 +6,9 @@ import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The receiver of a connection that subscribes to nothing.
+ * Receiver for a connection without subscriptions.
  *
- * @param trouble told when the connection is lost or restored
+ * @param trouble notified when the connection is lost or restored
  */
 record PublisherOnly(Consumer<String> trouble) implements Receiver {
   @Override

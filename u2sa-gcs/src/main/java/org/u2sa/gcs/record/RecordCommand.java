@@ -20,7 +20,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa record}: records a system that runs elsewhere. */
+/** {@code u2sa record}: records a remote system. */
 @Command(
     name = "record",
     description = {
@@ -90,7 +90,7 @@ public final class RecordCommand implements Callable<Integer> {
     }
   }
 
-  /** Called when the time is over, and when the program is interrupted, whichever comes first. */
+  /** Called when the time is over and when the program is interrupted; only the first call has an effect. */
   private void end(Recorder recorder, PrintWriter printer) {
     recorder.finish();
     if (ended.getAndSet(true)) {

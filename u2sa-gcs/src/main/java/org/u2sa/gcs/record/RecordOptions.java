@@ -18,9 +18,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** How a command records; used as {@code @Mixin RecordOptions recording}. */
+/** Recording options of a command; used as {@code @Mixin RecordOptions recording}. */
 public final class RecordOptions {
-  /** The file's name without its number and suffix. */
+  /** File name without number and suffix. */
   private static final String STEM = "recording";
 
   private static final Pattern SPLIT = Pattern.compile("(\\d+(?:\\.\\d+)?)(MB|GB|s|min)");
@@ -32,7 +32,7 @@ public final class RecordOptions {
 
   private final Map<String, Object> values = new LinkedHashMap<>();
 
-  /** In which form messages are recorded, as on the command line. */
+  /** Format of the recorded messages, as on the command line. */
   enum Form {
     u2sa,
     foxglove,
@@ -86,9 +86,9 @@ public final class RecordOptions {
   }
 
   /**
-   * The recorder's variables.
+   * Variables for the recorder.
    *
-   * @param file where to, relative to the folder of the logs
+   * @param file path of the recording, relative to the log folder
    */
   XmlConfiguration configuration(String file) {
     if (values.containsKey("KEEP")
@@ -103,16 +103,16 @@ public final class RecordOptions {
   }
 
   /**
-   * Has a run recorded.
+   * Sets up the recording of a run.
    *
-   * @param file where to, relative to the folder of the logs
+   * @param file path of the recording, relative to the log folder
    */
   void addTo(LaunchOptions launch, String file, RunFacts facts) {
     launch.beside(configuration(file), context -> new Recorder(context, facts.facts()));
   }
 
   /**
-   * Deletes what an earlier run recorded into a folder.
+   * Deletes an earlier run's recording in a folder.
    *
    * @throws RunFailedException if it cannot be deleted
    */

@@ -23,8 +23,7 @@ import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
 
 /**
- * A recording, opened to read its messages as they were published: by topic, and decoded. Belongs
- * to one thread.
+ * Reads a recording's native messages, by topic and decoded. Not thread-safe.
  */
 public final class RecordedMessages implements AutoCloseable {
   private static final String ENCODING = "cbor";
@@ -36,13 +35,13 @@ public final class RecordedMessages implements AutoCloseable {
   private long undecodable;
   private String firstUndecodable = "";
 
-  /** Takes messages one after the other. */
+  /** Receives messages in sequence. */
   @FunctionalInterface
   public interface Taker {
     /**
-     * Takes one.
+     * Receives a message.
      *
-     * @param logNanos when it was recorded [ns of the recording's clock]
+     * @param logNanos recording time [ns of the recording's clock]
      */
     void take(Topic topic, U2SAData message, long logNanos) throws IOException;
   }
@@ -60,8 +59,8 @@ public final class RecordedMessages implements AutoCloseable {
   /**
    * Opens a recording.
    *
-   * @throws BadInputException if there is no such file, or a topic in it is none of U2SA's
-   * @throws IOException if it cannot be read, or is no whole MCAP file
+   * @throws BadInputException if the file does not exist or contains an invalid U2SA topic
+   * @throws IOException if it cannot be read or is not a complete MCAP file
    */
   public static RecordedMessages open(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
@@ -84,25 +83,24 @@ public final class RecordedMessages implements AutoCloseable {
     }
   }
 
-  /** The file as MCAP, for what is not a message of U2SA. */
+  /** Underlying MCAP file, for everything but U2SA messages. */
   public McapReader reader() {
     return reader;
   }
 
-  /** The topic of a channel; empty if its messages are not U2SA's own. */
+  /** Topic of a channel; empty if its messages are not native U2SA messages. */
   public Optional<Topic> topic(McapChannel channel) {
     return Optional.ofNullable(topics.get(channel.id()));
   }
 
-  /** The system that was recorded; empty if the file holds none of its messages. */
+  /** Recorded system; empty if the file has no native messages. */
   public Optional<String> systemId() {
     return topics.values().stream().map(Topic::systemId).findFirst();
   }
 
   /**
-   * Refuses a recording without messages as they were published.
-   *
-   * @return the same
+   * Rejects a recording without native messages.
+   * @return this
    * @throws BadInputException saying how to record them
    */
   public RecordedMessages requireMessages() {
@@ -115,10 +113,10 @@ public final class RecordedMessages implements AutoCloseable {
   }
 
   /**
-   * Which of the file's channels are meant.
+   * Selects channels of the file.
    *
-   * @param names of U2SA's channels, such as {@code state}; empty: all
-   * @throws BadInputException if one was not recorded; says which were
+   * @param names U2SA channel names, such as {@code state}; empty for all
+   * @throws BadInputException if one was not recorded; lists those that were
    */
   public Predicate<McapChannel> channels(Collection<String> names) {
     Set<String> recorded =
@@ -136,8 +134,7 @@ public final class RecordedMessages implements AutoCloseable {
   }
 
   /**
-   * The message in a record of the file; empty if it cannot be decoded, which {@link #undecodable}
-   * says: one bad message, as an attacker may have sent it, spoils no recording.
+   * Decodes a message; empty if that fails, which {@link #undecodable} reports. A single malformed message, e.g. from an attacker, must not make a recording unusable.
    */
   public Optional<U2SAData> decode(Topic topic, McapMessage recorded) {
     try {
@@ -150,7 +147,7 @@ public final class RecordedMessages implements AutoCloseable {
     }
   }
 
-  /** What could not be decoded so far, in words; empty if nothing. */
+  /** Decoding failures so far, in words; empty if none. */
   public Optional<String> undecodable() {
     return undecodable == 0
         ? Optional.empty()
@@ -162,10 +159,10 @@ public final class RecordedMessages implements AutoCloseable {
   }
 
   /**
-   * Hands over all messages of some channels that can be decoded, in the order of their log times.
+   * Passes all decodable messages of the selected channels to the receiver, in log-time order.
    *
-   * @param wanted as by {@link #channels}
-   * @param span what to read
+   * @param wanted channels, see {@link #channels}
+   * @param span part to read
    */
   public void forEach(Predicate<McapChannel> wanted, RecordedSpan span, Taker taker)
       throws IOException {

@@ -13,15 +13,14 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
 
-/** The files of a recording that was split. */
+/** Files of a split recording. */
 final class RecordingParts {
   private static final Pattern NUMBERED = Pattern.compile("(.*-)(\\d{4,9})\\.mcap");
 
   private RecordingParts() {}
 
   /**
-   * A file, and those that follow it by number and belong to the same recording: they say the same
-   * of run and host, and each begins when the one before has ended.
+   * A file and the consecutively numbered files of the same recording: they have the same run and host facts, and each starts after the previous one ended.
    *
    * @throws BadInputException if there is no such file
    * @throws IOException if one cannot be read

@@ -16,7 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa recover FILE}: makes a whole file of a recording that breaks off. */
+/** {@code u2sa recover FILE}: recovers a truncated recording. */
 @Command(
     name = "recover",
     description = {

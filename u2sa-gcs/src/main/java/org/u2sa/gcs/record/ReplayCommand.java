@@ -25,7 +25,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /**
- * {@code u2sa replay FILE}: publishes a recording's messages again, or executes its services again.
+ * {@code u2sa replay FILE}: republishes a recording's messages, or re-executes its services.
  */
 @Command(
     name = "replay",

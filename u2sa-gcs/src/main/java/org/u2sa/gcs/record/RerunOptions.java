@@ -25,7 +25,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Which services of a recording are executed again, and how; used as {@code @Mixin}. */
+/** Options for re-executing services of a recording; used as {@code @Mixin}. */
 final class RerunOptions {
   private static final String ALL = "all";
 
@@ -92,7 +92,7 @@ final class RerunOptions {
     return report.isIdentical() || !changes.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
   }
 
-  /** Executes the services side by side, as far as the machine has processors. */
+  /** Executes the services in parallel, up to the number of processors. */
   private static List<Rerun.Outcome> executed(
       List<Path> files, Map<String, ExecutionStart> chosen, ServiceChanges changed)
       throws IOException, InterruptedException {
@@ -115,7 +115,7 @@ final class RerunOptions {
         throw cause;
       }
       if (e.getCause() instanceof RuntimeException cause) {
-        throw cause; // such as a service that refuses its configuration
+        throw cause; // e.g. a service that rejects its configuration
       }
       throw new IllegalStateException(e.getCause());
     } finally {

@@ -12,15 +12,15 @@ import org.u2sa.recorder.execution.ChannelComparison;
 import org.u2sa.recorder.execution.NumberComparison;
 import org.u2sa.recorder.execution.Rerun;
 
-/** A page that lays what services publish now over what they published in the recording. */
+/** Report page that overlays re-executed services' output on the recorded output. */
 final class RerunPage {
-  private static final int MOST_CHARTS = 12; // of a channel
+  private static final int MOST_CHARTS = 12; // per channel
 
   private final Side recorded = new Side("recorded");
   private final Side now = new Side("now");
   private double endS;
 
-  /** One of the two runs that the page compares. */
+  /** One of the two compared runs. */
   private static final class Side {
     private final String name;
     private final List<JsonText> figures = new ArrayList<>();
@@ -60,7 +60,7 @@ final class RerunPage {
   /**
    * Writes the page.
    *
-   * @param changes what was other than in the recording, as it was given
+   * @param changes changes from the recording, as given by the user
    * @throws org.u2sa.gcs.command.RunFailedException if it cannot be written
    */
   static void write(Path page, Path recording, List<Rerun.Outcome> outcomes, List<String> changes) {
@@ -116,7 +116,7 @@ final class RerunPage {
         });
     recorded.chart(title, number.unit(), before);
     now.chart(title, number.unit(), after);
-    recorded.chart(title + ", difference", number.unit()); // in this place among the charts
+    recorded.chart(title + ", difference", number.unit()); // placed here among the charts
     now.chart(title + ", difference", number.unit(), difference);
   }
 

@@ -10,16 +10,16 @@ import org.u2sa.recorder.execution.ChannelComparison;
 import org.u2sa.recorder.execution.NumberComparison;
 import org.u2sa.recorder.execution.Rerun;
 
-/** Says what came of executing services again. */
+/** Reports the results of re-executing services. */
 final class RerunReport {
-  private static final int MOST_FIELDS = 12; // of a channel, in the text
+  private static final int MOST_FIELDS = 12; // per channel, in the text
 
   private final List<Rerun.Outcome> outcomes;
   private final double wallS;
   private final boolean withDeviations;
 
   /**
-   * @param wallS time that all together took [s]
+   * @param wallS total wall-clock time [s]
    */
   RerunReport(List<Rerun.Outcome> outcomes, double wallS, boolean withDeviations) {
     this.outcomes = List.copyOf(outcomes);
@@ -31,7 +31,7 @@ final class RerunReport {
     return outcomes.stream().allMatch(Rerun.Outcome::isIdentical);
   }
 
-  /** For people. */
+  /** Text for people. */
   List<String> lines() {
     TextTable table =
         new TextTable("SERVICE", "CHANNEL", "RECORDED", "NOW", "SAME", "FIRST DIFFERENCE");
@@ -57,7 +57,7 @@ final class RerunReport {
     return lines;
   }
 
-  /** Where a channel differs first, in words. */
+  /** First difference of a channel, in words. */
   static String text(ChannelComparison.Difference difference) {
     String field = difference.field().field();
     return String.format(
@@ -136,7 +136,7 @@ final class RerunReport {
         wallS == 0.0 ? 0.0 : simS / wallS);
   }
 
-  /** For programs. */
+  /** JSON for programs. */
   List<String> json() {
     List<JsonText> services = new ArrayList<>();
     for (Rerun.Outcome outcome : outcomes) {

@@ -11,14 +11,13 @@ import org.u2sa.recorder.RecordingFacts;
 import org.u2sa.recorder.RunFiles;
 
 /**
- * What a recording says of its run: versions and host, the system file and its configurations, and
- * whatever files these name, such as mission, fence and world.
+ * Facts about a run for its recording: versions, host, the system file, its configurations, and the files they name, such as mission, fence and world.
  */
 public final class RunFacts {
   private final RecordingFacts facts = new RecordingFacts();
   private final RunFiles files = new RunFiles(facts);
 
-  /** Facts about any recording that this program makes. */
+  /** Creates the facts common to all recordings made by this program. */
   public RunFacts() {
     facts.say("run", "program", "u2sa " + ProgramVersion.text());
     facts.say("host", "operator", RemoteSystem.operator());
@@ -34,13 +33,13 @@ public final class RunFacts {
             .toString());
   }
 
-  /** Says something more of the run. */
+  /** Adds a fact. */
   public RunFacts say(String name, String text) {
     facts.say("run", name, text);
     return this;
   }
 
-  /** Says that a variable is set for this run only, and attaches the file that it names, if any. */
+  /** Adds a variable that is overridden for this run, and attaches the file it names, if any. */
   public RunFacts setting(String service, String variable, Object value) {
     String text = String.valueOf(value);
     facts.say("settings", service + ":" + variable, text);
@@ -48,31 +47,31 @@ public final class RunFacts {
     return this;
   }
 
-  /** Attaches a system file, its configurations, and the files that these name. */
+  /** Attaches a system file, its configurations and the files they name. */
   public RunFacts system(SystemFile system) {
     files.system(system.file(), system.configurations());
     return this;
   }
 
-  /** Attaches the mission that is pursued, which may stand elsewhere than is configured. */
+  /** Attaches the mission in use, which may differ from the configured one. */
   public RunFacts mission(Path file) {
     files.attach("pursued-mission/" + file.getFileName(), file);
     return this;
   }
 
-  /** Attaches the file that says what stands and moves around the vehicle. */
+  /** Attaches the world file, which describes objects around the vehicle. */
   public RunFacts world(Path file) {
     files.attach("world/" + file.getFileName(), file);
     return this;
   }
 
-  /** Attaches the logs of a folder as they are when the recording ends. */
+  /** Attaches the logs of a folder in their state at the end of the recording. */
   public RunFacts logs(Path folder) {
     files.logs(folder);
     return this;
   }
 
-  /** All of it, for a recorder. */
+  /** All facts, for a recorder. */
   public RecordingFacts facts() {
     return facts;
   }

@@ -7,7 +7,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Whether and how a run is recorded; used as {@code @Mixin RunRecording recording}. */
+/** Options for recording a run; used as {@code @Mixin RunRecording recording}. */
 public final class RunRecording {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
@@ -18,7 +18,7 @@ public final class RunRecording {
   private boolean record;
 
   /**
-   * Refuses options of a recording where none is made.
+   * Rejects recording options if no recording is made.
    *
    * @throws ParameterException naming --record
    */
@@ -35,9 +35,9 @@ public final class RunRecording {
   }
 
   /**
-   * Has the run recorded, if that is wanted.
+   * Sets up the recording of the run, if requested.
    *
-   * @param folder of the recording, relative to that of the logs; empty or ending with a slash
+   * @param folder folder of the recording, relative to the log folder; empty or ending with a slash
    */
   public void addTo(LaunchOptions launch, String folder, RunFacts facts) {
     if (record) {

@@ -18,7 +18,7 @@ import org.u2sa.recorder.execution.ExecutionStart;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
-/** What is to be other than in the recording where services are executed again. */
+/** Changes to apply when re-executing services. */
 final class ServiceChanges {
   private static final Pattern CLASS = Pattern.compile("([^:=]+)=([\\w.$]+)");
 
@@ -31,8 +31,8 @@ final class ServiceChanges {
   /**
    * Reads changes.
    *
-   * @param starts the services that are executed again
-   * @throws BadInputException if one cannot be read, or is of none of these services
+   * @param starts the services to re-execute
+   * @throws BadInputException if one cannot be read or applies to none of these services
    */
   static ServiceChanges parse(List<String> texts, Collection<ExecutionStart> starts) {
     ServiceChanges changes = new ServiceChanges();
@@ -79,7 +79,7 @@ final class ServiceChanges {
                         + starts.stream().map(ExecutionStart::service).toList()));
   }
 
-  /** A system file changes the services that have a configuration of the same name in it. */
+  /** Applies a configuration or system file; a system file changes services whose configuration in it has the same name. */
   private void addFile(Path file, Collection<ExecutionStart> starts) {
     String fileName = file.getFileName().toString();
     boolean isSystem =
@@ -117,13 +117,13 @@ final class ServiceChanges {
     }
   }
 
-  /** What a service is given, with its changed configuration file, if it has one. */
+  /** A service's start with its changed configuration file, if any. */
   ExecutionStart configurationOf(ExecutionStart start) {
     Path file = configurations.get(start.service());
     return file == null ? start : start.withConfiguration(file);
   }
 
-  /** Makes the changed service. */
+  /** Creates the changed service. */
   U2SAService make(ExecutionStart start, ServiceContext context) {
     for (Setting setting : settings) {
       if (setting.service().equals(start.service())) {

@@ -1,5 +1,4 @@
 /**
- * Commands about recordings: making them, making broken ones whole, playing them. The recorder and
- * its files are u2sa-recorder's.
+ * Commands for recordings: making, recovering and playing them. The recorder and the file format belong to u2sa-recorder.
  */
 package org.u2sa.gcs.record;

@@ -13,8 +13,7 @@ import java.net.URI;
 import java.util.Set;
 
 /**
- * Refuses web pages that are no viewer: a browser lets any page connect to this host, and says in
- * the header Origin (RFC 6455, section 10.2) whose it is. Programs that are no browsers say none.
+ * Rejects web pages other than viewers: a browser lets any page connect to this host, and identifies it in the Origin header (RFC 6455, section 10.2). Programs other than browsers send none.
  */
 final class OriginCheck extends ChannelInboundHandlerAdapter {
   private static final Set<String> USUAL = Set.of("https://app.foxglove.dev", "file://");
@@ -23,7 +22,7 @@ final class OriginCheck extends ChannelInboundHandlerAdapter {
   private final Set<String> others;
 
   /**
-   * @param others origins besides the usual ones and those of this host; "*" for all
+   * @param others origins to accept besides the usual ones and those of this host; "*" for all
    */
   OriginCheck(Set<String> others) {
     this.others = others;
@@ -58,7 +57,7 @@ final class OriginCheck extends ChannelInboundHandlerAdapter {
       String host = URI.create(origin).getHost();
       return host != null && THIS_HOST.contains(host);
     } catch (IllegalArgumentException e) {
-      return false; // no origin that a browser sends
+      return false; // not sent by a browser
     }
   }
 }

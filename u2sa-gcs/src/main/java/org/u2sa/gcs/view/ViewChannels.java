@@ -25,8 +25,7 @@ final class ViewChannels {
   }
 
   /**
-   * @param maxKeptBytes of all messages kept for viewers that come late [B]; beyond that the oldest
-   *     are forgotten
+   * @param maxKeptBytes limit of the messages kept for late viewers [B]; beyond it, the oldest are dropped
    */
   ViewChannels(long maxKeptBytes) {
     this.maxKeptBytes = maxKeptBytes;

@@ -91,10 +91,9 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * {@link #every(String, MessageType)} with sources that are told apart: a subscriber keeps
-   * something for each.
+   * {@link #every(String, MessageType)} with distinguishable sources, for subscribers that keep state per source.
    *
-   * @param source what tells the sources on the channel apart, for example the sensor's name
+   * @param source identifies the source of a message, for example by sensor name
    * @throws IllegalArgumentException if the name is not of that form
    */
   public static <T extends U2SAData> Channel<T> every(

@@ -9,7 +9,7 @@ public interface Connection extends AutoCloseable {
   /**
    * Unique identifier of this connection at the Communication Manager. Health, discovery and the
    * will message carry it, so that reports about a predecessor of the same name are not mistaken
-   * for this one. Unchanged by reconnection.
+   * for this one. Kept on reconnection.
    */
   String instance();
 
@@ -23,8 +23,7 @@ public interface Connection extends AutoCloseable {
   /**
    * Starts receiving messages published on the channel by services of the same system.
    *
-   * @return whether the Communication Manager took the subscription (one that comes back after an
-   *     interruption counts)
+   * @return whether the Communication Manager accepted the subscription, or will be asked again after an interruption
    */
   boolean subscribe(Channel<?> channel);
 
@@ -32,26 +31,23 @@ public interface Connection extends AutoCloseable {
   boolean unsubscribe(Channel<?> channel);
 
   /**
-   * Names of the channels that were subscribed to and that the broker does not let this connection
-   * hear. It is asked again whenever the connection is made anew.
+   * Names of subscribed channels that the broker does not permit this connection to receive. Retried on each reconnection.
    */
   default Set<String> refusedSubscriptions() {
     return Collections.emptySet();
   }
 
   /**
-   * Messages that could not be handed over, or that came in and could not be read, since the
-   * connection was made.
+   * Number of messages that could not be delivered, or were received but could not be decoded, since the connection was created.
    */
   long refused();
 
   /**
-   * Messages of the subscribed channels that others sent over MQTT and that were lost on the way,
-   * as far as their numbers tell, since the connection was made.
+   * Number of messages on subscribed channels lost over MQTT since the connection was created, as detected from sequence numbers.
    */
   long missed();
 
-  /** Ends all subscriptions and the connection. Safe to call twice. */
+  /** Ends all subscriptions and the connection. Idempotent. */
   @Override
   void close();
 }

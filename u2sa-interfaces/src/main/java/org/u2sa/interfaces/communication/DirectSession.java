@@ -242,7 +242,7 @@ final class DirectSession implements MqttSession {
     try {
       settled.await(answerWithinMs, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
-      Thread.currentThread().interrupt(); // then the close ends immediately
+      Thread.currentThread().interrupt(); // makes the close end immediately
     }
     long lost = end();
     cut = true; // the broker closing it now is not a loss
@@ -250,7 +250,7 @@ final class DirectSession implements MqttSession {
       send(MqttPackets.empty(DISCONNECT));
       ended.await(FAREWELL_WITHIN_MS, TimeUnit.MILLISECONDS);
     } catch (MqttException e) {
-      return lost + abandon(); // the connection broke meanwhile
+      return lost + abandon(); // the connection broke in the meantime
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -325,7 +325,7 @@ final class DirectSession implements MqttSession {
       why = e.getMessage();
     } catch (MqttException e) {
       why = MqttSession.reason(e);
-    } catch (RuntimeException e) { // the next session may do better than none at all
+    } catch (RuntimeException e) { // a new session may recover
       why = e.toString();
     }
     broke(why);

@@ -38,8 +38,8 @@ final class MqttLink {
   private final AtomicBoolean catchesUp = new AtomicBoolean();
   private volatile boolean closed;
   private volatile MqttSession opened; // latest session, possibly not in use yet
-  private String lastFailure = ""; // touched by the link thread only
-  private long lostAtMicros; // touched by the link thread only
+  private String lastFailure = ""; // used by the link thread only
+  private long lostAtMicros; // used by the link thread only
 
   /** Creates an unopened link; see {@link #open}. */
   MqttLink(String address, String clientId, MqttConnection owner, MqttClient client) {
@@ -186,7 +186,7 @@ final class MqttLink {
     }
     try {
       owner.interrupted("connection to " + address + " lost: " + why);
-    } finally { // whatever the report comes to
+    } finally { // even if the report throws
       onLinkThread(
           () -> {
             lostAtMicros = clock.micros();

@@ -26,7 +26,7 @@ final class MqttPacketReader {
     void connected(int code);
 
     /**
-     * * PUBLISH.
+     * PUBLISH.
      *
      * @param packetId identifier to acknowledge; 0 for none
      */

@@ -11,7 +11,7 @@ import org.eclipse.paho.client.mqttv3.MqttException;
  */
 interface MqttSession {
   /**
-   * * Opens the session.
+   * Opens the session.
    *
    * @throws MqttException if the broker does not answer or rejects the connection
    */

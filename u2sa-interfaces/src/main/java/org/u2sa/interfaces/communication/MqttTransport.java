@@ -85,7 +85,7 @@ public record MqttTransport(
    * Transport to another system on the same broker, whose systems are otherwise isolated from each
    * other.
    *
-   * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all
+   * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to receive from all
    */
   public MqttTransport ofSystem(String otherSystemId) {
     return new MqttTransport(host, port, otherSystemId, codec, access, patienceS, client);

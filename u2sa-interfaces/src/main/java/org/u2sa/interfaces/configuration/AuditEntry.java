@@ -47,7 +47,7 @@ record AuditEntry(
   }
 
   /**
-   * * A changed variable.
+   * A changed variable.
    *
    * @param variable its name
    * @param before previous value in the declared unit; empty if unknown

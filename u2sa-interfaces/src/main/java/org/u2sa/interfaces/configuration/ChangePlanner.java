@@ -190,7 +190,7 @@ final class ChangePlanner {
     private RefusedTexts() {}
 
     /**
-     * * Rejects oversized changes.
+     * Rejects oversized changes.
      *
      * @throws ConfigurationException if there are too many variables, or texts are too long
      */

@@ -18,19 +18,18 @@ import java.util.stream.Collectors;
  * follows when the {@link WrittenChange} takes effect. If power fails between log and file, the
  * next change detects and logs it.
  *
- * <p>One thread at a time writes; what is in memory is {@link LiveValues}' concern, which nobody
- * holds while the disk is at work.
+ * <p>One thread at a time writes. Values in memory belong to {@link LiveValues}, which is never locked during disk access.
  */
 final class ConfigurationChanges {
   private final LiveValues live;
-  private final Optional<Path> original; // from which the file is copied; empty: it is the file
+  private final Optional<Path> original; // source of the copy; empty if the file itself is changed
   private final Optional<Path> path;
   private final ChangeJournal journal;
   private volatile long revision; // written by one thread at a time
 
   /**
-   * @param file that was read; empty: changes stay in memory
-   * @param copy that is changed in its place, and made at the first change; empty: the file is
+   * @param file file that was read; empty if changes stay in memory
+   * @param copy copy changed instead of the file, created on the first change; empty to change the file itself
    */
   ConfigurationChanges(LiveValues live, Optional<Path> file, Optional<Path> copy) {
     this(live, copy.isPresent() ? file : Optional.empty(), copy.isPresent() ? copy : file, 0);

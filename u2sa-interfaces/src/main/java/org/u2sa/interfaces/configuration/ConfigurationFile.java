@@ -37,7 +37,7 @@ final class ConfigurationFile {
   }
 
   /**
-   * * Reads a file.
+   * Reads a file.
    *
    * @throws ConfigurationException if it is invalid; names file, line and expectation
    */

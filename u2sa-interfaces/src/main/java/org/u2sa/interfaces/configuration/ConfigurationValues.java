@@ -170,7 +170,7 @@ final class ConfigurationValues {
     return declared.containsKey(name) || readByName.contains(name);
   }
 
-  /** An independent copy. */
+  /** Independent copy. */
   ConfigurationValues copy() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
     copy.overridden.addAll(overridden);

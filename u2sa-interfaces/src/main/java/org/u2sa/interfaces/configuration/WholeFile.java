@@ -29,7 +29,7 @@ public final class WholeFile {
    * @throws IOException if that fails; the old content is kept
    */
   static void replace(Path file, byte[] content) throws IOException {
-    boolean interrupted = Thread.interrupted(); // would close the channel; given back below
+    boolean interrupted = Thread.interrupted(); // would close the channel; restored below
     try {
       replaceTarget(file.toRealPath(), content);
     } finally {
@@ -80,7 +80,7 @@ public final class WholeFile {
   // Some systems cannot open a directory (Windows); files are still atomic there, but the latest
   // change may be lost in a power cut.
   static void sync(Path directory) {
-    boolean interrupted = Thread.interrupted(); // would close the channel; given back below
+    boolean interrupted = Thread.interrupted(); // would close the channel; restored below
     try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
       channel.force(true);
     } catch (IOException e) {

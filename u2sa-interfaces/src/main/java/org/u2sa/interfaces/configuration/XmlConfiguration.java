@@ -69,8 +69,7 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Reads a configuration file that is to stay as it is: changes go to a copy, which is made at the
-   * first change. A copy that exists is read in place of the file.
+   * Reads a configuration file that must not be modified: changes go to a copy, created on the first change. An existing copy is read instead of the file.
    *
    * @throws ConfigurationException like {@link #load(Path)}
    */
@@ -109,7 +108,7 @@ public final class XmlConfiguration implements Configurator {
     values.update(all -> all.override(variableName, value));
   }
 
-  /** The variables that were {@linkplain #override overridden}, with their values. */
+  /** Variables that were {@linkplain #override overridden}, with their values. */
   public Map<String, Object> overrides() {
     return values.get(ConfigurationValues::overrides);
   }
@@ -210,7 +209,7 @@ public final class XmlConfiguration implements Configurator {
    * @param wanted values of the variables' types, or their texts, in the declared units
    * @param seen the {@link #revision} the author relies on; if outdated, nothing is changed; empty
    *     for last writer wins
-   * @param check judges the values together, before anything is written
+   * @param check validates the combination before anything is written
    */
   public ConfigurationOutcome change(
       Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
@@ -237,7 +236,7 @@ public final class XmlConfiguration implements Configurator {
    * Undoes the latest change not undone yet; the next undo reverts the one before. The audit log
    * remembers some hundred changes, by any process.
    *
-   * @param check judges the values together, before anything is written
+   * @param check validates the combination before anything is written
    */
   public ConfigurationOutcome undo(ChangeOrigin by, ConfigurationCheck check) {
     return writeUndo(by, check).takeEffect();

@@ -162,7 +162,7 @@ public final class LogFile implements AutoCloseable {
     }
   }
 
-  /** Closes the file; later lines are dropped. Safe to call twice. */
+  /** Closes the file; later lines are dropped. Idempotent. */
   @Override
   public void close() {
     first.end();
@@ -223,7 +223,7 @@ public final class LogFile implements AutoCloseable {
     return LINE_END.splitAsStream(text).map(OneLine::of).collect(Collectors.joining(NEXT_LINE));
   }
 
-  /** Whoever composes a message of what others sent must not fill the disk with it. */
+  /** Truncates long messages: foreign content must not fill the disk. */
   private static String shortened(String text, int maxChars) {
     return text.length() <= maxChars
         ? text

@@ -11,11 +11,11 @@ public interface Clock {
   /** Microseconds in a second: message timestamps are in microseconds. */
   long MICROS_PER_SECOND = 1_000_000L;
 
-  /** A deadline that never comes. */
+  /** A deadline that is never reached. */
   long NEVER = Long.MAX_VALUE;
 
   /**
-   * The time now [µs]: since 1970-01-01T00:00Z in real time, since the start of the run in
+   * Current time [µs]: since 1970-01-01T00:00Z in real time, since the start of the run in
    * simulated time.
    */
   long micros();
@@ -23,7 +23,7 @@ public interface Clock {
   /**
    * Creates a waiter for one thread.
    *
-   * @param name who waits, for diagnostics
+   * @param name name for diagnostics
    */
   Waiter newWaiter(String name);
 
@@ -32,7 +32,7 @@ public interface Clock {
    * it sleeps, at the cost of that much CPU time, and again before a deadline. In simulated time it
    * does not spin.
    *
-   * @param name who waits, for diagnostics
+   * @param name name for diagnostics
    * @param spinMicros maximum spin time per wait [µs]; 0 to not spin
    */
   default Waiter newWaiter(String name, long spinMicros) {
@@ -118,7 +118,7 @@ public interface Clock {
       }
     }
 
-    /** Ends the present wait, or the next one if the thread is not waiting. Never blocks. */
+    /** Ends the current wait, or the next one if the thread is not waiting. Never blocks. */
     void signal();
 
     /**

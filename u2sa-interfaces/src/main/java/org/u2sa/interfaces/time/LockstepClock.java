@@ -61,7 +61,7 @@ public final class LockstepClock implements Clock {
     synchronized (lock) {
       Turn turn = newTurn(new StepWatch(thread, outOfStep));
       unreliable.add(turn);
-      lock.notifyAll(); // start the driver's watching
+      lock.notifyAll(); // starts the driver's watch
       return turn;
     }
   }
@@ -96,7 +96,7 @@ public final class LockstepClock implements Clock {
    * @param limitMicros time of this clock [µs] at which to give up
    * @return whether the condition held
    * @throws InterruptedException if the calling thread was interrupted
-   * @throws RuntimeException what the condition threw, if it did
+   * @throws RuntimeException if the condition threw it
    */
   public boolean runUntil(BooleanSupplier condition, long limitMicros) throws InterruptedException {
     drive(condition, limitMicros);
@@ -330,7 +330,7 @@ public final class LockstepClock implements Clock {
         }
         carriers.release(lent);
         if (isEnding || closed) {
-          lent.giveBack(); // the turn goes with it
+          lent.giveBack(); // including the turn
         } else {
           isLent = true;
           begin(lent.deadlineMicros());
@@ -340,7 +340,7 @@ public final class LockstepClock implements Clock {
       }
     }
 
-    /** Gives it the turn, and a carrier if it is lent. */
+    /** Starts the turn, on a carrier if lent. */
     private void grant() {
       boolean isCarried = isLent;
       take();
@@ -367,7 +367,7 @@ public final class LockstepClock implements Clock {
           queued = true;
           ready.add(this);
           if (ready.size() == 1) {
-            callAhead(); // later threads are called once this one has its turn
+            callAhead(); // call later threads once this one has its turn
           }
         }
       }

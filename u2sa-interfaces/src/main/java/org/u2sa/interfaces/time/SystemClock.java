@@ -31,9 +31,9 @@ public final class SystemClock implements Clock {
   }
 
   /**
-   * A clock with an offset to this one.
+   * Creates a clock with an offset to this one.
    *
-   * @param offsetMicros by how much it is ahead [µs]; negative: behind
+   * @param offsetMicros offset [µs]; positive is ahead
    */
   public SystemClock ahead(long offsetMicros) {
     return new SystemClock(new TimeBase(base.zeroMicros() + offsetMicros));

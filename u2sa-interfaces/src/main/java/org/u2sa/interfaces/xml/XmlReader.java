@@ -16,7 +16,7 @@ public final class XmlReader {
   private XmlReader() {}
 
   /**
-   * * Reads the root element of a file.
+   * Reads the root element of a file.
    *
    * @param expectedRoot required name
    * @throws BadInputException if the file is missing, unreadable or invalid; names file, line and

@@ -25,7 +25,7 @@ import org.u2sa.interfaces.BadInputException;
  * single change, preserving all other characters. Immutable.
  */
 public final class XmlText {
-  /** Maximum file size; a world of a hundred thousand points is a third of it. */
+  /** Maximum file size; a world of a hundred thousand points takes a third of it. */
   static final int MAX_BYTES = 16 * 1024 * 1024;
 
   private static final int DECLARATION_LENGTH = 200;
@@ -103,7 +103,7 @@ public final class XmlText {
   /**
    * The root element.
    *
-   * @param expectedRoot the name that it must have
+   * @param expectedRoot required name of the root element
    * @throws BadInputException if the text is not well-formed or has another root
    */
   public XmlElement root(String expectedRoot) {

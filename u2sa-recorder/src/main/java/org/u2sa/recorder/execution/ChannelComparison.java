@@ -12,20 +12,20 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapException;
 
-/** What a service published on one channel, in the recording and when executed again. */
+/** Compares a service's output on one channel between the recording and the re-execution. */
 public final class ChannelComparison {
   private final Channel<?> channel;
   private long recorded;
   private long now;
   private long same;
-  private Difference first; // null: none
+  private Difference first; // null if none
   private final Map<String, NumberComparison> numbers = new LinkedHashMap<>();
 
   /**
    * The first difference.
    *
-   * @param micros when [µs of the run's clock]
-   * @param field what differs; its path is empty where a message is missing, or one too many
+   * @param micros time [µs of the run's clock]
+   * @param field differing field; its path is empty if a message is missing or surplus
    */
   public record Difference(long micros, FieldDifference field) {}
 
@@ -62,7 +62,7 @@ public final class ChannelComparison {
     }
   }
 
-  /** Compares the numbers that differ here or have differed before. */
+  /** Compares the numbers that differ in these messages or differed earlier. */
   private void compare(long micros, U2SAData before, U2SAData after) {
     if (first == null) {
       return;
@@ -95,37 +95,37 @@ public final class ChannelComparison {
     return all;
   }
 
-  /** The channel's name. */
+  /** Channel name. */
   public String name() {
     return channel.name();
   }
 
-  /** Messages in the recording. */
+  /** Number of recorded messages. */
   public long recorded() {
     return recorded;
   }
 
-  /** Messages of the service that was executed again. */
+  /** Number of messages published by the re-execution. */
   public long now() {
     return now;
   }
 
-  /** Messages that are the same to the byte. */
+  /** Number of byte-identical messages. */
   public long same() {
     return same;
   }
 
-  /** Whether every message is the same, and none is missing or too many. */
+  /** Whether every message is identical, with none missing or surplus. */
   public boolean isIdentical() {
     return first == null;
   }
 
-  /** Where they differ first; empty if they do not. */
+  /** First difference, or empty. */
   public Optional<Difference> first() {
     return Optional.ofNullable(first);
   }
 
-  /** Numbers that differ anywhere, in the order in which they did. */
+  /** Numbers that ever differ, in order of first difference. */
   public List<NumberComparison> numbers() {
     return new ArrayList<>(numbers.values());
   }

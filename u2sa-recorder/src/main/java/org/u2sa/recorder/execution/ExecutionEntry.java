@@ -4,35 +4,34 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.recorder.mcap.McapException;
 
 /**
- * One thing that passed between a service and the world.
+ * One interaction between a service and its environment.
  *
- * @param kind what
- * @param micros the clock's reading, the end of a wait, or when a message arrived [µs of the run's
- *     clock]; 0 for other kinds
- * @param times how many readings; 1 for other kinds
+ * @param kind kind of interaction
+ * @param micros clock reading, deadline of a wait or arrival of a message [µs of the run's clock]; 0 for other kinds
+ * @param times number of equal readings; 1 for other kinds
  */
 record ExecutionEntry(Kind kind, long micros, long times) {
-  /** What passes. The order is that of the numbers in recordings. */
+  /** Kind of interaction. Recordings store the ordinal. */
   enum Kind {
     /** The service reads the clock. */
     READING,
     /** A message is handled. */
     RECEIVED,
-    /** A message is published, and taken. */
+    /** A message is published and accepted. */
     PUBLISHED,
-    /** A message is published, and refused. */
+    /** A message is published and rejected. */
     REFUSED,
     /** The service begins a step. */
     STEP,
     /** The service waits. */
     WAIT,
-    /** A written change of the configuration is taken. */
+    /** A changed configuration file is applied. */
     WRITTEN,
-    /** The service is made; what follows is its thread's. */
+    /** The service is constructed; later entries come from its thread. */
     MADE,
-    /** The service's loop is over. */
+    /** The service's loop ends. */
     END,
-    /** The service published from a thread that is not its own. */
+    /** The service published from another thread. */
     ELSEWHERE;
 
     boolean isOfMessage() {
@@ -43,7 +42,7 @@ record ExecutionEntry(Kind kind, long micros, long times) {
       return this == PUBLISHED || this == REFUSED;
     }
 
-    /** Whether only that the service has come this far leads beyond it. */
+    /** Whether a replay can only pass this entry when the service reaches the same point. */
     boolean isAnchor() {
       return this != READING && this != PUBLISHED && this != REFUSED && this != ELSEWHERE;
     }
@@ -51,7 +50,7 @@ record ExecutionEntry(Kind kind, long micros, long times) {
 
   private static final Kind[] KINDS = Kind.values();
 
-  /** Writes an entry. Times are relative to the last reading, which makes them short. */
+  /** Writes an entry. Times are relative to the last reading, to keep them short. */
   void write(PackedWriter out, long lastMicros) {
     out.number(kind.ordinal());
     switch (kind) {
@@ -59,7 +58,7 @@ record ExecutionEntry(Kind kind, long micros, long times) {
       case WAIT -> writeOr(out, Clock.NEVER, lastMicros);
       case RECEIVED -> writeOr(out, 0L, lastMicros);
       default -> {
-        // the kind says all
+        // the kind is sufficient
       }
     }
   }

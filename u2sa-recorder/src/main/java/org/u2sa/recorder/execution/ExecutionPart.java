@@ -7,40 +7,39 @@ import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A piece of an execution, to be written as one message of a recording.
+ * A part of an execution, written as one message of a recording.
  *
- * @param execution which execution
- * @param number of the part, from 0: a gap shows that one was lost
- * @param micros when it was closed [µs of the run's clock]
- * @param entries what passed, in order; see {@link ExecutionEntry}
- * @param messages those that the entries are about, in turn
+ * @param execution name of the execution
+ * @param number sequence number of the part, from 0; a gap reveals a loss
+ * @param micros time it was closed [µs of the run's clock]
+ * @param entries packed entries, in order; see {@link ExecutionEntry}
+ * @param messages the entries' messages, in order
  */
 public record ExecutionPart(
     String execution, long number, long micros, byte[] entries, List<Passed> messages) {
-  /** Encoding of the MCAP channels that hold executions. */
+  /** Message encoding of MCAP channels with executions. */
   public static final String ENCODING = "u2sa-execution";
 
-  /** What topics of such channels begin with. */
+  /** Topic prefix of these channels. */
   public static final String TOPIC = "execution/";
 
-  /** Messages of a file back to which a part may refer. */
+  /** How many messages back in a file a part may refer to. */
   public static final int REACH = 8192;
 
-  /** Of a message whose bytes stand here, the number of the channel. */
+  /** Channel number of a message whose bytes are stored inline. */
   static final int HERE = 0;
 
-  /** A message that came or went. */
+  /** A message received or published. */
   public record Passed(Channel<?> channel, U2SAData message) {}
 
-  /** Where a message is in the same recording: its MCAP channel and its sequence there. */
+  /** Position of a message in the same recording: MCAP channel and sequence number. */
   public record Place(int channelId, long sequence) {}
 
   /**
-   * The bytes for the recording.
+   * Encodes the part.
    *
-   * @param systemId of messages that name none
-   * @param places where messages are that were recorded not long ago; null: not among them, and
-   *     written once more here
+   * @param systemId system ID of messages that have none
+   * @param places positions of recently recorded messages; returns null for others, which are then stored inline
    */
   public byte[] bytes(String systemId, Function<U2SAData, Place> places) {
     PackedWriter out = new PackedWriter().number(number).bytes(entries);

@@ -18,20 +18,18 @@ import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
 
 /**
- * Reads one execution from a recording, of one file or of several that follow one another, entry by
- * entry, and with it the messages that it is about. Holds some ten thousand messages at a time, no
- * more than fit in a quarter of the heap. Belongs to one thread.
+ * Reads one execution, entry by entry with its messages, from a recording of one or several consecutive files. Holds some ten thousand messages at a time, limited to a quarter of the heap. Not thread-safe.
  */
 final class ExecutionReader implements AutoCloseable {
-  /** A part may come before messages that it refers to, where threads ran side by side. */
+  /** Read-ahead, because with concurrent threads a part may precede messages it refers to. */
   private static final int AHEAD = 2048;
 
-  private final Deque<Path> files; // that follow the present one
+  private final Deque<Path> files; // after the current one
   private final Map<Integer, McapChannel> channels = new HashMap<>(); // the same in all files
   private final Map<Integer, RecordedMessage.Track> tracks = new HashMap<>();
   private final MessageCodec codec;
   private final String topic;
-  private McapReader reader; // of the present file
+  private McapReader reader; // of the current file
   private McapCursor cursor;
   private final RecentlyRead near =
       new RecentlyRead(ExecutionPart.REACH + 2 * AHEAD, Runtime.getRuntime().maxMemory() / 4);
@@ -40,18 +38,18 @@ final class ExecutionReader implements AutoCloseable {
   private PackedReader places = new PackedReader(new byte[0]);
   private long lastMicros;
   private long nextPart;
-  private Next next; // read ahead; null: not yet
+  private Next next; // read ahead; null if not read yet
 
   /**
-   * What comes next.
+   * An entry with its message.
    *
-   * @param entry what passed
-   * @param message the message that it is about; null if it is about none
+   * @param entry the interaction
+   * @param message its message; null if it has none
    */
   record Next(ExecutionEntry entry, RecordedMessage message) {}
 
   /**
-   * @param files of the recording, oldest first
+   * @param files files of the recording, oldest first
    * @throws IOException if the first cannot be read
    */
   ExecutionReader(List<Path> files, MessageCodec codec, String execution) throws IOException {
@@ -67,7 +65,7 @@ final class ExecutionReader implements AutoCloseable {
     cursor = reader.messages(Long.MIN_VALUE, this::isWanted);
   }
 
-  /** Log time of the recording's first message [ns], as long as the first file is read. */
+  /** Log time of the recording's first message [ns]; valid while the first file is read. */
   long startNanos() {
     return reader.statistics().startNanos();
   }
@@ -77,9 +75,9 @@ final class ExecutionReader implements AutoCloseable {
   }
 
   /**
-   * The next entry, which stays the next one; empty after the last.
+   * Next entry without consuming it; empty after the last.
    *
-   * @throws McapException if a part is missing or damaged, or a message that it refers to
+   * @throws McapException if a part, or a message it refers to, is missing or damaged
    */
   Optional<Next> peek() throws IOException {
     if (next == null && (entries.hasMore() || beginPart())) {
@@ -92,7 +90,7 @@ final class ExecutionReader implements AutoCloseable {
     return Optional.ofNullable(next);
   }
 
-  /** Goes on to the next entry. */
+  /** Consumes the next entry. */
   void skip() {
     next = null;
   }

@@ -22,16 +22,13 @@ import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
 
 /**
- * What a service was given when it was made, and all the files that it then read: enough to make it
- * again elsewhere.
+ * Everything a service was given on construction, including the files it then read: enough to recreate it elsewhere.
  *
- * @param texts what it was given, by name
- * @param files contents by name: {@link #CONFIGURATION}, {@code variables/NAME} of the file that a
- *     variable names, {@code state/NAME} of what an earlier life has left, {@link #HANDED_OVER} of
- *     what the service before wrote down whose place it took
+ * @param texts named values
+ * @param files contents by name: {@link #CONFIGURATION}, {@code variables/NAME} for the file that a variable names, {@code state/NAME} for state left by an earlier instance, {@link #HANDED_OVER} for the state written by the service it replaced
  */
 public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> files) {
-  /** Begins the names of metadata and attachments; the execution's name follows. */
+  /** Name prefix of metadata and attachments, followed by the execution's name. */
   public static final String PREFIX = "execution/";
 
   static final String CONFIGURATION = "configuration.xml";
@@ -59,7 +56,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   }
 
   /**
-   * What a service is about to be given.
+   * Captures what a service is about to be given.
    *
    * @throws IOException if a file cannot be read
    */
@@ -83,12 +80,12 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     return new ExecutionStart(texts, files);
   }
 
-  /** A value with the letter of its class, as {@link #value} reads it. */
+  /** Value prefixed with its class letter, for {@link #value}. */
   static String typed(Object value) {
     return value.getClass().getSimpleName().charAt(0) + " " + value;
   }
 
-  /** The value of a {@link #typed} text. */
+  /** Value of a {@link #typed} text. */
   static Object value(String typed) {
     String text = typed.substring(2);
     return switch (typed.charAt(0)) {
@@ -117,8 +114,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   }
 
   /**
-   * The same with what is known once the service is made: its name, and the files that its
-   * variables name. Passwords and keys are files too and are left out: all but XML is.
+   * Copy with what is known once the service is constructed: its name and the XML files its variables name. Other files are left out, because they may be passwords or keys.
    *
    * @throws IOException if a file cannot be read
    */
@@ -159,12 +155,12 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
       Path file = context.configuration().resolve(value);
       return Files.isRegularFile(file) && Files.size(file) <= LARGEST_FILE;
     } catch (InvalidPathException e) {
-      return false; // a value that only looks like a file's name
+      return false; // a value that only resembles a file name
     }
   }
 
   /**
-   * Writes it: the texts as metadata, the files as attachments.
+   * Writes the texts as metadata and the files as attachments.
    *
    * @throws IOException if it cannot be written
    */
@@ -177,9 +173,9 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   }
 
   /**
-   * Reads all of a recording, by the executions' names.
+   * Reads all execution starts of a recording, by execution name.
    *
-   * @param files of the recording, oldest first
+   * @param files files of the recording, oldest first
    * @throws IOException if one cannot be read
    */
   public static Map<String, ExecutionStart> all(List<Path> files) throws IOException {
@@ -212,7 +208,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     return all;
   }
 
-  /** A whole number that the recording gives. */
+  /** Integer value of a text. */
   long number(String name) throws McapException {
     try {
       return Long.parseLong(text(name));
@@ -222,7 +218,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     }
   }
 
-  /** Which thread the service was; 0 where the recording does not say. */
+  /** Thread ID of the service; 0 if not recorded. */
   int threadId() throws McapException {
     return texts.containsKey(THREAD) ? (int) number(THREAD) : 0;
   }
@@ -231,22 +227,21 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     return texts.getOrDefault(name, "");
   }
 
-  /** The service's name. */
+  /** Service name. */
   public String service() {
     return text(SERVICE);
   }
 
-  /** Name of the configuration file without its folder; of the configuration if it has none. */
+  /** Configuration file name without folder; the configuration's own name if not from a file. */
   public String configurationName() {
     String origin = text(CONFIGURATION_NAME).replace('\\', '/');
     return origin.substring(origin.lastIndexOf('/') + 1);
   }
 
   /**
-   * The same with another configuration file, and the files that it names. What the run had set
-   * stays set.
+   * Copy with another configuration file and the files it names. Overrides set by the run are kept.
    *
-   * @throws org.u2sa.interfaces.BadInputException if the file is no configuration
+   * @throws org.u2sa.interfaces.BadInputException if the file is not a configuration
    */
   public ExecutionStart withConfiguration(Path file) {
     Map<String, String> otherTexts = new LinkedHashMap<>(texts);

@@ -8,14 +8,14 @@ import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Where two messages differ first.
+ * First difference of two messages.
  *
  * @param field path of the field, such as {@code goals[2].x}
- * @param recorded the value in the recording; empty text if absent
- * @param now the value of the service that was executed again
+ * @param recorded recorded value; empty if absent
+ * @param now value from the re-execution
  */
 public record FieldDifference(String field, String recorded, String now) {
-  /** The first difference in the order of the fields; empty if there is none. */
+  /** First difference in field order, or empty. */
   static Optional<FieldDifference> between(U2SAData recorded, U2SAData now) {
     return between("", recorded, now);
   }
@@ -64,7 +64,7 @@ public record FieldDifference(String field, String recorded, String now) {
   }
 
   /**
-   * The first byte that differs; of two of which one begins as the other does, how long they are.
+   * First differing byte; the lengths if one is a prefix of the other.
    */
   private static FieldDifference betweenBytes(String path, ByteString a, ByteString b) {
     ByteBuffer ofA = a.view();

@@ -17,32 +17,29 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
- * Notes what passes between a service and the world, and hands it on in parts. Changes nothing of
- * it. All but its clock and {@link #publishes} belongs to the thread that executes the service.
+ * Records the interactions of a service and passes them on in parts, without altering them. Except for its clock and {@link #publishes}, use only on the thread that executes the service.
  */
 public final class KeptExecution implements Execution {
   private final Clock clock;
   private final PartBuilder part;
   private final Consumer<KeptExecution> onBegin;
   private final boolean awaitsPlace;
-  private final AtomicLong elsewhere = new AtomicLong(); // published by other threads
+  private final AtomicLong elsewhere = new AtomicLong(); // messages published by other threads
   private U2SAService service;
   private volatile String instance = "";
   private int threadId;
-  private volatile Thread owner; // null: nobody executes the service
+  private volatile Thread owner; // null while nobody executes the service
   private boolean kept = true;
   private long elsewhereNoted;
-  private Inheritance inherited; // null if the service took nobody's place
+  private Inheritance inherited; // null if the service replaced nobody
 
   /**
-   * An execution that begins on the calling thread, which makes the service.
+   * Creates an execution that starts on the calling thread, which constructs the service.
    *
    * @param clock of the run
-   * @param awaitsPlace whether the service is made to take another one's place, which may be
-   *     refused
-   * @param onBegin asked when it is sure that the service will run; is to {@link #keepAs} it, or to
-   *     leave it
-   * @param parts takes what was noted, on the service's thread
+   * @param awaitsPlace whether the service is to replace another, which may be refused
+   * @param onBegin called when it is certain that the service will run; may call {@link #keepAs} to keep the execution
+   * @param parts receives the parts, on the service's thread
    */
   KeptExecution(
       Clock clock,
@@ -56,37 +53,36 @@ public final class KeptExecution implements Execution {
     owner = Clock.runningThread();
   }
 
-  /** The service; null before it is made. */
+  /** The service; null before it is constructed. */
   public U2SAService service() {
     return service;
   }
 
-  /** Which connection the service has; empty before it has one. */
+  /** Instance ID of the service's connection; empty before it connects. */
   public String instance() {
     return instance;
   }
 
-  /** What the service was given of the one whose place it took, if it took one. */
+  /** What the service inherited from the one it replaced, if any. */
   Optional<Inheritance> inherited() {
     return Optional.ofNullable(inherited);
   }
 
-  /** Sets the name under which the execution is kept, unique in the recording. */
+  /** Keeps the execution under this name, which must be unique in the recording. */
   void keepAs(String executionName) {
     part.name(executionName);
     kept = true;
   }
 
   /**
-   * Whether a service depends on nothing but messages, time and its configuration, as far as can be
-   * told: a loop that its author wrote runs beside the handling of messages.
+   * Whether a service depends only on messages, time and its configuration, as far as can be determined: services with a custom loop do not qualify, because it runs beside message handling.
    */
   static boolean isRepeatable(U2SAService service) {
     return (service instanceof EventDrivenService || service instanceof PeriodicService)
         && isRepeatable(service.role());
   }
 
-  /** The same by role alone: sensors and actuators have devices. */
+  /** Same check by role only: sensors and actuators use devices. */
   static boolean isRepeatable(ServiceRole role) {
     return switch (role) {
       case PROPRIOCEPTIVE_SENSOR, EXTEROCEPTIVE_SENSOR, ACTUATOR, LAUNCHER, OBSERVER -> false;
@@ -99,7 +95,7 @@ public final class KeptExecution implements Execution {
     return new NotingClock();
   }
 
-  /** Which thread the service is. */
+  /** Thread ID of the service. */
   int threadId() {
     return threadId;
   }
@@ -126,13 +122,13 @@ public final class KeptExecution implements Execution {
   }
 
   private void begin() {
-    kept = false; // unless it is given a name
+    kept = false; // until it is given a name
     onBegin.accept(this);
   }
 
   @Override
   public Optional<Inheritance> inheritance() {
-    return Optional.empty(); // the service takes the place of one that runs
+    return Optional.empty(); // the service replaces a running one
   }
 
   @Override
@@ -198,7 +194,7 @@ public final class KeptExecution implements Execution {
       taken = publish.getAsBoolean();
     } catch (CommunicationException e) {
       if (Clock.runningThread() == owner) {
-        ends(); // cut off from all others: nothing of what follows reaches anybody
+        ends(); // disconnected: no later message reaches anybody
       }
       throw e;
     }
@@ -207,7 +203,7 @@ public final class KeptExecution implements Execution {
     }
     if (Clock.runningThread() == owner) {
       part.add(taken ? Kind.PUBLISHED : Kind.REFUSED, 0, channel, message);
-    } else if (!channel.equals(Channels.HEALTH)) { // the last report may be by whoever ends it
+    } else if (!channel.equals(Channels.HEALTH)) { // the last may be the ender's
       elsewhere.incrementAndGet();
     }
     return taken;
@@ -245,7 +241,7 @@ public final class KeptExecution implements Execution {
     }
   }
 
-  /** The run's clock; what the service's thread reads of it is noted. */
+  /** The run's clock; records the readings of the service's thread. */
   private final class NotingClock implements Clock {
     @Override
     public long micros() {
@@ -268,7 +264,7 @@ public final class KeptExecution implements Execution {
 
     @Override
     public Waiter newWaiter(Thread thread, Runnable outOfStep) {
-      return clock.newWaiter(thread, outOfStep); // of a loop that is not kept
+      return clock.newWaiter(thread, outOfStep); // for a loop that is not recorded
     }
   }
 

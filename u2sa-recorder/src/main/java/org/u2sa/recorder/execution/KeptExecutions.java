@@ -9,7 +9,7 @@ import java.util.function.Consumer;
 import org.u2sa.service.Execution;
 import org.u2sa.service.ServiceContext;
 
-/** Begins and names the executions of a recording. */
+/** Starts and names the executions of a recording. */
 public final class KeptExecutions implements Execution.Keeper {
   private final BiConsumer<String, ExecutionStart> starts;
   private final Consumer<ExecutionPart> parts;
@@ -17,9 +17,9 @@ public final class KeptExecutions implements Execution.Keeper {
   private final Map<String, Integer> lives = new HashMap<>(); // by service; guarded by this
 
   /**
-   * @param starts takes the name of an execution, and what its service was given
-   * @param parts takes what it does
-   * @param trouble told what cannot be kept
+   * @param starts receives an execution's name and start
+   * @param parts receives the parts of all executions
+   * @param trouble notified of executions that cannot be kept
    */
   public KeptExecutions(
       BiConsumer<String, ExecutionStart> starts,
@@ -57,7 +57,7 @@ public final class KeptExecutions implements Execution.Keeper {
     }
   }
 
-  /** The service's name; of one that was restarted or swapped with the number of its life. */
+  /** Service name; after a restart or swap with an instance number appended. */
   private synchronized String nameOfNext(String service) {
     int life = lives.merge(service, 1, Integer::sum);
     return life == 1 ? service : service + "#" + life;

@@ -24,11 +24,10 @@ import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Lays out in a folder what a service was given, so that it can be made again: nothing outside of
- * the folder is written, whatever the recording says.
+ * Restores a service's inputs in a folder, so that it can be recreated. Nothing outside the folder is written, whatever the recording contains.
  */
 final class MadeAgain {
-  /** So many folders up may a configuration look for its files. */
+  /** Nesting that lets a configuration use paths up to this many folders up. */
   private static final String DEPTH = "1/2/3/4/5/6";
 
   private static final Set<String> NO_NAMES = Set.of("", ".", "..");
@@ -42,7 +41,7 @@ final class MadeAgain {
     this.folder = folder.toAbsolutePath().normalize();
   }
 
-  /** The context for the service, without its execution. */
+  /** Service context, without the execution. */
   ServiceContext context(MessageTypes types) throws IOException {
     XmlConfiguration configuration = configuration();
     Path logs = Files.createDirectories(folder.resolve("logs"));
@@ -62,9 +61,9 @@ final class MadeAgain {
   }
 
   /**
-   * What the service was given of the one whose place it took; empty if it took none.
+   * What the service inherited from the one it replaced; empty if it replaced none.
    *
-   * @throws IOException if that cannot be read
+   * @throws IOException if it cannot be read
    */
   Optional<Execution.Inheritance> inheritance(MessageTypes types) throws IOException {
     byte[] handedOver = start.files().get(ExecutionStart.HANDED_OVER);
@@ -117,7 +116,7 @@ final class MadeAgain {
       }
     }
     String tolerated = start.text(ExecutionStart.TOLERATED);
-    configuration.override(LOG_PATH, ""); // logs belong in the folder
+    configuration.override(LOG_PATH, ""); // logs must go into the folder
     configuration.tolerate(tolerated.isEmpty() ? List.of() : List.of(tolerated.split("\t")));
     for (Map.Entry<String, byte[]> file : start.files().entrySet()) {
       if (file.getKey().startsWith(ExecutionStart.OF_VARIABLE)) {
@@ -127,7 +126,7 @@ final class MadeAgain {
     return configuration;
   }
 
-  /** Puts a file where its variable says, if that is in the folder; otherwise sets the variable. */
+  /** Writes a file to the path its variable gives if inside the folder; otherwise changes the variable. */
   private void layOut(XmlConfiguration configuration, String key, byte[] content)
       throws IOException {
     String value = start.text(key);
@@ -141,7 +140,7 @@ final class MadeAgain {
     Files.write(meant, content);
   }
 
-  /** A transport without anybody else: what goes and comes is the execution's business. */
+  /** A transport without peers; the execution handles all messages. */
   private record Silent(String systemId, String instance) implements Transport {
     @Override
     public Connection connect(String serviceName, Receiver receiver) {
@@ -177,7 +176,7 @@ final class MadeAgain {
 
     @Override
     public void close() {
-      // nothing is open
+      // nothing to close
     }
   }
 }

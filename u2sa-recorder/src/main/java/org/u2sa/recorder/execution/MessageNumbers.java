@@ -6,15 +6,15 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
-/** The numbers in a message; its timestamp is left out. */
+/** Numbers of a message, except its timestamp. */
 final class MessageNumbers {
-  private static final int MOST = 256; // of a grid there are many more
+  private static final int MOST = 256; // grids have many more
 
   /**
-   * A number and where it stands.
+   * A number and its location.
    *
    * @param field path of the field, such as {@code goals[2].x}
-   * @param unit empty if it has none
+   * @param unit its unit; empty if it has none
    */
   record At(String field, String unit, double value) {}
 

@@ -3,28 +3,27 @@ package org.u2sa.recorder.execution;
 import java.util.Arrays;
 
 /**
- * A number of one source's messages on a channel: in the recording, and when the service was
- * executed again. Begins with the first message in which the two differ.
+ * Compares one number of one source's messages on a channel between the recording and the re-execution, starting with the first message in which they differ.
  */
 public final class NumberComparison {
-  private static final int VALUES = 3; // of a message: when, recorded, now
+  private static final int VALUES = 3; // per message: time, recorded, now
 
   private final String name;
   private final String unit;
-  private final double turn; // a full one, if the number is an angle or a longitude; otherwise 0
+  private final double turn; // full turn of an angle or longitude; otherwise 0
   private double[] values = new double[VALUES * 64];
   private int size; // messages
   private long pairs;
   private double sumOfSquares;
   private double largest;
 
-  /** Takes the messages that have the number. */
+  /** Receives the messages with this number. */
   @FunctionalInterface
   public interface Taker {
     /**
-     * @param timeS when it was published [s of the run's clock]
-     * @param recorded NaN: not in the recording
-     * @param now NaN: not published now
+     * @param timeS publication time [s of the run's clock]
+     * @param recorded recorded value; NaN if absent
+     * @param now value from the re-execution; NaN if absent
      */
     void take(double timeS, double recorded, double now);
   }
@@ -51,7 +50,7 @@ public final class NumberComparison {
     }
   }
 
-  /** What is now less what was recorded, in the unit; of angles the shorter way round. */
+  /** New value minus recorded value, in the unit; angles by the shorter way round. */
   public double deviation(double recorded, double now) {
     return turn == 0.0 ? now - recorded : Math.IEEEremainder(now - recorded, turn);
   }
@@ -66,17 +65,17 @@ public final class NumberComparison {
     return unit;
   }
 
-  /** Root of the mean square deviation, in the unit; 0 if no message is in both. */
+  /** RMS deviation, in the unit; 0 if no message is in both. */
   public double rms() {
     return pairs == 0 ? 0.0 : Math.sqrt(sumOfSquares / pairs);
   }
 
-  /** The largest deviation, without sign, in the unit. */
+  /** Largest absolute deviation, in the unit. */
   public double largest() {
     return largest;
   }
 
-  /** All messages, in the order in which they came. */
+  /** Passes on all messages, in order. */
   public void forEach(Taker taker) {
     for (int i = 0; i < size; i++) {
       taker.take(values[VALUES * i], values[VALUES * i + 1], values[VALUES * i + 2]);

@@ -10,8 +10,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Compares what a service publishes with what it published in the recording. Health reports are
- * left out: they tell how long callbacks took on the machine.
+ * Compares what a service publishes with what it published in the recording. Health reports are ignored, since they contain callback durations on the machine.
  */
 final class OutputComparison implements RecordedCourse.Outputs {
   private final Map<String, ChannelComparison> channels = new TreeMap<>();
@@ -26,7 +25,7 @@ final class OutputComparison implements RecordedCourse.Outputs {
     }
   }
 
-  /** All channels on which anything was published, by name. */
+  /** All channels with output, by name. */
   List<ChannelComparison> channels() {
     return new ArrayList<>(channels.values());
   }

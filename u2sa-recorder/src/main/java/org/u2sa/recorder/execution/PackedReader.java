@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.u2sa.recorder.mcap.McapException;
 
-/** Reads what {@link PackedWriter} wrote. */
+/** Reads the encoding of {@link PackedWriter}. */
 final class PackedReader {
   private static final int BITS = 7;
   private static final int MORE = 0x80;

@@ -3,7 +3,7 @@ package org.u2sa.recorder.execution;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Bytes that grow; numbers take seven bits a byte, lowest first, so that small ones are short. */
+/** Growable byte buffer with variable-length integers (LEB128): seven bits per byte, lowest first. */
 final class PackedWriter {
   private static final int FIRST_CAPACITY = 256;
   private static final int BITS = 7;
@@ -12,7 +12,7 @@ final class PackedWriter {
   private byte[] bytes = new byte[FIRST_CAPACITY];
   private int length;
 
-  /** A number, taken as if it had no sign. */
+  /** Appends an unsigned number. */
   PackedWriter number(long value) {
     long rest = value;
     while ((rest & -MORE) != 0) {
@@ -23,7 +23,7 @@ final class PackedWriter {
     return this;
   }
 
-  /** A number with a sign; near zero it is short. */
+  /** Appends a signed number; short near zero. */
   PackedWriter signed(long value) {
     return number(value << 1 ^ value >> (Long.SIZE - 1));
   }

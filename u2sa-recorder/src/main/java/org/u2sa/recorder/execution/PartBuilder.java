@@ -8,28 +8,28 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionEntry.Kind;
 
-/** Collects the entries of an execution, and hands them on in parts. Belongs to one thread. */
+/** Collects the entries of an execution and passes them on in parts. Not thread-safe. */
 final class PartBuilder {
   private static final long PART_MICROS = 250_000;
   private static final int PART_MESSAGES = 64;
   private static final int PART_BYTES = 1 << 12;
-  private static final int LARGEST_PART = 16; // as many times: of a service that never waits
+  private static final int LARGEST_PART = 16; // factor, if it never waits
 
   private final Clock clock;
   private final Consumer<ExecutionPart> parts;
   private final PackedWriter entries = new PackedWriter();
   private final List<ExecutionPart.Passed> messages = new ArrayList<>();
-  private String name = ""; // of the execution; empty: not known yet
+  private String name = ""; // of the execution; empty until known
   private long number;
   private long beganMicros;
-  private long baseMicros; // what the next reading is written relative to
+  private long baseMicros; // reference of the next reading
   private long readingMicros;
-  private long readings; // of the same time, not yet written
-  private boolean isLarge; // to be handed on once the message of the entry is there too
+  private long readings; // with the same time, not yet written
+  private boolean isLarge; // pass on once the entry's message was added
 
   /**
    * @param clock of the run
-   * @param parts takes what was noted
+   * @param parts receives the parts
    */
   PartBuilder(Clock clock, Consumer<ExecutionPart> parts) {
     this.clock = clock;
@@ -37,7 +37,7 @@ final class PartBuilder {
     beganMicros = clock.micros();
   }
 
-  /** Sets the execution's name; nothing is handed on before. */
+  /** Sets the execution's name; no part is passed on before. */
   void name(String execution) {
     name = execution;
   }
@@ -55,7 +55,7 @@ final class PartBuilder {
     messages.add(new ExecutionPart.Passed(channel, message));
   }
 
-  /** The clock was read. */
+  /** Adds a clock reading. */
   void addReading(long micros) {
     if (isLarge) {
       handOn();
@@ -75,14 +75,14 @@ final class PartBuilder {
     }
   }
 
-  /** Whether it is time to hand the part on: it is old or large. */
+  /** Whether the part is old or large enough to be passed on. */
   boolean isFull() {
     return clock.micros() - beganMicros >= PART_MICROS
         || entries.length() >= PART_BYTES
         || messages.size() >= PART_MESSAGES;
   }
 
-  /** Hands on what was added, and begins the next part. */
+  /** Passes on the current part and starts the next. */
   void handOn() {
     if (name.isEmpty()) {
       return;
@@ -95,6 +95,6 @@ final class PartBuilder {
     entries.clear();
     messages.clear();
     isLarge = false;
-    baseMicros = 0; // each part can be read by itself
+    baseMicros = 0; // each part is self-contained
   }
 }

@@ -7,8 +7,7 @@ import java.util.Map;
 import org.u2sa.recorder.mcap.McapMessage;
 
 /**
- * The messages of a recording that were read last, by channel and sequence number. Belongs to one
- * thread.
+ * Cache of the recorded messages read last, by channel and sequence number. Not thread-safe.
  */
 final class RecentlyRead {
   private final int maxMessages;
@@ -18,7 +17,7 @@ final class RecentlyRead {
   private long bytes;
 
   /**
-   * @param maxBytes of all messages, without what Java needs for each [B]
+   * @param maxBytes payload limit of all messages, without object overhead [B]
    */
   RecentlyRead(int maxMessages, long maxBytes) {
     this.maxMessages = maxMessages;
@@ -26,7 +25,7 @@ final class RecentlyRead {
   }
 
   /**
-   * Adds the next message, and forgets the oldest ones where there are too many or too long ones.
+   * Adds a message and evicts the oldest ones beyond the count or size limit.
    */
   void add(McapMessage message) {
     long key = key(message.channelId(), message.sequence());
@@ -38,10 +37,10 @@ final class RecentlyRead {
   }
 
   private static long length(McapMessage message) {
-    return message == null ? 0 : message.data().length; // a number that came twice
+    return message == null ? 0 : message.data().length; // null if the number was a duplicate
   }
 
-  /** The message of that number; null if it is not among them. */
+  /** Message with this number; null if not cached. */
   McapMessage message(long channelId, long sequence) {
     return messages.get(key(channelId, sequence));
   }

@@ -12,12 +12,9 @@ import org.u2sa.recorder.execution.ExecutionEntry.Kind;
 import org.u2sa.recorder.execution.ExecutionReader.Next;
 
 /**
- * Where in a recorded execution a service has come that is executed again: what it is given next,
- * and what it has to publish.
+ * Replay position of a re-executed service in its recorded execution: its next inputs and expected outputs.
  *
- * <p>A service that is the same asks for the same in the same order. One that was changed may not:
- * it strays. Then messages still come where they came in the recording, and between them time is
- * what the recording has; a wait that would end earlier than the recorded one ends when it would.
+ * <p>An unchanged service makes the same requests in the same order. A changed one may diverge ("stray"). Messages then still arrive where they did in the recording, with recorded times in between; a wait that ends earlier than the recorded one ends at its own deadline.
  */
 final class RecordedCourse {
   private static final int VAIN_WAITS = 3;
@@ -26,24 +23,24 @@ final class RecordedCourse {
   private final Outputs outputs;
   private final Runnable atEnd;
   private volatile long micros;
-  private volatile long passed; // entries; written by one thread only
-  private long readingsLeft; // of the present entry
-  private long heldUntilMicros = Clock.NEVER; // where the recording goes on; NEVER: it does
-  private final List<Next> unpublished = new ArrayList<>(); // before the next anchor
+  private volatile long passed; // number of entries; written by one thread only
+  private long readingsLeft; // of the current entry
+  private long heldUntilMicros = Clock.NEVER; // replay paused until then; NEVER if not paused
+  private final List<Next> unpublished = new ArrayList<>(); // outputs before the anchor
   private boolean over;
   private int vainWaits;
   private IOException failure;
   private boolean elsewhere;
   private boolean strayed;
 
-  /** Takes what a service publishes, beside what it published in the recording. */
+  /** Receives a service's output paired with its recorded output. */
   interface Outputs {
     /**
-     * A message that was published in the recording, or is published now, or both.
+     * Called for a message published in the recording, now, or both.
      *
-     * @param micros when it is, or was [µs of the run's clock]
-     * @param recorded null: only now
-     * @param now null: only in the recording
+     * @param micros publication time [µs of the run's clock]
+     * @param recorded recorded message; null if published only now
+     * @param now new message; null if only in the recording
      * @throws IOException if the recorded one cannot be read
      */
     void published(long micros, Channel<?> channel, RecordedMessage recorded, U2SAData now)
@@ -51,7 +48,7 @@ final class RecordedCourse {
   }
 
   /**
-   * @param atEnd called where the recording ends
+   * @param atEnd called at the end of the recording
    */
   RecordedCourse(ExecutionReader recorded, Outputs outputs, Runnable atEnd) {
     this.recorded = recorded;
@@ -59,37 +56,37 @@ final class RecordedCourse {
     this.atEnd = atEnd;
   }
 
-  /** What could not be read of the recording; empty if nothing. */
+  /** Error reading the recording, or empty. */
   Optional<IOException> failure() {
     return Optional.ofNullable(failure);
   }
 
-  /** Whether the recorded service published from threads of its own, which cannot be repeated. */
+  /** Whether the recorded service also published from other threads, which cannot be repeated. */
   boolean publishedElsewhere() {
     return elsewhere;
   }
 
-  /** Whether the service asked for something else, or in another order, than in the recording. */
+  /** Whether the service's requests differed from the recording, in content or order. */
   boolean hasStrayed() {
     return strayed;
   }
 
-  /** The time at which it has come [µs of the run's clock]. */
+  /** Current replay time [µs of the run's clock]. */
   long micros() {
     return micros;
   }
 
-  /** Grows as long as the service goes on. */
+  /** Progress counter; grows while the service advances. */
   long passed() {
     return passed;
   }
 
-  /** Whether the recording has no more. */
+  /** Whether the recording is exhausted. */
   boolean isOver() {
     return over;
   }
 
-  /** Goes beyond the next anchor if it is of that kind; otherwise the service strays. */
+  /** Passes the next anchor if it is of this kind; otherwise the service has diverged. */
   void passIf(Kind kind) {
     if (nextAnchor() == kind) {
       pass();
@@ -98,7 +95,7 @@ final class RecordedCourse {
     }
   }
 
-  /** The next message to be handled; null if something else is next. */
+  /** Next message to handle; null if something else is next. */
   RecordedMessage.Handled receive() {
     if (nextAnchor() != Kind.RECEIVED) {
       return null;
@@ -113,7 +110,7 @@ final class RecordedCourse {
     }
   }
 
-  /** Whether a change of the configuration is to be taken now. */
+  /** Whether a configuration change is to be applied now. */
   boolean takesWritten() {
     Next next = isHolding() || readingsLeft > 0 ? null : peek();
     if (next == null || next.entry().kind() != Kind.WRITTEN) {
@@ -123,7 +120,7 @@ final class RecordedCourse {
     return true;
   }
 
-  /** Takes what the service publishes. Returns whether it counts as taken. */
+  /** Handles a message of the service. Returns whether it counts as accepted. */
   boolean publish(Channel<?> channel, U2SAData message) {
     Next counterpart = isHolding() ? null : counterpart(channel);
     if (over) {
@@ -134,7 +131,7 @@ final class RecordedCourse {
     return counterpart == null || counterpart.entry().kind() == Kind.PUBLISHED;
   }
 
-  /** What was published on the channel in the recording at this point; null if nothing. */
+  /** Recorded output on the channel at this point; null if none. */
   private Next counterpart(Channel<?> channel) {
     Next next = readingsLeft > 0 || !unpublished.isEmpty() ? null : peek();
     if (next != null
@@ -158,13 +155,13 @@ final class RecordedCourse {
     return null;
   }
 
-  /** The service's loop is over. */
+  /** Called when the service's loop ends. */
   void end() {
     strayed |= !over && nextAnchor() != null;
     leaveOut();
   }
 
-  /** The next entry; null at the end. */
+  /** Next entry; null at the end. */
   private Next peek() {
     if (over) {
       return null;
@@ -194,7 +191,7 @@ final class RecordedCourse {
     stop();
   }
 
-  /** Goes over what the recorded service did before the next anchor and this one did not, yet. */
+  /** Skips to the next anchor, collecting recorded outputs this service has not published yet. */
   private void goToAnchor() {
     strayed |= readingsLeft > 0;
     readingsLeft = 0;
@@ -211,7 +208,7 @@ final class RecordedCourse {
     }
   }
 
-  /** The kind of the next anchor; null at the end, and while time is not the recording's. */
+  /** Kind of the next anchor; null at the end and while replay is paused. */
   private Kind nextAnchor() {
     if (isHolding()) {
       return null;
@@ -251,7 +248,7 @@ final class RecordedCourse {
     return heldUntilMicros != Clock.NEVER;
   }
 
-  /** The clock's next reading [µs]. */
+  /** Next clock reading [µs]. */
   long read() {
     if (isHolding() || readingsLeft > 0) {
       readingsLeft = Math.max(0, readingsLeft - 1);
@@ -270,7 +267,7 @@ final class RecordedCourse {
     return micros;
   }
 
-  /** Goes to where a wait ends. */
+  /** Advances to the end of a wait. */
   void await(long deadlineMicros) {
     if (isHolding()) {
       holdUntil(heldUntilMicros, deadlineMicros);
@@ -298,7 +295,7 @@ final class RecordedCourse {
     }
   }
 
-  /** Lets a wait end where it would, if the recorded one ended later. */
+  /** Ends a wait at its own deadline if the recorded one ended later, pausing replay until then. */
   private void holdUntil(long recordedMicros, long deadlineMicros) {
     if (deadlineMicros < recordedMicros) {
       micros = Math.max(micros, deadlineMicros);
@@ -309,7 +306,7 @@ final class RecordedCourse {
   }
 
   /**
-   * Tells the outputs what the recording has after a service that ended early.
+   * Reports the remaining recorded outputs after a service ended early.
    *
    * @throws IOException if it cannot be read
    */

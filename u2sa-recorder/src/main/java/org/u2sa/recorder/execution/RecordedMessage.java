@@ -8,19 +8,19 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapException;
 
-/** A message of a recording, which is decoded only where its fields are wanted. */
+/** A recorded message, decoded lazily. */
 final class RecordedMessage {
   private final MessageCodec codec;
   private final Track track;
   private final byte[] data;
 
-  /** The messages of a topic. */
+  /** Topic of recorded messages. */
   record Track(Topic topic, Channel<?> channel) {}
 
   /**
-   * A message as a service handled it.
+   * A message handled by a service.
    *
-   * @param arrivedMicros when it came, where the service wanted to know; otherwise 0 [µs]
+   * @param arrivedMicros arrival time if the service asked for it, otherwise 0 [µs]
    */
   record Handled(Channel<?> channel, U2SAData message, long arrivedMicros) {}
 
@@ -34,16 +34,16 @@ final class RecordedMessage {
     return track.channel;
   }
 
-  /** Whether a message is this one, to the byte, its type included. */
+  /** Whether a message has the same type and is byte-identical. */
   boolean is(U2SAData other) {
     return Arrays.equals(data, other.serialize())
         && track.topic.typeChain().equals(other.typeChain());
   }
 
   /**
-   * The message, frozen.
+   * Decoded message, frozen.
    *
-   * @throws McapException if its bytes are none
+   * @throws McapException if the bytes are not a message
    */
   U2SAData decoded() throws McapException {
     try {

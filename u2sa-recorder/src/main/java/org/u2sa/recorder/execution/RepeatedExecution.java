@@ -12,8 +12,7 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
- * Gives a service what it was given when its execution was recorded: readings of the clock,
- * messages, the end. What it publishes goes to the course's outputs.
+ * Replays a recorded execution to a service: clock readings, messages and the end. Its messages go to the course's outputs.
  */
 final class RepeatedExecution implements Execution {
   private static final long WRITES_WITHIN_MICROS = 10 * Clock.MICROS_PER_SECOND;
@@ -27,10 +26,10 @@ final class RepeatedExecution implements Execution {
   private U2SAService service;
 
   /**
-   * @param outputs takes what the service publishes
-   * @param machine real time, to wait for a disk by
-   * @param recordedThreadId which thread the service was in the recording
-   * @param inheritance what the service was given of the one whose place it took, if it took one
+   * @param outputs receives the service's messages
+   * @param machine real-time clock, for waiting for the disk
+   * @param recordedThreadId thread ID of the service in the recording
+   * @param inheritance what the service inherited from the one it replaced, if any
    */
   RepeatedExecution(
       ExecutionReader recorded,
@@ -45,18 +44,18 @@ final class RepeatedExecution implements Execution {
     owner = Thread.currentThread();
   }
 
-  /** Where in the recording it has come. */
+  /** Replay position. */
   RecordedCourse course() {
     return course;
   }
 
   private void stop() {
     if (Thread.currentThread() == service) {
-      service.kill(); // its loop ends after what it is doing
+      service.kill(); // its loop ends after the current step
     }
   }
 
-  /** Sensors, actuators, launchers and observers act on the world beyond the execution. */
+  /** Sensors, actuators, launchers and observers act outside the execution. */
   @Override
   public void requireRole(ServiceRole role) {
     if (!KeptExecution.isRepeatable(role)) {
@@ -79,7 +78,7 @@ final class RepeatedExecution implements Execution {
 
   @Override
   public void connects(String instance) {
-    // it is given the recorded one
+    // uses the recorded ID instead
   }
 
   @Override
@@ -146,7 +145,7 @@ final class RepeatedExecution implements Execution {
 
   @Override
   public boolean publishes(Channel<?> channel, U2SAData message, BooleanSupplier publish) {
-    // What services do at their end, or on threads of their own, is not repeated.
+    // Work at a service's end or on its own threads is not repeated.
     return Thread.currentThread() != owner || course.isOver() || course.publish(channel, message);
   }
 
@@ -156,7 +155,7 @@ final class RepeatedExecution implements Execution {
     owner = null;
   }
 
-  /** The run's clock as it was read in the recording. */
+  /** Clock that returns the recorded readings. */
   private final class RepeatedClock implements Clock {
     @Override
     public long micros() {
@@ -179,12 +178,12 @@ final class RepeatedExecution implements Execution {
 
     @Override
     public void signal() {
-      // the recording says when a wait ends
+      // the recording determines when a wait ends
     }
 
     @Override
     public void close() {
-      // nobody waits
+      // no thread waits
     }
   }
 }

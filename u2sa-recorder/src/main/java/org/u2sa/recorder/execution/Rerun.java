@@ -16,7 +16,7 @@ import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
-/** Executes one service of a recording again, and compares what it publishes. */
+/** Re-executes one service of a recording and compares its output. */
 public final class Rerun {
   private static final long HANGS_AFTER_MS = 60_000;
 
@@ -26,13 +26,13 @@ public final class Rerun {
   private final MessageTypes types = MessageTypes.discovered();
 
   /**
-   * What came of it.
+   * Result of a re-execution.
    *
-   * @param execution which
-   * @param channels what was published, channel by channel
-   * @param startMicros when the recording begins [µs of the run's clock]
-   * @param micros the run's time that was gone through [µs]
-   * @param remarks what keeps the execution from being repeated, or kept it
+   * @param execution name of the execution
+   * @param channels comparison per channel
+   * @param startMicros start of the recording [µs of the run's clock]
+   * @param micros run time covered [µs]
+   * @param remarks reasons why the execution cannot be repeated fully
    */
   public record Outcome(
       String execution,
@@ -45,15 +45,15 @@ public final class Rerun {
       remarks = List.copyOf(remarks);
     }
 
-    /** Whether all that was compared is the same, to the byte, and all could be compared. */
+    /** Whether everything could be compared and is byte-identical. */
     public boolean isIdentical() {
       return remarks.isEmpty() && channels.stream().allMatch(ChannelComparison::isIdentical);
     }
   }
 
   /**
-   * @param files of the recording, oldest first
-   * @param execution its name there
+   * @param files files of the recording, oldest first
+   * @param execution name of the execution in the recording
    */
   public Rerun(List<Path> files, String execution, ExecutionStart start) {
     this.files = List.copyOf(files);
@@ -62,11 +62,11 @@ public final class Rerun {
   }
 
   /**
-   * Executes the service, in a folder for temporary files that is deleted.
+   * Executes the service in a temporary folder, which is deleted afterwards.
    *
-   * @param maker makes it, of the class and with the variables that are to be tried
-   * @throws IOException if the recording cannot be read, or a temporary file not written
-   * @throws RuntimeException if the service refuses its configuration
+   * @param maker creates the service, with the class and variables to try
+   * @throws IOException if the recording cannot be read or a temporary file cannot be written
+   * @throws RuntimeException if the service rejects its configuration
    */
   public Outcome run(Function<ServiceContext, U2SAService> maker)
       throws IOException, InterruptedException {

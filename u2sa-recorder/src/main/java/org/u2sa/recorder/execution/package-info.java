@@ -1,6 +1,4 @@
 /**
- * Executions of services: what passed between a service and the world, how it is kept in a
- * recording, and how the service is executed again on it. No commands, and nothing of how a system
- * is launched.
+ * Executions of services: recording all interactions of a service, and re-executing it from them. Contains no commands and no launching of systems.
  */
 package org.u2sa.recorder.execution;

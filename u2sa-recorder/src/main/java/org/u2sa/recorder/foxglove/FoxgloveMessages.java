@@ -24,9 +24,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * What a viewer sees of a vehicle's messages: where it is and was, what it sees, scans and maps,
- * where it means to go, what is wrong. Belongs to one thread: the first global state is the map's
- * origin.
+ * Converts a vehicle's messages for viewers: pose and track, detections, scans and maps, planned path, faults. Not thread-safe. The first global state becomes the map's origin.
  */
 public final class FoxgloveMessages {
   private static final int INFO = 2;
@@ -40,26 +38,26 @@ public final class FoxgloveMessages {
   private final SceneFrame frames = new SceneFrame();
   private final SceneShapes shapes = new SceneShapes(frames);
   private final SchemaFiles schemas = new SchemaFiles();
-  private final Map<String, String> logged = new HashMap<>(); // last line of each source
+  private final Map<String, String> logged = new HashMap<>(); // last log line of each source
 
   /**
-   * One message for viewers.
+   * A message for viewers.
    *
-   * @param topic its channel
-   * @param schemaName its type's full name
-   * @param schemaData its type's FileDescriptorSet
-   * @param data its bytes
+   * @param topic topic of its channel
+   * @param schemaName full name of its type
+   * @param schemaData FileDescriptorSet of its type
+   * @param data encoded message
    */
   public record View(String topic, String schemaName, byte[] schemaData, byte[] data) {}
 
-  /** Takes views. */
+  /** Receives views. */
   @FunctionalInterface
   public interface Sink {
-    /** Takes one. */
+    /** Receives a view. */
     void write(View view) throws IOException;
   }
 
-  /** Each schema, read once. */
+  /** Cache of the schemas. */
   private static final class SchemaFiles {
     private final byte[][] files = new byte[FoxgloveSchema.values().length][];
 
@@ -71,16 +69,16 @@ public final class FoxgloveMessages {
     }
   }
 
-  /** Views of one system's messages; their topics begin with its ID. */
+  /** Creates a converter for one system's messages; topics start with its ID. */
   public FoxgloveMessages(String systemId) {
     prefix = "/" + systemId + "/";
   }
 
   /**
-   * Writes what a viewer can show of a message; nothing of many.
+   * Writes the views of a message; many messages have none.
    *
-   * @param nanos when it was recorded [ns]
-   * @throws IOException if the sink does
+   * @param nanos recording time [ns]
+   * @throws IOException if the sink throws it
    */
   public void write(Channel<?> channel, U2SAData message, long nanos, Sink sink)
       throws IOException {
@@ -125,7 +123,7 @@ public final class FoxgloveMessages {
     return new View(prefix + topic, schema.fullName(), schemas.of(schema), message.bytes());
   }
 
-  /** States are published again and again; the log gets a line where one changes. */
+  /** States are published repeatedly; logs a line only when one changes. */
   private void log(long nanos, int level, String name, String text, Sink sink) throws IOException {
     if (!text.equals(logged.put(name, text))) {
       sink.write(
@@ -176,7 +174,7 @@ public final class FoxgloveMessages {
             .number(2, place.longitudeDeg())
             .number(3, place.altitudeM());
     if (state.xSigma().isPresent() && state.ySigma().isPresent() && state.zSigma().isPresent()) {
-      double[] covariance = new double[9]; // row by row: east, north, up [m²]
+      double[] covariance = new double[9]; // row-major: east, north, up [m²]
       covariance[0] = square(state.xSigma().getAsDouble());
       covariance[4] = square(state.ySigma().getAsDouble());
       covariance[8] = square(state.zSigma().getAsDouble());
@@ -195,7 +193,7 @@ public final class FoxgloveMessages {
         frames.place(scan.referenceFrame(), Point.of(scan.x(), scan.y(), scan.z()));
     List<RangeScan.Beam> beams = scan.beams();
     if (at.isEmpty() || beams.isEmpty() || !scan.angles().isEmpty()) {
-      return; // Foxglove's scans have even steps
+      return; // Foxglove's scans have equal steps
     }
     double[] ranges = new double[beams.size()];
     for (int i = 0; i < ranges.length; i++) {

@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 
-/** The types of Foxglove's that messages become; each with its compiled schema. */
+/** Foxglove types that messages are converted to, each with its compiled schema. */
 enum FoxgloveSchema {
   LOCATION_FIX("LocationFix"),
   POSE_IN_FRAME("PoseInFrame"),
@@ -28,7 +28,7 @@ enum FoxgloveSchema {
     return "foxglove." + type;
   }
 
-  /** A FileDescriptorSet with all that the type refers to. */
+  /** FileDescriptorSet of the type and everything it refers to. */
   byte[] descriptors() {
     try (InputStream in = FoxgloveSchema.class.getResourceAsStream(type + ".bin")) {
       ByteArrayOutputStream bytes = new ByteArrayOutputStream();

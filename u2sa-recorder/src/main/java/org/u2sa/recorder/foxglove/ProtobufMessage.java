@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 
 /**
- * One message of protobuf, field by field. A field with its default value is left out. Source:
+ * Encodes a protobuf message field by field. Default values are omitted. Source:
  * protobuf.dev/programming-guides/encoding.
  */
 final class ProtobufMessage {
@@ -29,7 +29,7 @@ final class ProtobufMessage {
     return this;
   }
 
-  /** Numbers packed, as protobuf 3 has them. */
+  /** Packed repeated numbers, as in proto3. */
   ProtobufMessage numbers(int field, double[] values) {
     if (values.length > 0) {
       tag(field, LENGTH_DELIMITED);
@@ -41,7 +41,7 @@ final class ProtobufMessage {
     return this;
   }
 
-  /** A whole number, an enum's constant or a flag. */
+  /** An integer, enum constant or boolean. */
   ProtobufMessage whole(int field, long value) {
     if (value != 0) {
       tag(field, VARINT);
@@ -71,7 +71,7 @@ final class ProtobufMessage {
     return this;
   }
 
-  /** A message within this one; written even if it is empty, since that it is there tells too. */
+  /** A nested message; written even if empty, since its presence is significant. */
   ProtobufMessage message(int field, ProtobufMessage value) {
     return data(field, value.bytes());
   }

@@ -7,21 +7,19 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * The frames that views are in, all right-handed and metric: {@code map} is east-north-up of where
- * the vehicle was first, {@code body} forward-left-up of the vehicle, {@code local} the
- * east-north-up of local frames.
+ * Frames of the views, all right-handed and metric: {@code map} is east-north-up at the vehicle's first position, {@code body} is the vehicle's forward-left-up, {@code local} is east-north-up in local frames.
  */
 final class SceneFrame {
   static final String MAP = "map";
   static final String BODY = "body";
   private static final String LOCAL = "local";
 
-  private Geodetic origin; // of the map; null: not known yet
+  private Geodetic origin; // of the map; null until known
 
-  /** A place in one of the frames. */
+  /** A point in one of the frames. */
   record Placed(String frame, Point point) {}
 
-  /** Where a global place is on the map; the first one becomes its origin. */
+  /** Map coordinates of a global position; the first one becomes the origin. */
   Point onMap(Geodetic place) {
     if (origin == null) {
       origin = place;
@@ -29,7 +27,7 @@ final class SceneFrame {
     return origin.enuOf(place);
   }
 
-  /** A point of a message's frame; empty for a place on the earth before the map has an origin. */
+  /** Converts a point of a message's frame; empty for global positions before the map has an origin. */
   Optional<Placed> place(ReferenceFrame frame, Point point) {
     if (frame.equals(ReferenceFrame.GLOBAL)) {
       return origin == null
@@ -42,7 +40,7 @@ final class SceneFrame {
     if (frame.equals(ReferenceFrame.LOCAL_NED)) {
       return Optional.of(new Placed(LOCAL, Point.of(point.y(), point.x(), -point.z())));
     }
-    if (frame.equals(ReferenceFrame.BODY)) { // the thesis's axes: z is down, y is left
+    if (frame.equals(ReferenceFrame.BODY)) { // axes of the thesis: z is down, y is left
       return Optional.of(new Placed(BODY, Point.of(point.x(), point.y(), -point.z())));
     }
     if (frame.equals(ReferenceFrame.BODY_FRD)) {
@@ -55,11 +53,11 @@ final class SceneFrame {
   }
 
   /**
-   * The vehicle's attitude on the map: turns forward-left-up into east-north-up.
+   * Vehicle attitude in the map: rotates forward-left-up to east-north-up.
    *
-   * @param phi right wing down [rad]
-   * @param theta nose up [rad]
-   * @param psi clockwise from north [rad]
+   * @param phi roll, right wing down positive [rad]
+   * @param theta pitch, nose up positive [rad]
+   * @param psi heading, clockwise from north [rad]
    */
   static ProtobufMessage attitude(double phi, double theta, double psi) {
     Rotation ned = Rotation.nedFromFrd(phi, theta, psi);
@@ -73,7 +71,7 @@ final class SceneFrame {
     return Point.of(ned.y(), ned.x(), -ned.z());
   }
 
-  /** Of the rotation with these columns (Shepperd 1978). */
+  /** Quaternion of the rotation matrix with these columns (Shepperd 1978). */
   static ProtobufMessage quaternion(Point a, Point b, Point c) {
     double trace = a.x() + b.y() + c.z();
     double[] squares = {
@@ -99,7 +97,7 @@ final class SceneFrame {
     return new ProtobufMessage().number(1, q[0]).number(2, q[1]).number(3, q[2]).number(4, q[3]);
   }
 
-  /** A {@code foxglove.Quaternion} about the upward axis [rad], anticlockwise from above. */
+  /** A {@code foxglove.Quaternion} about the up axis [rad], counterclockwise seen from above. */
   static ProtobufMessage aboutUp(double angle) {
     return new ProtobufMessage().number(3, Math.sin(angle / 2)).number(4, Math.cos(angle / 2));
   }

@@ -22,8 +22,8 @@ final class SceneShapes {
   private static final int CYLINDERS = 10;
   private static final int LINES = 11;
   private static final int LINE_LOOP = 1;
-  private static final double FLAT_M = 0.05; // what has no height is drawn so high
-  private static final double POINT_M = 0.5; // what has no size is drawn so large
+  private static final double FLAT_M = 0.05; // height drawn if unknown
+  private static final double POINT_M = 0.5; // size drawn if unknown
   private static final double LINE_M = 0.1;
 
   private final SceneFrame frames;
@@ -32,7 +32,7 @@ final class SceneShapes {
     this.frames = frames;
   }
 
-  /** An object; empty if its place is not known. */
+  /** Entity of an object; empty if its position is unknown. */
   Optional<ProtobufMessage> object(ObjectDescription object, long nanos) {
     return frames
         .place(object.referenceFrame(), object.center())
@@ -44,7 +44,7 @@ final class SceneShapes {
             });
   }
 
-  /** A path; empty if the map has no origin yet, or there is no way. */
+  /** Entity of a path; empty if the map has no origin yet or the path is empty. */
   Optional<ProtobufMessage> path(PlannedPath path, long nanos) {
     List<Point> points = new ArrayList<>();
     String frame = placed(path.referenceFrame(), path.points(), points);
@@ -85,7 +85,7 @@ final class SceneShapes {
     }
   }
 
-  /** Headings turn clockwise from north on the earth, but to the left in BODY. */
+  /** Global headings are clockwise from north, BODY angles positive to the left. */
   private static double turn(ObjectDescription object, double psi) {
     return object.referenceFrame().isBody() ? psi : Math.PI / 2 - psi;
   }

@@ -1,7 +1,4 @@
 /**
- * Messages as Foxglove's well-known types in protobuf, so that its and other viewers show them with
- * nothing set up. The schemas are those of github.com/foxglove/foxglove-sdk (MIT), compiled by
- * protoc. What cannot be shown so is no concern of this package: the messages themselves are in the
- * recording.
+ * Messages as Foxglove's well-known protobuf types, so that Foxglove and other viewers show them without setup. The schemas are from github.com/foxglove/foxglove-sdk (MIT), compiled by protoc. Messages without a counterpart are not converted; recordings hold them natively.
  */
 package org.u2sa.recorder.foxglove;

@@ -1,6 +1,6 @@
 package org.u2sa.recorder.mcap;
 
-/** Where an attachment is; offset and length of its whole record [B]. */
+/** Position of an attachment: offset and length of its whole record [B]. */
 record AttachmentIndex(
     long offset,
     long length,

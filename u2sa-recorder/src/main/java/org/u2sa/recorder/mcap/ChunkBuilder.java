@@ -8,21 +8,21 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.zip.CRC32;
 
-/** The chunk that is being filled: its records, and where in it each channel's messages are. */
+/** The chunk being filled: its records and the message offsets of each channel. */
 final class ChunkBuilder {
   private static final int FIRST_CAPACITY = 1 << 16;
   private static final int FIRST_ENTRIES = 64;
 
   private final McapOptions options;
   private final RecordBuffer records = new RecordBuffer(FIRST_CAPACITY, false);
-  private final List<Entries> entries = new ArrayList<>(); // by channel; null: none yet
+  private final List<Entries> entries = new ArrayList<>(); // by channel; null if none yet
   private final List<McapSchema> schemas = new ArrayList<>();
   private final List<McapChannel> channels = new ArrayList<>();
-  private final List<McapSchema> schemasBefore = new ArrayList<>(); // of the chunk before
+  private final List<McapSchema> schemasBefore = new ArrayList<>(); // of the previous chunk
   private final List<McapChannel> channelsBefore = new ArrayList<>();
   private final MessageCount count = new MessageCount();
 
-  /** Log time and offset of each message of a channel, in turn. */
+  /** Log time and offset of each message of a channel, alternating. */
   private static final class Entries {
     private long[] values = new long[FIRST_ENTRIES];
     private int size;
@@ -78,7 +78,7 @@ final class ChunkBuilder {
     return records.length() == 0;
   }
 
-  /** Whether a message of that time belongs in the next chunk. */
+  /** Whether a message with this time belongs to the next chunk. */
   boolean isDone(long logTimeNanos) {
     return count.messages() > 0
         && (records.length() >= options.chunkBytes()
@@ -98,9 +98,9 @@ final class ChunkBuilder {
   }
 
   /**
-   * Writes chunk and message indexes, and says where they will be.
+   * Writes chunk and message indexes, and returns their positions.
    *
-   * @param position where in the file the first byte will be
+   * @param position file offset of the first byte
    */
   ChunkIndex write(RecordBuffer out, long position) {
     int length = records.length();
@@ -145,9 +145,9 @@ final class ChunkBuilder {
     out.end();
   }
 
-  /** Begins the next chunk; this one is in the file. */
+  /** Starts the next chunk after this one was written. */
   void next() {
-    if (count.messages() > 0) { // they stand in it
+    if (count.messages() > 0) { // definitions are in it
       schemasBefore.clear();
       channelsBefore.clear();
     }
@@ -160,7 +160,7 @@ final class ChunkBuilder {
     channels.clear();
   }
 
-  /** Begins again with the definitions only: this chunk could not be written. */
+  /** Resets to the definitions only, because this chunk could not be written. */
   void dropMessages() {
     clear();
     schemas.forEach(schema -> schema.write(records));

@@ -11,10 +11,10 @@ import net.jpountz.lz4.LZ4FrameInputStream;
 import net.jpountz.xxhash.XXHashFactory;
 
 /**
- * How chunks are compressed. Both ways are pure Java, so that the bytes are everywhere the same.
+ * Compression of chunks. Pure Java, so that output is byte-identical on every platform.
  */
 public enum ChunkCompression {
-  /** Not at all. */
+  /** No compression. */
   NONE("") {
     @Override
     void compress(byte[] bytes, int length, RecordBuffer out) {
@@ -32,7 +32,7 @@ public enum ChunkCompression {
     }
   },
 
-  /** LZ4 frames of independent blocks: of a broken one all whole blocks can be read. */
+  /** LZ4 frames of independent blocks: all intact blocks of a damaged frame remain readable. */
   LZ4("lz4") {
     @Override
     void compress(byte[] bytes, int length, RecordBuffer out) {
@@ -61,14 +61,14 @@ public enum ChunkCompression {
     this.inFile = inFile;
   }
 
-  /** What a chunk says of it. */
+  /** Name in a chunk's header. */
   String inFile() {
     return inFile;
   }
 
   abstract void compress(byte[] bytes, int length, RecordBuffer out);
 
-  /** All of it at once, of the usual form; null: of another, or something is wrong. */
+  /** Fast path for frames in the usual format; null for other formats or on error. */
   byte[] plainly(byte[] compressed, long length) {
     return null;
   }
@@ -86,9 +86,9 @@ public enum ChunkCompression {
   }
 
   /**
-   * The records of a chunk.
+   * Decompresses the records of a chunk.
    *
-   * @param expectedCrc of the records; 0: unknown
+   * @param expectedCrc CRC of the records; 0 if unknown
    */
   byte[] decompress(byte[] compressed, long length, long expectedCrc) throws McapException {
     byte[] bytes = plainly(compressed, length);
@@ -109,14 +109,14 @@ public enum ChunkCompression {
   }
 
   /**
-   * What can be decompressed.
+   * The part that can be decompressed.
    *
-   * @param bytes up to where it goes wrong, or all
-   * @param trouble what goes wrong; null: nothing
+   * @param bytes bytes up to the first error, or all
+   * @param trouble the error; null if none
    */
   record Prefix(byte[] bytes, IOException trouble) {}
 
-  /** As much as can be had of a chunk that may break off, and at most so many bytes. */
+  /** Decompresses as much as possible of a possibly truncated chunk, up to a limit. */
   Prefix decompressPrefix(byte[] compressed, long atMost) {
     ByteArrayOutputStream out =
         new ByteArrayOutputStream((int) Math.min(Math.max(atMost, 0), 16L << 20));
@@ -128,7 +128,7 @@ public enum ChunkCompression {
       return new Prefix(out.toByteArray(), null);
     } catch (IOException e) {
       return new Prefix(out.toByteArray(), e);
-    } catch (LZ4Exception e) { // of damaged bytes within a block
+    } catch (LZ4Exception e) { // damaged bytes within a block
       return new Prefix(out.toByteArray(), new McapException(e.toString(), e));
     }
   }

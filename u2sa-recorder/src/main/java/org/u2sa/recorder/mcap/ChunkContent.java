@@ -4,28 +4,28 @@ import java.io.IOException;
 import java.util.zip.CRC32;
 
 /**
- * A chunk's record as it is in the file.
+ * Content of a chunk record in the file.
  *
- * @param size of its records [B]
- * @param crc of its records; 0: unknown
- * @param compression how they are compressed
- * @param compressed the records; perhaps not all of them, if the file breaks off
+ * @param size uncompressed size of its records [B]
+ * @param crc CRC of its uncompressed records; 0 if unknown
+ * @param compression compression of the records
+ * @param compressed compressed records; incomplete if the file is truncated
  */
 record ChunkContent(long size, long crc, ChunkCompression compression, byte[] compressed) {
-  /** Records up to where a chunk goes wrong, and why it does; null: it does not. */
+  /** Records of a chunk up to the first error, and the error; null if none. */
   record Salvage(ChunkRecords records, IOException trouble) {}
 
   static ChunkContent read(RecordFields in) throws McapException {
     return read(in, false);
   }
 
-  /** As much of a chunk as there is. */
+  /** Reads as much of a chunk as there is. */
   static ChunkContent readBrokenOff(RecordFields in) throws McapException {
     return read(in, true);
   }
 
   private static ChunkContent read(RecordFields in, boolean brokenOff) throws McapException {
-    in.uint64(); // its first and last time, which its messages tell too
+    in.uint64(); // first and last time; known from its messages
     in.uint64();
     long size = in.uint64();
     long crc = in.uint32();
@@ -38,7 +38,7 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
         size, crc, compression, in.bytes(brokenOff ? Math.min(length, in.remaining()) : length));
   }
 
-  /** Its records, each with its offset in the chunk. */
+  /** Records with their offsets in the chunk. */
   ChunkRecords records() throws McapException {
     ChunkRecords records = new ChunkRecords(decompressed());
     McapException trouble = records.trouble();
@@ -49,9 +49,9 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
   }
 
   /**
-   * The bytes of its records.
+   * Bytes of its records.
    *
-   * @param indexed how many the summary says there are
+   * @param indexed size according to the summary
    */
   byte[] decompressed(long indexed) throws McapException {
     if (size != indexed) {
@@ -65,7 +65,7 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
     return compression.decompress(compressed, size, crc);
   }
 
-  /** All whole records of what can be decompressed. */
+  /** All complete records in the part that can be decompressed. */
   Salvage salvage() {
     ChunkCompression.Prefix prefix = compression.decompressPrefix(compressed, size);
     ChunkRecords records = new ChunkRecords(prefix.bytes());

@@ -4,17 +4,17 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * Where a chunk is.
+ * Position and content of a chunk.
  *
  * @param startNanos log time of its earliest message [ns]
  * @param endNanos log time of its latest message [ns]
- * @param offset of its record in the file [B]
- * @param length of its record [B]
+ * @param offset file offset of its record [B]
+ * @param length length of its record [B]
  * @param messageIndexes offsets of its message indexes, by channel
- * @param messageIndexLength of all its message indexes [B]
- * @param compression as the chunk says
- * @param compressedSize of its records as they are in the file [B]
- * @param size of its records [B]
+ * @param messageIndexLength length of all its message indexes [B]
+ * @param compression compression according to the chunk
+ * @param compressedSize compressed size of its records [B]
+ * @param size uncompressed size of its records [B]
  */
 record ChunkIndex(
     long startNanos,

@@ -5,13 +5,12 @@ import java.util.Iterator;
 import java.util.NoSuchElementException;
 
 /**
- * The records of a decompressed chunk, up to where it goes wrong. Walks them in place: each is made
- * when it is asked for, since millions fit into a chunk.
+ * Records of a decompressed chunk, up to the first error. Iterates in place and creates each record on demand, since a chunk can hold millions.
  */
 final class ChunkRecords implements Iterable<RecordStream.Entry> {
   private final byte[] bytes;
-  private final int end; // of the last whole record [B]
-  private final McapException trouble; // null: none
+  private final int end; // of the last complete record [B]
+  private final McapException trouble; // null if none
 
   ChunkRecords(byte[] bytes) {
     this.bytes = bytes;
@@ -31,7 +30,7 @@ final class ChunkRecords implements Iterable<RecordStream.Entry> {
     trouble = wrong;
   }
 
-  /** Why they end before the chunk does; null: they do not. */
+  /** Error that ended the records early; null if none. */
   McapException trouble() {
     return trouble;
   }

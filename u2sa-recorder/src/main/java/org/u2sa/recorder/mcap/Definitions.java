@@ -7,17 +7,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Schemas and channels of a damaged file, from several places, the most reliable one first. */
+/** Schemas and channels of a damaged file, collected from several places, preferring the most reliable. */
 final class Definitions {
   /** Where a definition was found. */
   enum Source {
-    /** In a summary whose checksum is right. */
+    /** In a summary with a correct checksum. */
     INTACT_SUMMARY,
-    /** Among the data: in a chunk whose checksum is right, or outside of chunks. */
+    /** In the data section: in a chunk with a correct checksum, or outside chunks. */
     DATA,
-    /** In a summary whose checksum is wrong. */
+    /** In a summary with a wrong checksum. */
     DAMAGED_SUMMARY,
-    /** In a chunk whose checksum is wrong. */
+    /** In a chunk with a wrong checksum. */
     DAMAGED_CHUNK
   }
 
@@ -32,7 +32,7 @@ final class Definitions {
   }
 
   /**
-   * Takes a record; others than schemas and channels are ignored.
+   * Adds a record; ignored unless a schema or channel.
    *
    * @throws McapException if it cannot be read
    */
@@ -48,12 +48,12 @@ final class Definitions {
     }
   }
 
-  /** The schema of that number; null if it was found nowhere. */
+  /** Schema with this ID; null if not found. */
   McapSchema schema(int id) {
     return first(schemas.values(), id);
   }
 
-  /** The channel of that number; null if it was found nowhere. */
+  /** Channel with this ID; null if not found. */
   McapChannel channel(int id) {
     return first(channels.values(), id);
   }
@@ -66,7 +66,7 @@ final class Definitions {
         .orElse(null);
   }
 
-  /** All channels that do not stem from a damaged place alone. */
+  /** All channels found in at least one undamaged place. */
   List<McapChannel> reliableChannels() {
     Map<Integer, McapChannel> reliable = new LinkedHashMap<>(channels.get(Source.INTACT_SUMMARY));
     channels.get(Source.DATA).forEach(reliable::putIfAbsent);

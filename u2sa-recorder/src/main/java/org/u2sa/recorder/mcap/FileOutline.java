@@ -5,7 +5,7 @@ import java.nio.channels.FileChannel;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
 
-/** What the records outside of chunks say of a file that may be damaged. */
+/** Outline of a possibly damaged file, from the records outside chunks. */
 final class FileOutline {
   private final FileWindow file;
   private final OptionalLong messages;
@@ -20,10 +20,10 @@ final class FileOutline {
   }
 
   /**
-   * Goes through a file's records without reading its chunks.
+   * Scans a file's records without reading its chunks.
    *
-   * @param definitions filled with the schemas and channels outside of chunks
-   * @param trouble told what is wrong with the file
+   * @param definitions receives the schemas and channels outside chunks
+   * @param trouble notified of faults in the file
    */
   static FileOutline of(FileChannel channel, Definitions definitions, Consumer<String> trouble)
       throws IOException {
@@ -56,7 +56,7 @@ final class FileOutline {
     return new FileOutline(search.file(), messages, summary.dataEnd, summary.dataCrc);
   }
 
-  /** Where the summary begins, and whether its checksum is right; where the data end. */
+  /** Start of the summary, whether its checksum is correct, end and checksum of the data section. */
   private record Summary(long begin, boolean isIntact, long dataEnd, long dataCrc) {}
 
   private static Summary findSummary(FileChannel channel, Consumer<String> trouble)
@@ -89,12 +89,12 @@ final class FileOutline {
     return new Summary(begin, isIntact, end, dataCrc);
   }
 
-  /** How many messages the file holds, if its summary is intact and says so. */
+  /** Number of messages, if an intact summary has it. */
   OptionalLong messages() {
     return messages;
   }
 
-  /** Checks the checksum of all data, which no chunk's checksum covers entirely. */
+  /** Verifies the checksum of the data section, which also covers the bytes between chunks. */
   void checkData(Consumer<String> trouble) throws IOException {
     if (dataCrc != 0 && dataCrc != file.crc(0, dataEnd)) {
       trouble.accept("a byte between the chunks is wrong: the checksum of all data is another");

@@ -9,8 +9,7 @@ import java.nio.channels.SeekableByteChannel;
 import java.util.zip.CRC32;
 
 /**
- * Reads numbers anywhere in a file through a buffer, so that a search may look at every byte.
- * Belongs to one thread.
+ * Buffered random access to numbers in a file, fast enough to search every byte. Not thread-safe.
  */
 final class FileWindow {
   private static final int CAPACITY = 1 << 16;
@@ -18,7 +17,7 @@ final class FileWindow {
   private final SeekableByteChannel file;
   private final long size;
   private final ByteBuffer bytes = ByteBuffer.allocate(CAPACITY).order(ByteOrder.LITTLE_ENDIAN);
-  private final Buffer place = bytes; // the same: Android 28 has clear() and flip() in Buffer only
+  private final Buffer place = bytes; // alias: Android 28 has clear() and flip() in Buffer only
   private long from; // offset of the buffer's first byte in the file
 
   FileWindow(SeekableByteChannel file) throws IOException {
@@ -56,7 +55,7 @@ final class FileWindow {
     place.clear();
     file.position(at);
     while (bytes.hasRemaining() && file.read(bytes) >= 0) {
-      continue; // a channel may hand over a part
+      continue; // a channel may return a part
     }
     place.flip();
     if (place.limit() < length) {
@@ -64,7 +63,7 @@ final class FileWindow {
     }
   }
 
-  /** Checksum of a part of the file; the caller ensures that the file is that long. */
+  /** Checksum of a range of the file; the caller ensures that it is within the file. */
   long crc(long begin, long end) throws IOException {
     CRC32 crc = new CRC32();
     for (long at = begin; at < end; at += CAPACITY) {

@@ -5,8 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The places that a file's summary names. Two of them cannot overlap: a small file could otherwise
- * name one record thousands of times, and fill the memory with copies of it.
+ * Positions listed in a file's summary. They must not overlap: otherwise a small file could list one record thousands of times and exhaust memory with copies.
  */
 final class IndexedPlaces {
   private record Place(long offset, long length) {}
@@ -18,10 +17,10 @@ final class IndexedPlaces {
   }
 
   /**
-   * Checks them all.
+   * Validates all positions.
    *
-   * @param dataEnd where the data end [B]
-   * @throws McapException if one is not within the data, or two overlap
+   * @param dataEnd end of the data section [B]
+   * @throws McapException if one is outside the data section, or two overlap
    */
   void require(long dataEnd) throws McapException {
     places.sort(Comparator.comparingLong(Place::offset));

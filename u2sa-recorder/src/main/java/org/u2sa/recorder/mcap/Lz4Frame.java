@@ -10,21 +10,20 @@ import net.jpountz.lz4.LZ4SafeDecompressor;
 
 /**
  * LZ4 frames of independent blocks of 64 KiB, without checksums, written and read from array to
- * array (lz4_Frame_format.md 1.6.4). The compressor is pure Java: it runs on phones, and the bytes
- * are everywhere the same.
+ * array (lz4_Frame_format.md 1.6.4). The compressor is pure Java, so it runs on phones and output is byte-identical on every platform.
  */
 final class Lz4Frame {
   private static final byte[] HEADER = {0x04, 0x22, 0x4D, 0x18, 0x60, 0x40, (byte) 0x82};
   private static final int BLOCK = 1 << 16;
-  private static final int AS_IT_IS = 1 << 31; // of a block that does not become shorter
+  private static final int AS_IT_IS = 1 << 31; // flag of an uncompressed block
   private static final LZ4Compressor COMPRESSOR = LZ4Factory.safeInstance().fastCompressor();
   private static final LZ4SafeDecompressor DECOMPRESSOR =
       LZ4Factory.safeInstance().safeDecompressor();
-  private static final long MOST_TIMES = 255; // as long as the frame: LZ4 cannot do more
+  private static final long MOST_TIMES = 255; // maximum compression ratio of LZ4
 
   private Lz4Frame() {}
 
-  /** The most bytes that a frame of so many may have. */
+  /** Maximum frame size for a content size. */
   static int longest(int length) {
     int blocks = (length + BLOCK - 1) / BLOCK;
     return HEADER.length
@@ -35,11 +34,11 @@ final class Lz4Frame {
   /**
    * Writes a frame.
    *
-   * @param from what it holds
-   * @param length of that [B]
-   * @param to where to; has room for {@link #longest}
-   * @param at where in it the frame begins
-   * @return where it ends
+   * @param from content
+   * @param length length of the content [B]
+   * @param to destination with room for {@link #longest}
+   * @param at offset of the frame in it
+   * @return offset after the frame
    */
   static int write(byte[] from, int length, byte[] to, int at) {
     ByteBuffer out = ByteBuffer.wrap(to).order(ByteOrder.LITTLE_ENDIAN);
@@ -64,11 +63,10 @@ final class Lz4Frame {
   }
 
   /**
-   * What a frame holds that is of the form that {@link #write} gives it.
+   * Decodes a frame in the format of {@link #write}.
    *
-   * @param size what it holds [B]
-   * @return null if it is of another form, holds more or less, or is damaged: a reader of all forms
-   *     can tell which
+   * @param size size of the content [B]
+   * @return null if it has another format, a different content size, or is damaged; a general reader can tell which
    */
   static byte[] read(byte[] frame, long size) {
     boolean isOurs =

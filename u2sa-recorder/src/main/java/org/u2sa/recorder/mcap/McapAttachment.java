@@ -3,13 +3,13 @@ package org.u2sa.recorder.mcap;
 import java.util.zip.CRC32;
 
 /**
- * A file within the file.
+ * A file attached to the recording.
  *
- * @param logTimeNanos when it was recorded [ns]
- * @param createTimeNanos when it was made [ns]; 0: unknown
- * @param name its name, perhaps with folders
+ * @param logTimeNanos recording time [ns]
+ * @param createTimeNanos creation time [ns]; 0 if unknown
+ * @param name file name, possibly with folders
  * @param mediaType such as {@code text/xml}
- * @param data its bytes; not copied, not to be changed
+ * @param data content; not copied, must not be modified
  */
 public record McapAttachment(
     long logTimeNanos, long createTimeNanos, String name, String mediaType, byte[] data) {

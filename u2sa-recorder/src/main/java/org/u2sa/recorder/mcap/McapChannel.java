@@ -6,10 +6,10 @@ import java.util.Map;
  * A stream of messages of one topic and encoding.
  *
  * @param id unique in the file, 0…65535
- * @param schemaId of its schema; 0: none
- * @param topic its name
+ * @param schemaId ID of its schema; 0 if none
+ * @param topic topic name
  * @param messageEncoding such as {@code cbor}
- * @param metadata what else is to be known
+ * @param metadata additional key-value pairs
  */
 public record McapChannel(
     int id, int schemaId, String topic, String messageEncoding, Map<String, String> metadata) {

@@ -11,9 +11,9 @@ import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.stream.Collectors;
 
-/** Messages of a file, one after the other, in the order of their log times. */
+/** Iterates over the messages of a file in log-time order. */
 public final class McapCursor {
-  /** Reads a chunk's records, decompressed. */
+  /** Reads a chunk's decompressed records. */
   @FunctionalInterface
   interface Loader {
     byte[] load(ChunkIndex chunk) throws IOException;
@@ -29,7 +29,7 @@ public final class McapCursor {
   private final long maxHeldBytes;
   private long heldBytes; // of loaded chunks, decompressed
 
-  /** What is left of the messages of one chunk, by log time, of equal ones in the file's order. */
+  /** Remaining messages of one chunk, by log time; equal times in file order. */
   private static final class Run {
     private final long chunk;
     private final long bytes;
@@ -48,9 +48,9 @@ public final class McapCursor {
   }
 
   /**
-   * @param file its name, for what is wrong with it
-   * @param wanted numbers of the channels
-   * @param maxHeldBytes of chunks that are held at a time, because their times overlap
+   * @param file file name for error messages
+   * @param wanted IDs of the channels
+   * @param maxHeldBytes limit for chunks held simultaneously because their times overlap
    */
   McapCursor(
       String file,
@@ -79,10 +79,9 @@ public final class McapCursor {
   }
 
   /**
-   * The next message; empty after the last.
+   * Next message; empty after the last.
    *
-   * @throws McapException if the chunk that holds it is damaged, or more chunks overlap in time
-   *     than memory holds
+   * @throws McapException if its chunk is damaged, or more chunks overlap in time than fit into memory
    */
   public Optional<McapMessage> next() throws IOException {
     while (!chunks.isEmpty()
@@ -123,7 +122,7 @@ public final class McapCursor {
     for (int i = 1; i < messages.size(); i++) {
       if (messages.get(i).logTimeNanos() < messages.get(i - 1).logTimeNanos()) {
         messages.sort(
-            Comparator.comparingLong(McapMessage::logTimeNanos)); // leaves equals in order
+            Comparator.comparingLong(McapMessage::logTimeNanos)); // stable sort
         break;
       }
     }

@@ -2,16 +2,16 @@ package org.u2sa.recorder.mcap;
 
 import java.io.IOException;
 
-/** Says that a file is not what the format wants, or breaks off. */
+/** Thrown if a file violates the format or is truncated. */
 public class McapException extends IOException {
   private static final long serialVersionUID = 1L;
 
-  /** Says what is wrong. */
+  /** Creates an exception with a message. */
   public McapException(String message) {
     super(message);
   }
 
-  /** Says what is wrong, and what was found wrong first. */
+  /** Creates an exception with a message and a cause. */
   public McapException(String message, Throwable cause) {
     super(message, cause);
   }

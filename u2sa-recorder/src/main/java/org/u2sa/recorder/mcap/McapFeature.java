@@ -1,27 +1,27 @@
 package org.u2sa.recorder.mcap;
 
-/** What a writer may leave out of a file, all of it optional by the specification. */
+/** Optional contents of a file according to the specification. */
 public enum McapFeature {
-  /** Messages are gathered, and compressed, in chunks. */
+  /** Groups and compresses messages in chunks. */
   CHUNKS,
-  /** Each definition stands in two chunks, so that no damaged chunk takes the only one with it. */
+  /** Repeats each definition in two chunks, so that one damaged chunk does not lose it. */
   DEFINITIONS_TWICE,
-  /** After each chunk stands where each message is in it. */
+  /** Message indexes after each chunk. */
   MESSAGE_INDEX,
-  /** The summary counts messages, channels and the like. */
+  /** Statistics in the summary. */
   STATISTICS,
-  /** The summary repeats all schemas. */
+  /** Schemas repeated in the summary. */
   REPEATED_SCHEMAS,
-  /** The summary repeats all channels. */
+  /** Channels repeated in the summary. */
   REPEATED_CHANNELS,
-  /** The summary says where each attachment is. */
+  /** Attachment indexes in the summary. */
   ATTACHMENT_INDEX,
-  /** The summary says where each metadata record is. */
+  /** Metadata indexes in the summary. */
   METADATA_INDEX,
-  /** The summary says where each chunk is, and of which times. */
+  /** Chunk indexes in the summary: position and time range. */
   CHUNK_INDEX,
-  /** After the summary stands where each kind of record is in it. */
+  /** Summary offsets: position of each kind of record in the summary. */
   SUMMARY_OFFSETS,
-  /** Bytes follow the last field of records, as a later version of the format may have it. */
+  /** Extra bytes after the last field of records, as in possible later versions of the format. */
   LATER_FIELDS
 }

@@ -1,17 +1,17 @@
 package org.u2sa.recorder.mcap;
 
 /**
- * One message.
+ * A message.
  *
- * @param channelId of its channel
- * @param sequence counts the channel's messages, 0…2³²−1
- * @param logTimeNanos when it was recorded [ns]
- * @param publishTimeNanos when it was published [ns]
- * @param data its bytes; not copied, not to be changed
+ * @param channelId ID of its channel
+ * @param sequence sequence number in the channel, 0…2³²−1
+ * @param logTimeNanos recording time [ns]
+ * @param publishTimeNanos publication time [ns]
+ * @param data payload; not copied, must not be modified
  */
 public record McapMessage(
     int channelId, long sequence, long logTimeNanos, long publishTimeNanos, byte[] data) {
-  /** Bytes of a message's record beside its data. */
+  /** Size of a message record without its payload [B]. */
   static final int FIXED = 2 + 4 + 8 + 8;
 
   void write(RecordBuffer out) {

@@ -5,8 +5,8 @@ import java.util.Map;
 /**
  * Named texts about the recording.
  *
- * @param name what they are about
- * @param entries the texts by their names, in the order in which they are to be written
+ * @param name subject of the texts
+ * @param entries texts by name, in the order of writing
  */
 public record McapMetadata(String name, Map<String, String> entries) {
   void write(RecordBuffer out) {

@@ -4,14 +4,14 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * How a file is written.
+ * Options of a writer.
  *
- * @param features what it contains
- * @param compression of chunks
- * @param chunkBytes how long a chunk grows before it is written, uncompressed [B]
- * @param chunkNanos how much time a chunk spans before it is written, by log time [ns]
- * @param profile for the header; empty: none
- * @param library for the header: who wrote it
+ * @param features optional contents
+ * @param compression compression of chunks
+ * @param chunkBytes uncompressed chunk size at which it is written [B]
+ * @param chunkNanos log-time span of a chunk at which it is written [ns]
+ * @param profile profile in the header; empty if none
+ * @param library writing library, for the header
  */
 public record McapOptions(
     Set<McapFeature> features,

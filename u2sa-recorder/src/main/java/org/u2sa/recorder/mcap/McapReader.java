@@ -15,8 +15,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
- * A whole MCAP file with a summary, opened for reading: what it holds is known at once, messages
- * are read as they are asked for. Belongs to one thread.
+ * Reads a complete MCAP file with a summary: its contents are known on opening, messages are read on demand. Not thread-safe.
  */
 public final class McapReader implements AutoCloseable {
   private static final int FOOTER_LENGTH = Opcode.PREFIX + 8 + 8 + 4;
@@ -38,8 +37,7 @@ public final class McapReader implements AutoCloseable {
   /**
    * Opens a file.
    *
-   * @throws McapException if it is no MCAP, or none that is whole and has a summary; it may be
-   *     recovered then
+   * @throws McapException if it is not an MCAP file, is incomplete or has no summary; such a file may be recoverable
    * @throws IOException if it cannot be read
    */
   public static McapReader open(Path path) throws IOException {
@@ -106,32 +104,32 @@ public final class McapReader implements AutoCloseable {
       case Opcode.ATTACHMENT_INDEX -> attachments.add(AttachmentIndex.read(in));
       case Opcode.METADATA_INDEX -> metadata.add(MetadataIndex.read(in));
       default -> {
-        // summary offsets: all of the summary is read anyway
+        // summary offsets: not needed, the whole summary is read
       }
     }
   }
 
-  /** All schemas by their numbers. */
+  /** All schemas by ID. */
   public Map<Integer, McapSchema> schemas() {
     return Map.copyOf(schemas);
   }
 
-  /** All channels by their numbers. */
+  /** All channels by ID. */
   public Map<Integer, McapChannel> channels() {
     return Map.copyOf(channels);
   }
 
-  /** What is in the file. */
+  /** Statistics of the file. */
   public McapStatistics statistics() {
     return statistics;
   }
 
-  /** Names of the attachments, in the file's order. */
+  /** Attachment names, in file order. */
   public List<String> attachmentNames() {
     return attachments.stream().map(AttachmentIndex::name).collect(Collectors.toList());
   }
 
-  /** The first attachment of that name. */
+  /** First attachment with this name. */
   public Optional<McapAttachment> attachment(String name) throws IOException {
     for (AttachmentIndex index : attachments) {
       if (index.name().equals(name)) {
@@ -142,7 +140,7 @@ public final class McapReader implements AutoCloseable {
     return Optional.empty();
   }
 
-  /** All metadata, in the file's order. */
+  /** All metadata, in file order. */
   public List<McapMetadata> metadata() throws IOException {
     List<McapMetadata> all = new ArrayList<>();
     for (MetadataIndex index : metadata) {
@@ -163,11 +161,10 @@ public final class McapReader implements AutoCloseable {
   }
 
   /**
-   * Messages in the order of their log times; of equal ones, in the file's order. Holds one chunk
-   * at a time where chunks do not overlap.
+   * Messages in log-time order; equal times in file order. Holds one chunk at a time unless chunks overlap.
    *
-   * @param fromNanos log time of the earliest wanted [ns]
-   * @param wanted channels of which messages are wanted
+   * @param fromNanos earliest log time wanted [ns]
+   * @param wanted selects the channels
    */
   public McapCursor messages(long fromNanos, Predicate<McapChannel> wanted) {
     BitSet ids = new BitSet();

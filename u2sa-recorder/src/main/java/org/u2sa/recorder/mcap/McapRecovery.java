@@ -11,13 +11,12 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Makes a whole file of one that breaks off or is damaged. A chunk whose checksum is wrong is left
- * out, since any of its messages may be wrong; all others are kept. Belongs to one thread.
+ * Recovers a truncated or damaged file. Drops chunks with a wrong checksum, since any of their messages may be corrupt; keeps all others. Not thread-safe.
  */
 public final class McapRecovery {
   private final FileChannel from;
   private final McapWriter writer;
-  private final long maxBytes; // of one record, and of one chunk when it is decompressed
+  private final long maxBytes; // of a record or a decompressed chunk
   private final Definitions definitions = new Definitions();
   private final Set<Integer> schemas = new HashSet<>(); // written
   private final Set<Integer> channels = new HashSet<>(); // written
@@ -26,11 +25,11 @@ public final class McapRecovery {
   private String trouble;
 
   /**
-   * What was recovered.
+   * Result of a recovery.
    *
-   * @param messages how many
-   * @param damagedChunks how many were left out
-   * @param trouble what was wrong with the file, first thing first; empty: nothing
+   * @param messages number of messages recovered
+   * @param damagedChunks number of chunks dropped
+   * @param trouble faults of the file, in order of discovery; empty if none
    */
   public record Result(long messages, int damagedChunks, Optional<String> trouble) {}
 
@@ -41,12 +40,12 @@ public final class McapRecovery {
   }
 
   /**
-   * Copies all that can be read.
+   * Copies everything readable.
    *
-   * @param broken is not changed
-   * @param whole is created; must not exist
-   * @param library for the header of the new file
-   * @throws IOException if one cannot be read or the other not written
+   * @param broken damaged file; not modified
+   * @param whole new file; must not exist
+   * @param library writing library, for the new file's header
+   * @throws IOException if reading or writing fails
    */
   public static Result recover(Path broken, Path whole, String library) throws IOException {
     return recover(broken, whole, library, ReadLimits.heldBytes());
@@ -55,7 +54,7 @@ public final class McapRecovery {
   /**
    * As above.
    *
-   * @param maxBytes of a record, and of a chunk when it is decompressed; longer ones are left out
+   * @param maxBytes limit for records and decompressed chunks; larger ones are dropped
    */
   static Result recover(Path broken, Path whole, String library, long maxBytes) throws IOException {
     try (FileChannel from = FileChannel.open(broken, StandardOpenOption.READ);
@@ -71,7 +70,7 @@ public final class McapRecovery {
 
   private void copy() throws IOException {
     FileOutline outline = FileOutline.of(from, definitions, this::note);
-    RecordSearch search = new RecordSearch(from, known -> {}); // the outline has told it
+    RecordSearch search = new RecordSearch(from, known -> {}); // reported by the outline
     for (RecordSearch.Found f = search.next(); f != null; f = search.next()) {
       try {
         copy(f);
@@ -104,7 +103,7 @@ public final class McapRecovery {
       case Opcode.ATTACHMENT -> writer.add(McapAttachment.read(content(found)));
       case Opcode.METADATA -> writer.add(McapMetadata.read(content(found)));
       default -> {
-        // header, indexes and summary are written for the new file
+        // header, indexes and summary are created for the new file
       }
     }
   }

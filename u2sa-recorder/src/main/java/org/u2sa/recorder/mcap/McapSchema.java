@@ -1,12 +1,12 @@
 package org.u2sa.recorder.mcap;
 
 /**
- * What messages of a channel look like.
+ * Schema of a channel's messages.
  *
  * @param id unique in the file, 1…65535
- * @param name of the type
- * @param encoding of the data, such as {@code protobuf}; empty: there is no schema
- * @param data the schema itself; not copied, not to be changed
+ * @param name type name
+ * @param encoding schema encoding, such as {@code protobuf}; empty if there is no schema
+ * @param data the schema itself; not copied, must not be modified
  */
 public record McapSchema(int id, String name, String encoding, byte[] data) {
   void write(RecordBuffer out) {

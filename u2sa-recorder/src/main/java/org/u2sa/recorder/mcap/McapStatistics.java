@@ -4,17 +4,17 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What a file holds.
+ * Statistics of a file.
  *
- * @param messages how many
- * @param schemas how many
- * @param channels how many
- * @param attachments how many
- * @param metadata how many records
- * @param chunks how many
- * @param startNanos log time of the earliest message [ns]; 0: none
- * @param endNanos log time of the latest message [ns]; 0: none
- * @param messagesByChannel how many, by the channel's number
+ * @param messages number of messages
+ * @param schemas number of schemas
+ * @param channels number of channels
+ * @param attachments number of attachments
+ * @param metadata number of metadata records
+ * @param chunks number of chunks
+ * @param startNanos log time of the earliest message [ns]; 0 if none
+ * @param endNanos log time of the latest message [ns]; 0 if none
+ * @param messagesByChannel number of messages by channel ID
  */
 public record McapStatistics(
     long messages,

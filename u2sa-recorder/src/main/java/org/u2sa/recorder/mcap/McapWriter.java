@@ -6,12 +6,9 @@ import java.nio.channels.SeekableByteChannel;
 import java.util.zip.CRC32;
 
 /**
- * Writes one MCAP file from beginning to end. Belongs to one thread.
+ * Writes one MCAP file sequentially. Not thread-safe.
  *
- * <p>What is in the file is whole records at any time, as far as the file system keeps what it is
- * given: a chunk and its indexes are written together, and what could only be written in part, as
- * on a full disk, is cut off again. Its messages are counted in {@link #lost}, and the next chunk
- * repeats its definitions.
+ * <p>At any time the file consists of complete records, as far as the file system preserves writes: a chunk and its indexes are written together, and a partial write, e.g. on a full disk, is truncated again. Its messages are counted in {@link #lost}, and the next chunk repeats its definitions.
  */
 public final class McapWriter implements AutoCloseable {
   private static final int FIRST_CAPACITY = 1 << 12;
@@ -19,7 +16,7 @@ public final class McapWriter implements AutoCloseable {
   private final SeekableByteChannel file;
   private final McapOptions options;
   private final RecordBuffer out;
-  private final ChunkBuilder chunk; // null: messages are written as they come
+  private final ChunkBuilder chunk; // null: messages are written immediately
   private final Summary summary = new Summary();
   private final CRC32 dataCrc = new CRC32();
   private long position;
@@ -27,9 +24,9 @@ public final class McapWriter implements AutoCloseable {
   private boolean closed;
 
   /**
-   * Begins a file.
+   * Starts a file.
    *
-   * @param file where to; empty, and closed by {@link #close}
+   * @param file destination; must be empty; closed by {@link #close}
    * @throws IOException if it cannot be written
    */
   public McapWriter(SeekableByteChannel file, McapOptions options) throws IOException {
@@ -44,7 +41,7 @@ public final class McapWriter implements AutoCloseable {
   }
 
   /**
-   * Defines a schema, before the first channel that has it.
+   * Defines a schema; call before defining a channel that uses it.
    *
    * @throws IOException if it cannot be written
    */
@@ -59,7 +56,7 @@ public final class McapWriter implements AutoCloseable {
   }
 
   /**
-   * Defines a channel, before its first message.
+   * Defines a channel; call before adding its first message.
    *
    * @throws IOException if it cannot be written
    */
@@ -74,9 +71,9 @@ public final class McapWriter implements AutoCloseable {
   }
 
   /**
-   * Adds a message. The chunk before it is written first if it is full.
+   * Adds a message, after writing the current chunk if full.
    *
-   * @throws IOException if that cannot be written; the message itself is kept nonetheless
+   * @throws IOException if the chunk cannot be written; the message itself is still added
    */
   public void add(McapMessage message) throws IOException {
     if (chunk == null) {
@@ -127,9 +124,9 @@ public final class McapWriter implements AutoCloseable {
   }
 
   /**
-   * Writes what is in the present chunk, if anything is.
+   * Writes the current chunk, if not empty.
    *
-   * @throws IOException if it cannot be written; its messages are lost then
+   * @throws IOException if it cannot be written; its messages are then lost
    */
   public void flush() throws IOException {
     if (chunk == null || chunk.isEmpty()) {
@@ -152,26 +149,25 @@ public final class McapWriter implements AutoCloseable {
     chunk.next();
   }
 
-  /** How long the file is, the present chunk left out [B]. */
+  /** File length without the current chunk [B]. */
   public long position() {
     return position;
   }
 
-  /** Messages that were taken and could not be written. */
+  /** Number of accepted messages that could not be written. */
   public long lost() {
     return lost;
   }
 
-  /** What is in the file, the present chunk left out. */
+  /** Statistics of the file without the current chunk. */
   public McapStatistics statistics() {
     return summary.statistics();
   }
 
   /**
-   * Ends the file with its summary. Safe to call twice.
+   * Completes the file with its summary. Idempotent.
    *
-   * @throws IOException if it cannot be written; the file then ends without a summary, after its
-   *     last whole record
+   * @throws IOException if it cannot be written; the file then ends after its last complete record, without a summary
    */
   @Override
   public void close() throws IOException {

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Counts messages, and the span of their log times. */
+/** Message counts and log-time range. */
 final class MessageCount {
   private static final int FIRST_CHANNELS = 64;
 

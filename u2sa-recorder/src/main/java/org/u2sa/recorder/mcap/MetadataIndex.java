@@ -1,6 +1,6 @@
 package org.u2sa.recorder.mcap;
 
-/** Where a metadata record is; offset and length of the whole record [B]. */
+/** Position of a metadata record: offset and length of the whole record [B]. */
 record MetadataIndex(long offset, long length, String name) {
   void write(RecordBuffer out) {
     out.begin(Opcode.METADATA_INDEX).uint64(offset).uint64(length).string(name).end();

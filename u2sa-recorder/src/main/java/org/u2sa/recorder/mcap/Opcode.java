@@ -1,6 +1,6 @@
 package org.u2sa.recorder.mcap;
 
-/** The kinds of records. Source: mcap.dev/spec. */
+/** Record types. Source: mcap.dev/spec. */
 final class Opcode {
   static final int HEADER = 0x01;
   static final int FOOTER = 0x02;
@@ -23,7 +23,7 @@ final class Opcode {
 
   private Opcode() {}
 
-  /** What a file begins and ends with. */
+  /** Magic bytes at the start and end of a file. */
   static byte[] magic() {
     return new byte[] {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
   }

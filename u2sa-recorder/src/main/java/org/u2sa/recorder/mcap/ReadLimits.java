@@ -1,16 +1,16 @@
 package org.u2sa.recorder.mcap;
 
-/** How much of a file is held in memory, whatever the file says of itself. */
+/** Memory limits of reading, independent of the sizes a file claims. */
 final class ReadLimits {
-  /** No record is longer, and no chunk when it is decompressed: what says so is damaged [B]. */
+  /** Maximum size of a record or decompressed chunk [B]; a larger claim means damage. */
   static final long MAX_LENGTH = 1L << 30;
 
-  /** Messages take up to four times their bytes in a chunk, which is held beside them. */
+  /** Messages occupy up to four times their size in the chunk, which is held as well. */
   private static final int SHARE_OF_HEAP = 6;
 
   private ReadLimits() {}
 
-  /** Bytes of chunks that a reader holds at a time, on this machine's heap. */
+  /** Limit of chunk bytes held by a reader, given this machine's heap. */
   static long heldBytes() {
     return Math.min(MAX_LENGTH, Runtime.getRuntime().maxMemory() / SHARE_OF_HEAP);
   }

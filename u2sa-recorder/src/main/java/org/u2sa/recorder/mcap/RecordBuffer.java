@@ -7,16 +7,16 @@ import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.zip.CRC32;
 
-/** Records on their way into a file: bytes in little-endian order that grow as needed. */
+/** Growable little-endian buffer for records to be written. */
 final class RecordBuffer {
   private static final byte[] LATER = {0x01, (byte) 0xFF, (byte) 0xFF};
 
   private final boolean laterFields;
   private ByteBuffer bytes;
-  private int start; // of the present record's content
+  private int start; // of the current record's content
 
   /**
-   * @param laterFields whether bytes follow a record's last field
+   * @param laterFields whether to append extra bytes after a record's last field
    */
   RecordBuffer(int capacity, boolean laterFields) {
     bytes = ByteBuffer.allocate(capacity).order(ByteOrder.LITTLE_ENDIAN);
@@ -30,7 +30,7 @@ final class RecordBuffer {
     return this;
   }
 
-  /** Ends a record to whose kind fields may be added one day. */
+  /** Ends a record of an extensible type. */
   void end() {
     if (laterFields) {
       bytes(LATER, 0, LATER.length);
@@ -38,7 +38,7 @@ final class RecordBuffer {
     endAsIs();
   }
 
-  /** Ends a record whose kind will never have more fields. */
+  /** Ends a record of a type that is not extensible. */
   void endAsIs() {
     bytes.putLong(start - Long.BYTES, bytes.position() - start);
   }
@@ -79,7 +79,7 @@ final class RecordBuffer {
     return this;
   }
 
-  /** Leaves room for the length of what follows; to be handed to {@link #endLength}. */
+  /** Reserves a length field; returns its position for {@link #endLength}. */
   int beginLength() {
     uint32(0);
     return bytes.position();
@@ -95,33 +95,33 @@ final class RecordBuffer {
     return this;
   }
 
-  /** Writes into an array from some place on, and returns where it ended. */
+  /** Writes into an array from an offset, and returns the end offset. */
   @FunctionalInterface
   interface Filler {
     int fill(byte[] array, int from);
   }
 
-  /** Adds what the filler writes, at most so many bytes. */
+  /** Appends the filler's output, at most this many bytes. */
   RecordBuffer fill(int atMost, Filler filler) {
     room(atMost);
     place(bytes).position(filler.fill(bytes.array(), bytes.position()));
     return this;
   }
 
-  /** Leaves room for the 64-bit length of what follows; to be handed to {@link #endLongLength}. */
+  /** Reserves a 64-bit length field; returns its position for {@link #endLongLength}. */
   int beginLongLength() {
     uint64(0);
     return bytes.position();
   }
 
-  /** Returns that length. */
+  /** Fills in the length and returns it. */
   int endLongLength(int from) {
     int length = bytes.position() - from;
     bytes.putLong(from - Long.BYTES, length);
     return length;
   }
 
-  /** Of all that the present record holds so far. */
+  /** Checksum of the current record so far. */
   long crcOfContent() {
     CRC32 crc = new CRC32();
     crc.update(bytes.array(), start, bytes.position() - start);
@@ -132,7 +132,7 @@ final class RecordBuffer {
     return bytes.position();
   }
 
-  /** What was written, from the beginning to {@link #length}. */
+  /** Backing array; valid up to {@link #length}. */
   byte[] array() {
     return bytes.array();
   }

@@ -8,12 +8,12 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.zip.CRC32;
 
-/** The fields of one record, read in order. What follows the last known one is ignored. */
+/** Reads the fields of a record in order. Bytes after the last known field are ignored. */
 final class RecordFields {
   private final byte[] content;
   private final int from;
   private final ByteBuffer bytes;
-  private final Buffer place; // the same: Android 28 has position(int) in Buffer only
+  private final Buffer place; // alias: Android 28 has position(int) in Buffer only
 
   RecordFields(byte[] content) {
     this(content, 0, content.length);
@@ -66,7 +66,7 @@ final class RecordFields {
     return map;
   }
 
-  /** A map or array, which says its own length. */
+  /** A map or array with a length prefix. */
   RecordFields part() throws McapException {
     long length = uint32();
     require(length);
@@ -85,7 +85,7 @@ final class RecordFields {
     return bytes.remaining();
   }
 
-  /** Where the next field begins, from the beginning of the array. */
+  /** Offset of the next field in the array. */
   int position() {
     return bytes.position();
   }

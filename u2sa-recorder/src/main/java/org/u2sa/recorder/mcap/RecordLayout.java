@@ -4,15 +4,14 @@ import java.io.IOException;
 import java.util.Map;
 
 /**
- * How the fields of each kind of record follow one another, as far as it decides how long a record
- * is: a record's length stands both in its prefix and in the lengths of its fields. Source:
+ * Field layout of each record type, as far as it determines a record's length, which is redundant: in the prefix and in the fields' lengths. Source:
  * mcap.dev/spec.
  */
 final class RecordLayout {
-  private static final int SHORT_LENGTH = -4; // a field that begins with its length in 4 bytes
-  private static final int LONG_LENGTH = -8; // the same in 8 bytes
+  private static final int SHORT_LENGTH = -4; // field with a 4-byte length prefix
+  private static final int LONG_LENGTH = -8; // field with an 8-byte length prefix
 
-  /** By opcode; a positive number stands for that many bytes. */
+  /** By opcode; a positive number is a fixed size in bytes. */
   private static final Map<Integer, int[]> FIELDS =
       Map.ofEntries(
           Map.entry(Opcode.HEADER, new int[] {SHORT_LENGTH, SHORT_LENGTH}),
@@ -38,10 +37,9 @@ final class RecordLayout {
   }
 
   /**
-   * Length of a record's fields by what they say themselves [B]; for a message, which does not say
-   * how long its data are, its other fields. -1: the file ends before they do.
+   * Length of a record's fields according to their own lengths [B]; excludes the payload of a message, whose length is not stored. -1 if the file ends before.
    *
-   * @param at where the record's content begins
+   * @param at offset of the record's content
    */
   static long length(int opcode, FileWindow file, long at) throws IOException {
     long end = at;

@@ -5,27 +5,25 @@ import java.nio.channels.SeekableByteChannel;
 import java.util.function.Consumer;
 
 /**
- * Finds the records of a file that may be damaged anywhere. Where a record's length cannot be
- * right, it takes the length that leads to another record, or else searches for the next one.
- * Belongs to one thread.
+ * Finds the records of a possibly damaged file. If a record's length is implausible, uses the length that leads to another record, or else searches for the next one. Not thread-safe.
  */
 final class RecordSearch {
-  private static final int FIRST_PRIVATE = 0x80; // opcodes from there on are anybody's own
+  private static final int FIRST_PRIVATE = 0x80; // first opcode for private use
 
   private final FileWindow file;
-  private final long end; // of the records: the magic bytes after them are left out
+  private final long end; // of the records, before the magic bytes
   private final boolean isCut;
   private final Consumer<String> trouble;
   private boolean hasChunks;
   private long position = Opcode.magic().length;
 
   /**
-   * A record that was found.
+   * A record found.
    *
-   * @param offset of its prefix in the file [B]
-   * @param opcode its kind
-   * @param length of its content, as far as the file has it [B]
-   * @param isCut whether the file ends before the record does
+   * @param offset file offset of its prefix [B]
+   * @param opcode its opcode
+   * @param length length of its content present in the file [B]
+   * @param isCut whether the file ends within the record
    */
   record Found(long offset, int opcode, long length, boolean isCut) {
     long contentAt() {
@@ -38,7 +36,7 @@ final class RecordSearch {
   }
 
   /**
-   * @param trouble told what is wrong with the file
+   * @param trouble notified of faults in the file
    */
   RecordSearch(SeekableByteChannel channel, Consumer<String> trouble) throws IOException {
     this.trouble = trouble;
@@ -66,12 +64,12 @@ final class RecordSearch {
     }
   }
 
-  /** Numbers of the same file. */
+  /** Random access to the file. */
   FileWindow file() {
     return file;
   }
 
-  /** The next record; null at the file's end. */
+  /** Next record; null at the end of the file. */
   Found next() throws IOException {
     if (position >= end) {
       if (isCut) {
@@ -99,7 +97,7 @@ final class RecordSearch {
     return "the file breaks off at byte " + file.size() + ", within a record";
   }
 
-  /** Whether the bytes from there on are the beginning of a record that the file's end cuts off. */
+  /** Whether a record truncated by the end of the file starts here. */
   private boolean breaksOffWithin(long at) throws IOException {
     if (!isCut || end - at < Opcode.PREFIX) {
       return isCut;
@@ -133,7 +131,7 @@ final class RecordSearch {
     if (opcode == 0 || opcode == Opcode.DATA_END || opcode == Opcode.FOOTER) {
       return null;
     }
-    if (leadsToRecord(at, length)) { // later versions of the format may have further fields
+    if (leadsToRecord(at, length)) { // later versions may add fields
       return new Found(at, opcode, length, false);
     }
     if (opcode != Opcode.MESSAGE && ofFields > 0 && leadsToRecord(at, ofFields)) {
@@ -159,7 +157,7 @@ final class RecordSearch {
     return length >= 0 && length <= end - at - Opcode.PREFIX;
   }
 
-  /** Whether the file or another record begins after a record of that length. */
+  /** Whether a record of this length is followed by another record or the end of the file. */
   private boolean leadsToRecord(long at, long length) throws IOException {
     return fits(at, length) && isRecord(at + Opcode.PREFIX + length);
   }
@@ -182,7 +180,7 @@ final class RecordSearch {
         : fits(at, length) && ofFields >= 0 && ofFields <= length;
   }
 
-  /** The first record from there on whose length is certain. */
+  /** First record from an offset whose length is certain. */
   private Found searchFrom(long from) throws IOException {
     for (long at = from; at + Opcode.PREFIX <= end; at++) {
       int opcode = file.uint8(at);
@@ -194,7 +192,7 @@ final class RecordSearch {
         continue;
       }
       long ofFields = RecordLayout.length(opcode, file, at + Opcode.PREFIX);
-      boolean isCertain = // messages do not tell their length; in a file of chunks none is expected
+      boolean isCertain = // messages do not store their length; not expected beside chunks
           opcode == Opcode.MESSAGE
               ? !hasChunks && ofFields > 0 && ofFields <= length
               : ofFields == length;

@@ -7,18 +7,18 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.SeekableByteChannel;
 
-/** The records of a file from some place on, one after the other. */
+/** Reads the records of a file sequentially from an offset. */
 final class RecordStream {
   private final SeekableByteChannel file;
   private final long size;
   private long position;
 
   /**
-   * One record.
+   * A record.
    *
-   * @param offset where it begins in the file [B]
-   * @param opcode its kind
-   * @param content without opcode and length
+   * @param offset file offset [B]
+   * @param opcode its opcode
+   * @param content content without opcode and length
    */
   record Entry(long offset, int opcode, byte[] content) {
     RecordFields fields() {
@@ -36,12 +36,12 @@ final class RecordStream {
     position = from;
   }
 
-  /** Where the next record begins [B]. */
+  /** File offset of the next record [B]. */
   long position() {
     return position;
   }
 
-  /** The kind of the next record, and its length without the prefix; null at the file's end. */
+  /** Opcode and content length of the next record; null at the end of the file. */
   long[] peek() throws IOException {
     if (size - position < Opcode.PREFIX) {
       return null;
@@ -53,8 +53,8 @@ final class RecordStream {
   /**
    * The next record.
    *
-   * @throws EOFException if the file breaks off before its end
-   * @throws McapException if it cannot be a record
+   * @throws EOFException if the file ends within the record
+   * @throws McapException if it is not a valid record
    */
   Entry next() throws IOException {
     long[] prefix = peek();
@@ -76,9 +76,9 @@ final class RecordStream {
   }
 
   /**
-   * The next bytes.
+   * Next bytes.
    *
-   * @throws McapException if they are more than are read at once
+   * @throws McapException if they exceed the size limit
    */
   byte[] bytes(long length) throws IOException {
     if (length > ReadLimits.MAX_LENGTH) {

@@ -8,8 +8,7 @@ import java.util.Collections;
 import java.util.Iterator;
 
 /**
- * All records of a whole file in their order, from header to footer; of chunks, the records in them
- * instead. Message indexes are left out.
+ * Iterates over all records of a complete file, from header to footer. Chunks are replaced by their records; message indexes are skipped.
  */
 final class RecordWalk {
   private final RecordStream stream;
@@ -28,14 +27,14 @@ final class RecordWalk {
     }
     file.position(at);
     while (magic.hasRemaining() && file.read(magic) >= 0) {
-      continue; // a channel may hand over a part
+      continue; // a channel may return a part
     }
     if (!Arrays.equals(magic.array(), Opcode.magic())) {
       throw new McapException("at byte " + at + " are not the bytes that mark MCAP's version 0");
     }
   }
 
-  /** The next record; null after the footer. */
+  /** Next record; null after the footer. */
   RecordStream.Entry next() throws IOException {
     while (!ofChunk.hasNext()) {
       if (ended) {

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.zip.CRC32;
 
-/** What stands behind a file's data: repeated definitions, statistics and indexes. */
+/** Summary section after a file's data: repeated definitions, statistics and indexes. */
 final class Summary {
   private static final int FOOTER_LENGTH = 8 + 8 + 4;
 
@@ -61,7 +61,7 @@ final class Summary {
   /**
    * Writes summary, summary offsets and footer.
    *
-   * @param start where in the file the first byte will be
+   * @param start file offset of the first byte
    */
   void write(RecordBuffer out, long start, McapOptions options) {
     List<long[]> groups = new ArrayList<>();
@@ -109,7 +109,7 @@ final class Summary {
     out.uint32(crc.getValue());
   }
 
-  /** Records of one kind, if they are wanted. */
+  /** Writes records of one type, if enabled. */
   @FunctionalInterface
   private interface Group {
     void add(McapFeature feature, int opcode, Runnable write);

@@ -1,5 +1,4 @@
 /**
- * MCAP files, as mcap.dev specifies them: writing, reading, and making whole again what broke off.
- * What the messages in them say is no concern of this package.
+ * MCAP files as specified by mcap.dev: writing, reading, and recovery of damaged files. Independent of the messages' content.
  */
 package org.u2sa.recorder.mcap;

@@ -8,7 +8,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
 /**
- * A world of BARN as world and mission files of U2SA, scaled for a vehicle of another width.
+ * Converts a BARN world to U2SA's world and mission files, scaled for a vehicle of another width.
  *
  * @param scale metres here per metre of the challenge
  */
@@ -20,22 +20,22 @@ record BarnCourse(BarnWorld world, double scale) {
   private static final double HEIGHT_M = 1.0;
   private static final double REACHED_M = 1.0; // in the challenge
 
-  /** How near to the goal counts as there [m]. */
+  /** Goal radius [m]. */
   double reachedM() {
     return REACHED_M * scale;
   }
 
-  /** Length of the shortest way [m]. */
+  /** Length of the shortest path [m]. */
   double pathM() {
     return world.pathM() * scale;
   }
 
-  /** Where the goal lies. */
+  /** Goal position. */
   Geodetic goal() {
     return at(BarnWorld.GOAL);
   }
 
-  /** Where the vehicle starts. */
+  /** Start position. */
   Geodetic start() {
     return HOME;
   }

@@ -22,9 +22,9 @@ final class BarnDrive {
   private BarnDrive() {}
 
   /**
-   * Drives it.
+   * Drives the course.
    *
-   * @param folder where world, mission and the demo's files go
+   * @param folder folder for world, mission and the demo's files
    * @param options further options of the demo
    */
   static BarnScore drive(BarnCourse course, Path folder, List<String> options) throws IOException {
@@ -55,7 +55,7 @@ final class BarnDrive {
   /**
    * Scores a drive.
    *
-   * @param track lines of {@code track.csv}: time, longitude and latitude first, by truth
+   * @param track lines of {@code track.csv} (ground truth): time, longitude and latitude first
    */
   static BarnScore score(BarnCourse course, List<String> track, int contacts) {
     double startedS = Double.NaN;

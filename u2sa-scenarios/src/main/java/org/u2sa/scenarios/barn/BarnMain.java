@@ -9,14 +9,14 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Drives worlds of BARN one after the other and prints the table of {@code docs/path-planning.md};
+ * Drives BARN worlds in sequence and prints the table of {@code docs/path-planning.md};
  * {@code scripts/barn/run} starts it.
  */
 final class BarnMain {
   /** Width of the demo's rover [m]. */
   private static final double ROVER_WIDTH_M = 0.52;
 
-  /** Its speed by default: PLANNED SPEED, and CRUISE SPEED of its control [m/s]. */
+  /** Its default speed: PLANNED SPEED, and CRUISE SPEED of its control [m/s]. */
   private static final double TOP_MPS = 1.0;
 
   private static final int WORLDS = 300;
@@ -33,9 +33,7 @@ final class BarnMain {
   /**
    * Drives worlds.
    *
-   * @param args folder of the worlds, folder for results, numbers of worlds (such as 7,12, or 0/6
-   *     for every sixth from 0 on), how much wider than for the vehicle's width the worlds are
-   *     scaled (1: as for the challenge's robot), options of the demo
+   * @param args folder of the worlds, folder for results, numbers of worlds (such as 7,12, or 0/6 for every sixth from 0), factor on the scale for the vehicle's width (1 gives the same relative width as for the challenge's robot), options of the demo
    */
   public static void main(String[] args) throws IOException {
     if (args.length < 4) {
@@ -56,7 +54,7 @@ final class BarnMain {
     }
     System.out.println(summary(scores));
     System.out.println(PUBLISHED);
-    System.exit(0); // whatever thread a demo left behind
+    System.exit(0); // even if a demo left threads behind
   }
 
   private static int[] numbers(String text) {

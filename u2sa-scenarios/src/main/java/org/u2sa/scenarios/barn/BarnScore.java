@@ -3,34 +3,33 @@ package org.u2sa.scenarios.barn;
 import java.util.Locale;
 
 /**
- * How one world was driven, scored as in the BARN Challenge of 2022: success · OT / clip(AT, 4 OT,
- * 8 OT), with the optimal time OT = length of the shortest way / the robot's top speed, and the
- * actual time AT from the first 0.1 m on (run.py of the challenge; Xiao et al., IEEE Robotics and
+ * Score of one world as in the BARN Challenge of 2022: success · OT / clip(AT, 4 OT,
+ * 8 OT), with the optimal time OT = length of the shortest path / top speed of the robot, and the actual time AT counted from the first 0.1 m (run.py of the challenge; Xiao et al., IEEE Robotics and
  * Automation Magazine 29-4, 2022).
  *
- * @param number of the world
- * @param pathM length of the shortest way [m]
- * @param outcome what came of it
+ * @param number number of the world
+ * @param pathM length of the shortest path [m]
+ * @param outcome outcome of the drive
  * @param timeS actual time [s]
  */
 record BarnScore(int number, double pathM, Outcome outcome, double timeS) {
-  /** The best that a world can score. */
+  /** Maximum score of a world. */
   static final double BEST = 0.25;
 
   private static final double SOONEST = 4.0; // in optimal times
   private static final double LATEST = 8.0;
 
-  /** What came of a drive. */
+  /** Outcome of a drive. */
   enum Outcome {
-    /** At the goal without a touch. */
+    /** Reached the goal without a collision. */
     REACHED,
-    /** Something was touched. */
+    /** Collided with something. */
     TOUCHED,
-    /** The vehicle gave the goal up, or its time was over. */
+    /** Gave up the goal, or ran out of time. */
     NOT_REACHED
   }
 
-  /** The challenge's metric, 0…{@link #BEST}, for a robot of that top speed [m/s]. */
+  /** The challenge's metric, 0…{@link #BEST}, for a robot with this top speed [m/s]. */
   double metric(double topMps) {
     if (outcome != Outcome.REACHED) {
       return 0.0;

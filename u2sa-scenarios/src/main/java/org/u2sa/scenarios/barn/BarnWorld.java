@@ -13,33 +13,33 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * One world of BARN as its authors publish it, in Gazebo's axes: x to the right, y ahead of the
+ * A BARN world as published by its authors, in Gazebo's axes: x to the right, y ahead of the
  * start [m]. Immutable.
  *
- * @param number of the file {@code world_N.world}
- * @param pillars middles of the upright cylinders [m]
- * @param pathM length of the shortest way from start to goal, as the challenge counts it [m]
+ * @param number number N of the file {@code world_N.world}
+ * @param pillars centres of the upright cylinders [m]
+ * @param pathM length of the shortest path from start to goal, as computed by the challenge [m]
  */
 record BarnWorld(int number, List<Place> pillars, double pathM) {
   /** Radius of every cylinder [m]. */
   static final double PILLAR_RADIUS_M = 0.075;
 
-  /** Where the challenge places the robot, facing along y [m]. */
+  /** Start position of the challenge's robot, facing along y [m]. */
   static final Place START = new Place(-2.0, 3.0);
 
-  /** Where it has to go [m]. */
+  /** Goal position [m]. */
   static final Place GOAL = new Place(-2.0, 13.0);
 
   private static final Pattern PILLAR =
       Pattern.compile(
           "<model name='unit_cylinder_\\d+'>\\s*<static>1</static>\\s*"
               + "<pose frame=''>(\\S+) (\\S+) ");
-  private static final int MAGIC_BYTES = 10; // of NumPy's format 1.0, length of the header included
+  private static final int MAGIC_BYTES = 10; // of NumPy's format 1.0, including the header length
   private static final double CELL_M = 2.0 * PILLAR_RADIUS_M;
   private static final int COLUMNS = 30;
   private static final double FIELD_BEGINS_M = 5.0;
 
-  /** A place [m]. */
+  /** A position [m]. */
   record Place(double x, double y) {
     double distanceM(Place other) {
       return Math.hypot(x - other.x, y - other.y);
@@ -49,7 +49,7 @@ record BarnWorld(int number, List<Place> pillars, double pathM) {
   /**
    * Reads {@code world_N.world} and {@code path_files/path_N.npy} of a folder.
    *
-   * @throws BadInputException naming the file, if one cannot be read or is another format
+   * @throws BadInputException naming the file, if one cannot be read or has another format
    */
   static BarnWorld read(Path folder, int number) {
     Path world = folder.resolve("world_" + number + ".world");
@@ -66,7 +66,7 @@ record BarnWorld(int number, List<Place> pillars, double pathM) {
         number, List.copyOf(pillars), pathM(folder.resolve("path_files/path_" + number + ".npy")));
   }
 
-  /** From the start through all cells of the file to the goal, as the challenge's run.py does. */
+  /** Length from the start through all cells of the file to the goal, as in the challenge's run.py. */
   private static double pathM(Path file) {
     ByteBuffer npy = ByteBuffer.wrap(bytes(file)).order(ByteOrder.LITTLE_ENDIAN);
     int header = npy.limit() < MAGIC_BYTES ? 0 : npy.getShort(MAGIC_BYTES - 2);

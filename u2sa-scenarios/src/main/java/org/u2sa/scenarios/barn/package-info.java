@@ -1,6 +1,4 @@
 /**
- * The worlds of BARN (Benchmark Autonomous Robot Navigation) for the simulated rover: read,
- * converted, driven and scored as in the challenge. How the rover drives is configuration of
- * ordinary services and belongs to config/ugv.
+ * The worlds of BARN (Benchmark Autonomous Robot Navigation) for the simulated rover: reading, conversion, driving and scoring as in the challenge. The rover is run by ordinary services, configured in config/ugv.
  */
 package org.u2sa.scenarios.barn;

@@ -5,7 +5,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa camera}: what there is to do with a camera. */
+/** {@code u2sa camera}: parent of the camera commands. */
 @Command(
     name = "camera",
     description = "Calibrate a camera with a chessboard; show what is recognised in its pictures.",

@@ -12,14 +12,14 @@ import org.u2sa.device.CameraFrame.Intrinsics;
 import org.u2sa.device.CameraFrame.PixelFormat;
 import org.u2sa.interfaces.BadInputException;
 
-/** Pictures from files, as a camera gives them. */
+/** Reads images from files as camera frames. */
 final class CameraPicture {
   private CameraPicture() {}
 
   /**
-   * A PNG, JPEG, BMP or GIF file as RGB24.
+   * Reads a PNG, JPEG, BMP or GIF file as RGB24.
    *
-   * @throws BadInputException if there is no such picture; names the file
+   * @throws BadInputException if the image is missing or unreadable; names the file
    */
   static CameraFrame read(Path file) {
     try (InputStream in = Files.newInputStream(file)) {
@@ -29,7 +29,7 @@ final class CameraPicture {
     }
   }
 
-  /** A picture of a stream, which is not closed. */
+  /** Reads an image from a stream without closing it. */
   static CameraFrame frame(
       String origin, InputStream in, long micros, Optional<Intrinsics> intrinsics)
       throws IOException {
@@ -52,7 +52,7 @@ final class CameraPicture {
     return new CameraFrame(micros, width, height, PixelFormat.RGB24, pixels, intrinsics);
   }
 
-  /** The pixels of a frame that is not packed. */
+  /** Image of an uncompressed frame. */
   static BufferedImage image(CameraFrame frame) {
     BufferedImage image =
         new BufferedImage(frame.width(), frame.height(), BufferedImage.TYPE_INT_RGB);

@@ -6,7 +6,7 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.vision.picture.JpegDecoder;
 
-/** Unpacks JPEG pictures by the JDK's own reader. */
+/** Decodes JPEG images with the JDK's reader. */
 public final class ImageIoJpeg implements JpegDecoder {
   @Override
   public CameraFrame decode(CameraFrame jpeg) {

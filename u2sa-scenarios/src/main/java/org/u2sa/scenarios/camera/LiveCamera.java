@@ -11,7 +11,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.service.ServiceContext;
 
-/** The camera that a service's configuration names, opened beside that service. */
+/** Camera from a service's configuration, opened in addition to that service. */
 final class LiveCamera implements AutoCloseable {
   private static final long POLL_MICROS = Clock.micros(0.02);
 
@@ -26,10 +26,10 @@ final class LiveCamera implements AutoCloseable {
   }
 
   /**
-   * The next picture, at least so long after the last.
+   * Next image, at least the given time after the last one.
    *
-   * @throws BadInputException if none comes in time; says what the camera says
-   * @throws InterruptedException if the command is ended meanwhile
+   * @throws BadInputException if none arrives in time; includes the camera's error
+   * @throws InterruptedException if the command is terminated
    */
   CameraFrame next(double apartS, double patienceS) throws InterruptedException {
     long end = clock.micros() + Clock.micros(patienceS);

@@ -27,7 +27,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa camera look}: shows what is recognised in pictures. */
+/** {@code u2sa camera look}: shows the detections in images. */
 @Command(
     name = "look",
     description = {

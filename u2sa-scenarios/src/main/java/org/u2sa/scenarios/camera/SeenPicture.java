@@ -22,7 +22,7 @@ import org.u2sa.vision.line.PaintedLine;
 import org.u2sa.vision.object.ObjectKind;
 import org.u2sa.vision.object.SeenObject;
 
-/** A camera's picture with what was recognised, and beside it the ground as seen from above. */
+/** A camera image with detections, beside a bird's-eye view of the ground. */
 public final class SeenPicture {
   private static final Color LINE = new Color(0xFFD400);
   private static final Color DISC = new Color(0xFF40FF);
@@ -35,8 +35,8 @@ public final class SeenPicture {
   private final TopView top;
   private final BufferedImage image;
   private final Graphics2D pen;
-  private final int left; // column at which the view from above begins
-  private final double scale; // of that view, pixels a cell
+  private final int left; // first column of the bird's-eye view
+  private final double scale; // of that view, pixels per cell
 
   private SeenPicture(CameraFrame frame, Seen seen, CourseSight sight) {
     this.seen = seen;
@@ -53,10 +53,10 @@ public final class SeenPicture {
   }
 
   /**
-   * Draws what was seen.
+   * Draws the detections.
    *
-   * @param frame not packed as JPEG
-   * @param sight that saw it last
+   * @param frame uncompressed frame
+   * @param sight detector that last processed the frame
    */
   public static BufferedImage of(CameraFrame frame, Seen seen, CourseSight sight) {
     SeenPicture picture = new SeenPicture(frame, seen, sight);
@@ -87,7 +87,7 @@ public final class SeenPicture {
     }
   }
 
-  /** A chain of places, in both views. */
+  /** Draws a polyline in both views. */
   private void draw(List<Point> places) {
     Path2D inPicture = new Path2D.Double();
     Path2D fromAbove = new Path2D.Double();

@@ -1,5 +1,4 @@
 /**
- * Commands for a vehicle's camera: to calibrate it and to see what it recognises; pictures from
- * files and from the camera itself. What is recognised is {@link org.u2sa.vision.camera}'s matter.
+ * Commands for a vehicle's camera: calibration, and display of detections, with images from files or the camera. Detection belongs to {@link org.u2sa.vision.camera}.
  */
 package org.u2sa.scenarios.camera;

@@ -101,7 +101,7 @@ final class CampaignOptions {
         "Try each of the values of a demo's option (payload=0,5,10) or a service's variable (\"PathPlanner:LOOK AHEAD=0.8,1.2\").",
         "Several: all combinations."
       })
-  private void sweeps(List<String> texts) { // called each time with all values so far
+  private void sweeps(List<String> texts) { // called repeatedly with all values so far
     sweeps.clear();
     for (String text : texts) {
       Sweep sweep = Sweep.of(text);

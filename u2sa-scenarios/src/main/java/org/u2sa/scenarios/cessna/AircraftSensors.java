@@ -25,10 +25,10 @@ final class AircraftSensors {
   private AircraftSensors() {}
 
   /**
-   * Has the launcher make them, beside the Simulator whose aircraft carries them.
+   * Registers the sensors with the launcher, beside the Simulator whose aircraft carries them.
    *
-   * @param start where the aircraft stands until the Simulator is made
-   * @param surroundings of which what moves says by a transponder where it is
+   * @param start position of the aircraft until the Simulator exists
+   * @param surroundings objects; moving ones report their position by transponder
    */
   static void attach(
       LaunchOptions launch, RunwayStart start, long seed, Surroundings surroundings) {

@@ -38,11 +38,11 @@ import picocli.CommandLine.Spec;
       "  mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
     })
 final class CessnaDemo implements Callable<Integer>, Demo {
-  /** Which State Estimator says where the aircraft is. */
+  /** State Estimator. */
   enum FlightEstimator {
-    /** The simulator's truth. */
+    /** Ground truth from the simulator. */
     PASS_THROUGH,
-    /** An error-state Kalman filter of noisy GPS, barometer, airspeed, IMU and compass. */
+    /** Error-state Kalman filter fusing noisy GPS, barometer, airspeed, IMU and compass. */
     FUSING
   }
 
@@ -67,7 +67,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--estimator",
       description = "One of ${COMPLETION-CANDIDATES}. Default: pass_through; fusing with --world.")
-  private FlightEstimator estimator; // null: not given
+  private FlightEstimator estimator; // null if not given
 
   @Option(
       names = "--world",
@@ -77,7 +77,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
             + "moves is heard by a traffic receiver. Adds that, a World Modeler and a planner that flies around both, on noisy sensors "
             + "(config/cessna/system-world.xml)."
       })
-  private Path worldFile; // null: an empty sky
+  private Path worldFile; // null for an empty sky
 
   @Override
   public Integer call() throws InterruptedException, IOException {
@@ -97,7 +97,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
     return estimator == FlightEstimator.FUSING ? "system-fused.xml" : "system.xml";
   }
 
-  /** {@inheritDoc} Wings reach farther than the rest. */
+  /** {@inheritDoc} The extent is half the wing span. */
   @Override
   public Surroundings surroundings() {
     return worldFile == null
@@ -105,7 +105,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
         : new Surroundings(WorldFile.load(worldFile).objects(), HALF_SPAN_M);
   }
 
-  /** A crawl of 25 m/s over ground to every waypoint, and ten minutes to get ready. */
+  /** Profile with a minimum ground speed of 25 m/s, and ten minutes to get ready. */
   static Profile flying(String directory) {
     return new Profile("cessna", directory, "mission.xml", Domain.AIR, 600.0, 25.0);
   }
@@ -115,7 +115,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
     return onRunway(mission);
   }
 
-  /** Where the aircraft stands on the runway. */
+  /** Start position on the runway. */
   static RunPlan.Start onRunway(Mission mission) {
     RunwayStart start = EmbeddedStart.of(mission);
     return new RunPlan.Start(
@@ -164,7 +164,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
         launch -> StandInSimulation.of(mission, demoWind.wind(seed), launch));
   }
 
-  /** The chart, and how far off the greatest of those that move has to be kept. */
+  /** Configures the chart of static objects and the separation from the largest moving one. */
   private void around(LaunchOptions launch) {
     if (worldFile == null) {
       return;

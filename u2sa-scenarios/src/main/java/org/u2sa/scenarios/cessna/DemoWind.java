@@ -9,9 +9,9 @@ import org.u2sa.sim.atmosphere.Wind;
 /**
  * The wind of a demo flight.
  *
- * @param speedMps at every height, or with shear 6 m above ground [m/s]
- * @param fromRad where it blows from, true, clockwise from north [rad]
- * @param shear whether it grows with height
+ * @param speedMps speed at every height, or with shear at 6 m above ground [m/s]
+ * @param fromRad direction it blows from, clockwise from true north [rad]
+ * @param shear whether speed increases with height
  */
 record DemoWind(double speedMps, double fromRad, boolean shear) {
   private static final double STRONGEST_MPS = 8.0;
@@ -19,17 +19,16 @@ record DemoWind(double speedMps, double fromRad, boolean shear) {
   private static final double FULL_CIRCLE_DEG = 360.0;
   private static final Pattern TEXT = Pattern.compile("(\\d+(?:\\.\\d+)?)@(\\d+(?:\\.\\d+)?)");
 
-  /** The wind of a seed: any direction, up to 8 m/s. */
+  /** Random wind from a seed: any direction, up to 8 m/s. */
   static DemoWind ofSeed(long seed) {
     SplittableRandom random =
-        new SplittableRandom(seed); // unlike Random, neighbouring seeds give unlike winds
+        new SplittableRandom(seed); // unlike Random, decorrelates adjacent seeds
     return new DemoWind(
         STRONGEST_MPS * random.nextDouble(), 2.0 * Math.PI * random.nextDouble(), false);
   }
 
   /**
-   * Reads {@code calm} or {@code SPEED@DIRECTION}, in m/s and degrees true that the wind blows
-   * from.
+   * Parses {@code calm} or {@code SPEED@DIRECTION}, in m/s and degrees true (where the wind blows from).
    *
    * @throws IllegalArgumentException if it is neither
    */
@@ -51,12 +50,12 @@ record DemoWind(double speedMps, double fromRad, boolean shear) {
             + "\": expected \"calm\", or speed and direction such as 5@270 (0…30 m/s, 0…360 degrees)");
   }
 
-  /** The same for an aircraft that is stepped here, with gusts by the seed. */
+  /** Wind model for an aircraft simulated in this process, with gusts from the seed. */
   Wind wind(long seed) {
     return Wind.gusty(fromRad, speedMps, seed).withShear(shear);
   }
 
-  /** The same wind near the ground, stronger above if so wanted. */
+  /** Copy with or without shear; the wind near the ground is the same. */
   DemoWind withShear(boolean growsWithHeight) {
     return new DemoWind(speedMps, fromRad, growsWithHeight);
   }

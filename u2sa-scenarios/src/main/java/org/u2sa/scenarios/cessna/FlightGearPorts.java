@@ -3,7 +3,7 @@ package org.u2sa.scenarios.cessna;
 import org.u2sa.core.launch.LaunchOptions;
 import picocli.CommandLine.Option;
 
-/** The TCP ports between FlightGear and this program, as options. */
+/** Options for the TCP ports between FlightGear and this program. */
 final class FlightGearPorts {
   @Option(
       names = "--out-port",
@@ -45,7 +45,7 @@ final class FlightGearPorts {
     configure(options, host, out, in, property);
   }
 
-  /** Points the Simulator service at FlightGear, or at what speaks its protocol. */
+  /** Points the Simulator service at FlightGear, or at another program with its protocol. */
   static void configure(LaunchOptions options, String host, int out, int in, int property) {
     options
         .override("Simulator", "LINK", "flightgear")

@@ -19,11 +19,10 @@ import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.sim.aircraft.RunwayStart;
 
 /**
- * FlightGear, started without a window by {@code scripts/flightgear/start} on this machine and
- * stopped after the flight; or one that somebody else starts and stops, who is told how.
+ * FlightGear, started headless by {@code scripts/flightgear/start} on this machine and stopped after the flight, or started and stopped by the user according to printed instructions.
  */
 final class FlightGearSimulation implements Simulation {
-  private static final long LISTENS_WITHIN_S = 300; // on a busy machine, 100 s were seen
+  private static final long LISTENS_WITHIN_S = 300; // 100 s observed on a busy machine
   private static final long ENDS_WITHIN_S = LISTENS_WITHIN_S + 60;
 
   private final Path scripts = HomeFolder.holding("config/cessna").resolve("scripts/flightgear");
@@ -34,8 +33,8 @@ final class FlightGearSimulation implements Simulation {
   private boolean started;
 
   /**
-   * @param directory of the run: FlightGear's protocol files and the scripts' output go there
-   * @param told where to say what FlightGear must be started with; empty: it is started here
+   * @param directory output directory of the run, for FlightGear's protocol files and the scripts' output
+   * @param told receives instructions for starting FlightGear; empty if it is started here
    */
   FlightGearSimulation(
       FlightGearPorts ports, Path directory, Mission mission, Optional<Terminal> told) {

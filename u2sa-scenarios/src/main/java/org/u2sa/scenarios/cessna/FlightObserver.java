@@ -20,11 +20,11 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
- * Records the truth of a flight for its score and its screen. In: truth, goals, goal-reports,
+ * Records the ground truth of a flight for score and screen. In: truth, goals, goal-reports,
  * control-status. Out: nothing.
  */
 final class FlightObserver extends EventDrivenService implements RunObserver {
-  /** Past it the wing of the Cessna 172 no longer lifts more; clean, power off about 16°. */
+  /** Angle of attack beyond which the wing of the Cessna 172 is stalled; clean, power off about 16°. */
   private static final double STALL_ANGLE_RAD = Math.toRadians(17.0);
 
   private static final double STANDS_MPS = 0.5;
@@ -93,13 +93,13 @@ final class FlightObserver extends EventDrivenService implements RunObserver {
     return record;
   }
 
-  /** {@inheritDoc} The mission is, or it crashed, or stands after a flight. */
+  /** {@inheritDoc} True if the mission is over, or the aircraft crashed or has stopped after a flight. */
   @Override
   public boolean isOver() {
     return record.isMissionOver() || crashed || landed;
   }
 
-  /** {@inheritDoc} Stalled: the angle of attack went past the stall in the air. */
+  /** {@inheritDoc} Stalled if the angle of attack exceeded the stall angle in the air. */
   @Override
   public RunOutcome outcome() {
     return new RunOutcome(crashed ? 1 : 0, stalled, List.of());

@@ -21,7 +21,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa fly --flightgear [host]}: the demo's mission in the real FlightGear. */
+/** {@code u2sa fly --flightgear [host]}: flies the demo's mission in the real FlightGear. */
 @Command(
     name = "fly",
     description = {
@@ -93,7 +93,7 @@ final class FlyCommand implements Callable<Integer>, Demo {
         mission,
         FlightObserver::new,
         launch -> launch.override("Simulator", "MISSION", DemoFrame.absolute(mission)),
-        flightGear, // which knows no other time than the world's
+        flightGear, // supports real time only
         flightGear);
   }
 

@@ -15,7 +15,7 @@ import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.atmosphere.Wind;
 
 /**
- * The embedded aircraft in real time behind FlightGear's protocol, on free ports of this machine.
+ * Embedded aircraft in real time that speaks FlightGear's protocol, on free ports of this machine.
  */
 final class StandInSimulation implements Simulation {
   private static final String HOST = "127.0.0.1";
@@ -35,7 +35,7 @@ final class StandInSimulation implements Simulation {
     }
   }
 
-  /** Makes one, and points the Simulator service at it. */
+  /** Creates a simulation, and points the Simulator service at it. */
   static StandInSimulation of(Mission mission, Wind wind, LaunchOptions options) {
     StandInSimulation made = new StandInSimulation(mission, wind);
     FlightGearPorts.configure(

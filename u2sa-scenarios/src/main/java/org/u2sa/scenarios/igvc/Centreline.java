@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 
-/** The middle of a lane as dense points, and its width there. */
+/** Centre line of a lane as dense points, with the lane width at each. */
 final class Centreline {
   static final double STEP_M = 0.1;
 
@@ -33,12 +33,12 @@ final class Centreline {
     return widths.get(at);
   }
 
-  /** Along the lane at a point [rad from x towards y]. */
+  /** Heading of the lane at a point [rad from x towards y]. */
   double headingRad(int at) {
     return points.get(at).z();
   }
 
-  /** A place beside a point, to the left positive [m]. */
+  /** Position beside a point, left positive [m]. */
   Point beside(int at, double leftM) {
     Point middle = points.get(at);
     return Point.of(
@@ -47,7 +47,7 @@ final class Centreline {
         0.0);
   }
 
-  /** The line beside a part of it, as far as the lane reaches: side 1 left, −1 right. */
+  /** Edge of a section of the lane: side 1 left, −1 right. */
   List<Point> edge(int from, int to, int side) {
     List<Point> edge = new ArrayList<>();
     for (int i = from; i <= to; i += 2) {
@@ -59,12 +59,12 @@ final class Centreline {
     return edge;
   }
 
-  /** The first point at least so far from a point along the line; the last if there is none. */
+  /** First point at least this distance along the centre line from a point; the last if none. */
   int along(int from, double metres) {
     return Math.min(points.size() - 1, from + (int) Math.ceil(metres / STEP_M));
   }
 
-  /** The same along the lane's edge: side 1 left, −1 right. In a bend it is another length. */
+  /** Same along the lane's edge (side 1 left, −1 right), whose length differs in bends. */
   int alongEdge(int from, int side, double metres) {
     int at = from;
     double gone = 0.0;

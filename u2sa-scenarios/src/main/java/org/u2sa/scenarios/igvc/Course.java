@@ -13,13 +13,7 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.world.Ramp;
 
 /**
- * A course on a lawn: objects of a world XML file, east and north of its origin [m]. Types say what
- * they are: those that {@link Scenery} draws, and what nobody sees: {@code lane boundary}
- * (PolyLine: where the judge calls a crossing, gaps in the paint included), {@code course end}
- * (PolyLine: behind the start and beyond the finish, where nobody passes), {@code waypoint} (Circle
- * with its radius, in the order of the course), {@code start} (Line: from the vehicle's place to
- * somewhere ahead), {@code fence} (PolyLine: the edge of the field, which the vehicle is told
- * beforehand).
+ * A course on a lawn: objects of a world XML file, east and north of its origin [m]. Object types are those that {@link Scenery} draws, and invisible ones: {@code lane boundary} (PolyLine: where the judge counts a crossing, including gaps in the paint), {@code course end} (PolyLine: behind the start and beyond the finish, not to be passed), {@code waypoint} (Circle with its radius, in course order), {@code start} (Line: from the vehicle's position to a point ahead), {@code fence} (PolyLine: the edge of the field, known to the vehicle beforehand).
  *
  * @param origin file or seed, for messages
  */
@@ -37,21 +31,20 @@ record Course(String origin, List<ObjectDescription> objects) {
   static final double WAYPOINT_M = 2.0;
 
   /**
-   * Where the vehicle stands at first.
+   * Start pose of the vehicle.
    *
-   * @param headingRad clockwise from north
+   * @param headingRad heading, clockwise from north [rad]
    */
   record Start(double eastM, double northM, double headingRad) {}
 
-  /** A place to go to. */
+  /** A waypoint to reach. */
   record Goal(String name, double eastM, double northM, double radiusM) {}
 
   /** A ramp and its name. */
   record NamedRamp(String uid, Ramp ramp) {}
 
   /**
-   * @throws BadInputException if it has no start or no waypoint, something is in another frame, or
-   *     a ramp is none
+   * @throws BadInputException if it has no start or no waypoint, an object is in another frame, or a ramp is invalid
    */
   Course {
     objects = List.copyOf(objects);
@@ -110,7 +103,7 @@ record Course(String origin, List<ObjectDescription> objects) {
     }
   }
 
-  /** Where the vehicle starts. */
+  /** Start pose. */
   Start start() {
     Line line = (Line) of(START).get(0);
     Point from = line.points().get(0);
@@ -119,7 +112,7 @@ record Course(String origin, List<ObjectDescription> objects) {
     return new Start(from.x(), from.y(), heading < 0.0 ? heading + 2.0 * Math.PI : heading);
   }
 
-  /** Where it goes, in order. */
+  /** Waypoints, in order. */
   List<Goal> goals() {
     return of(WAYPOINT).stream()
         .map(object -> (Circle) object)
@@ -127,12 +120,12 @@ record Course(String origin, List<ObjectDescription> objects) {
         .toList();
   }
 
-  /** What is to be driven over. */
+  /** Ramps to drive over. */
   List<NamedRamp> ramps() {
     return ramps(origin, objects);
   }
 
-  /** Where lanes end, to both sides. */
+  /** Lane boundaries on both sides. */
   List<PolyLine> boundaries() {
     return of(BOUNDARY).stream()
         .filter(PolyLine.class::isInstance)
@@ -140,12 +133,12 @@ record Course(String origin, List<ObjectDescription> objects) {
         .toList();
   }
 
-  /** The edge of the field, as the vehicle is told; none where a course does not say. */
+  /** Edges of the field, known to the vehicle; empty if the course has none. */
   List<PolyLine> fences() {
     return of(FENCE).stream().filter(PolyLine.class::isInstance).map(PolyLine.class::cast).toList();
   }
 
-  /** What the judge calls crossings of: boundaries and ends. */
+  /** Lines whose crossing the judge counts: boundaries and ends. */
   List<ObjectDescription> limits() {
     return objects.stream()
         .filter(PolyLine.class::isInstance)
@@ -153,7 +146,7 @@ record Course(String origin, List<ObjectDescription> objects) {
         .toList();
   }
 
-  /** Everything of one type, in order. */
+  /** All objects of a type, in order. */
   List<ObjectDescription> of(String type) {
     return objects.stream().filter(object -> object.objectType().equals(type)).toList();
   }

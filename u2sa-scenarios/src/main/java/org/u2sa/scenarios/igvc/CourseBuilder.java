@@ -12,7 +12,7 @@ import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.camera.Scenery;
 
-/** Puts the things of a course where they are, in the axes of its layout or turned. */
+/** Places the objects of a course, given in the axes of its layout, optionally rotated and mirrored. */
 final class CourseBuilder {
   static final double BARREL_RADIUS_M = 0.3;
   static final double POTHOLE_RADIUS_M = 0.3048; // 2 ft across
@@ -21,15 +21,15 @@ final class CourseBuilder {
   private static final double FLAG_RADIUS_M = 0.03;
 
   private final List<ObjectDescription> objects = new ArrayList<>();
-  private final Point origin; // of the course, in the layout's axes
+  private final Point origin; // course origin, in layout axes
   private final double cos;
   private final double sin;
   private final double mirror;
 
   /**
-   * @param origin which point of the layout is the course's origin
-   * @param turnedRad of the layout, anticlockwise
-   * @param mirrored whether its left is right
+   * @param origin point of the layout that becomes the course origin
+   * @param turnedRad rotation of the layout, counterclockwise [rad]
+   * @param mirrored whether left and right are swapped
    */
   CourseBuilder(Point origin, double turnedRad, boolean mirrored) {
     this.origin = origin;
@@ -77,7 +77,7 @@ final class CourseBuilder {
   }
 
   void flag(Point at, boolean red) {
-    boolean isRed = red == mirror > 0.0; // a mirrored course has its sides exchanged
+    boolean isRed = red == mirror > 0.0; // mirroring swaps the sides
     String type = isRed ? Scenery.RED_FLAG : Scenery.BLUE_FLAG;
     named(new Cylinder(), type, placed(at), 0.5).height(1.0).radius(FLAG_RADIUS_M);
   }
@@ -87,9 +87,9 @@ final class CourseBuilder {
   }
 
   /**
-   * A sawhorse.
+   * Adds a sawhorse.
    *
-   * @param alongRad direction of its length in the layout
+   * @param alongRad direction of its length in the layout [rad]
    */
   void sawhorse(Point at, double alongRad, double lengthM) {
     Box box = named(new Box(), Scenery.SAWHORSE, placed(at), 0.5);
@@ -97,9 +97,9 @@ final class CourseBuilder {
   }
 
   /**
-   * A ramp, which is not added.
+   * Creates a ramp without adding it.
    *
-   * @param profile along its middle in the layout, and up
+   * @param profile centre line in the layout, with heights
    */
   PolyLine ramp(List<Point> profile, double widthM) {
     List<Point> points = new ArrayList<>();

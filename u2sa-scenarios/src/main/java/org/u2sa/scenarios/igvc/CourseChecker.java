@@ -11,10 +11,7 @@ import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.camera.Scenery;
 
 /**
- * Whether a course obeys the rules, by its objects alone, however it was made: lanes of 10 to 20
- * ft, turns of 5 ft and more, everything on the field, nothing on a line's wrong side, and a
- * passage of 5 ft all the way from the start past every waypoint. Distances are those of the
- * objects' own shapes.
+ * Checks a course against the rules by its objects alone, regardless of its source: lanes of 10 to 20 ft, turn radii of at least 5 ft, everything on the field, nothing on the wrong side of a line, and a passage of 5 ft from the start past every waypoint. Distances are computed by the objects' own shapes.
  */
 final class CourseChecker {
   static final double PASSAGE_M = 1.524; // 5 ft
@@ -25,7 +22,7 @@ final class CourseChecker {
   private static final double CELL_M = 0.05;
   private static final double MARGIN_M = 3.0;
   private static final double ROUNDING_M = 0.005;
-  private static final double ROUNDING = 1.0e-12; // parts of one straight line do not cross
+  private static final double ROUNDING = 1.0e-12; // collinear segments do not cross
 
   private final Course course;
   private final List<String> faults = new ArrayList<>();
@@ -34,7 +31,7 @@ final class CourseChecker {
     this.course = course;
   }
 
-  /** What is wrong with a course, a sentence each; empty if nothing is. */
+  /** Rule violations of a course, one sentence each; empty if none. */
   static List<String> faults(Course course) {
     CourseChecker checker = new CourseChecker(course);
     checker.lanes();
@@ -64,7 +61,7 @@ final class CourseChecker {
     }
   }
 
-  /** Each point of a boundary has the other side of its lane as far away as a lane is wide. */
+  /** Checks that each boundary point is one lane width away from the opposite boundary. */
   private void lanes() {
     List<PolyLine> lines = course.boundaries();
     for (int i = 0; i < lines.size(); i++) {
@@ -88,7 +85,7 @@ final class CourseChecker {
     }
   }
 
-  /** Of the circle through three points: a b c / 4 A. */
+  /** Radius of the circle through three points: a b c / 4 A. */
   private static double radiusM(Point a, Point b, Point c) {
     double ab = Math.hypot(b.x() - a.x(), b.y() - a.y());
     double bc = Math.hypot(c.x() - b.x(), c.y() - b.y());
@@ -97,7 +94,7 @@ final class CourseChecker {
     return twice == 0.0 ? Double.POSITIVE_INFINITY : ab * bc * ca / (2.0 * Math.abs(twice));
   }
 
-  /** Both sides of a lane, or two lines of different lanes. */
+  /** Checks the distance of both sides of a lane, or of lines of different lanes. */
   private void apart(PolyLine one, PolyLine other, boolean isLane) {
     for (Point point : one.points()) {
       double away = metres(point, other.points());
@@ -158,7 +155,7 @@ final class CourseChecker {
     return Math.hypot(p.x() - a.x() - share * dx, p.y() - a.y() - share * dy);
   }
 
-  /** A disc as wide as the least passage gets from the start to every waypoint in order. */
+  /** Checks that a disc of the minimum passage width can move from the start past every waypoint in order. */
   private void passages() {
     double[] bounds = bounds();
     int columns = (int) Math.ceil((bounds[2] - bounds[0]) / CELL_M);
@@ -183,7 +180,7 @@ final class CourseChecker {
     }
   }
 
-  /** What the vehicle must not touch. */
+  /** Whether the vehicle must not touch the object. */
   static boolean isInTheWay(ObjectDescription object) {
     return switch (object.objectType()) {
       case Course.WAYPOINT, Course.START, Scenery.LINE, Scenery.WORN_LINE, Scenery.RAMP -> false;
@@ -232,7 +229,7 @@ final class CourseChecker {
     }
   }
 
-  /** A place at the goal that is reached from there; the nearest to the goal's middle first. */
+  /** Reachable position within the goal, preferring the one nearest to its centre. */
   private static Optional<Point> reach(
       double x,
       double y,

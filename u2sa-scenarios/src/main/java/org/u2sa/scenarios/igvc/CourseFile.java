@@ -29,7 +29,7 @@ final class CourseFile {
     return new Course(file.toString(), WorldFile.load(file).objects());
   }
 
-  /** Writes a course so that {@link #read} reads the same. */
+  /** Writes a course that {@link #read} restores identically. */
   static void write(Course course, Path file) {
     ReportFile.writeText(file, out -> out.write(text(course)));
   }

@@ -7,18 +7,18 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.sensor.NoiseStreams;
 
 /**
- * Draws random courses by the competition's rules until one passes the {@link CourseChecker}: lanes
+ * Generates random courses by the competition's rules until one passes the {@link CourseChecker}: lanes
  * of 10 to 20 ft with curves and switchbacks, dashed and worn paint, barrels, sawhorses, potholes,
- * flags, gaps that are too narrow beside others that are not, a dead end, and no-man's land with
+ * flags, gaps too narrow to pass beside passable ones, a dead end, and no-man's land with
  * waypoints.
  */
 final class CourseGenerator {
   private static final int REDRAWS = 10;
   private static final int TRIES = 40;
-  private static final double CALMER = 8.0; // drafts after which lanes sway half as much
-  private static final double START_M = 1.2; // from the lines' beginning to the vehicle
-  private static final double CLEAR_M = 16.0; // nothing stands on the timed 44 ft
-  private static final double PASSAGE_M = 1.65; // 5 ft are the least
+  private static final double CALMER = 8.0; // drafts until the sway is halved
+  private static final double START_M = 1.2; // from the start of the lines to the vehicle
+  private static final double CLEAR_M = 16.0; // no obstacles on the timed 44 ft
+  private static final double PASSAGE_M = 1.65; // the rules require 5 ft
   private static final double DECOY_M = 1.1;
   private static final double FENCE_M = 0.6;
   private static final double FT = 0.3048;
@@ -33,18 +33,16 @@ final class CourseGenerator {
   }
 
   /**
-   * The course of a seed. Where many drafts are illegal, others are drawn from a stream derived
-   * from the seed; the course's name says so.
+   * Generates the course of a seed. If too many drafts are illegal, redraws from a random stream derived from the seed, which the course's name states.
    *
-   * @throws IllegalStateException if none of all those is legal
+   * @throws IllegalStateException if no draft is legal
    */
   static Course course(long seed) {
     return course(seed, Ramps.SOME);
   }
 
   /**
-   * The same, where ramps are as told. Whether and where one is comes from a stream of its own:
-   * everything else is where it is without.
+   * Same with ramps. They use a separate random stream, so that everything else is the same as without.
    */
   static Course course(long seed, Ramps ramps) {
     String faults = "";
@@ -53,7 +51,7 @@ final class CourseGenerator {
       Random random = new NoiseStreams(seed).of(stream);
       String name = "course " + seed + (redraw == 0 ? "" : ", redraw " + redraw);
       for (int i = 0; i < TRIES; i++) {
-        double sway = CALMER / (CALMER + i); // wild curves are too tight for a wide lane
+        double sway = CALMER / (CALMER + i); // strong curves are too tight for a wide lane
         CourseGenerator generator = new CourseGenerator(random);
         Course course = generator.draft(name, sway);
         List<String> found = CourseChecker.faults(course);
@@ -91,7 +89,7 @@ final class CourseGenerator {
     return builder.course(name);
   }
 
-  /** Around the field, a little outside: a receiver's error must not put it into a lane. */
+  /** Fence slightly outside the field, so that a GPS error cannot shift it into a lane. */
   private void fence() {
     double west = -FENCE_M;
     double south = -FENCE_M;
@@ -122,7 +120,7 @@ final class CourseGenerator {
       builder.line(Course.BOUNDARY, line.edge(from, to, side));
     }
     int at = from;
-    boolean plain = from == 0; // the first metres are painted whole
+    boolean plain = from == 0; // the first metres are solid
     while (at < to) {
       int end = line.along(at, plain ? CLEAR_M : 8.0 + 12.0 * random.nextDouble());
       end = end > to - 30 ? to : end;
@@ -140,7 +138,7 @@ final class CourseGenerator {
     }
   }
 
-  /** One side is whole; the other has dashes of 15 to 20 ft, 10 to 15 ft apart along the paint. */
+  /** One side is solid; the other has dashes of 15 to 20 ft with gaps of 10 to 15 ft. */
   private void dashes(int from, int to, int side) {
     builder.line(Scenery.LINE, line.edge(from, to, -side));
     int at = from;
@@ -161,7 +159,7 @@ final class CourseGenerator {
     builder.waypoint(line.beside(line.count() - 15, 0.0));
   }
 
-  /** Groups of obstacles, one after the other, each with a passage beside it. */
+  /** Successive groups of obstacles, each with a passage beside it. */
   private void obstacles(int from, int to) {
     int at = line.along(from, 2.0 * random.nextDouble());
     while (at < to) {
@@ -179,7 +177,7 @@ final class CourseGenerator {
     }
   }
 
-  /** A barrel, or two in a row, with the passage to its other side. */
+  /** One barrel, or two in a row, with the passage on the other side. */
   private int barrelAside(int at, double width) {
     int side = random.nextBoolean() ? 1 : -1;
     double most = 0.5 * width - PASSAGE_M - CourseBuilder.BARREL_RADIUS_M; // towards the passage
@@ -193,7 +191,7 @@ final class CourseGenerator {
     return at;
   }
 
-  /** Two barrels: between one and the line the passage, between both a gap that is too narrow. */
+  /** Two barrels with a gap too narrow to pass; the passage is between one of them and the line. */
   private void decoy(int at, double width) {
     int side = random.nextBoolean() ? 1 : -1;
     double diameter = 2.0 * CourseBuilder.BARREL_RADIUS_M;
@@ -205,7 +203,7 @@ final class CourseGenerator {
     }
   }
 
-  /** A sawhorse across the lane, from one line on. */
+  /** A sawhorse across the lane, starting at one line. */
   private void sawhorse(int at, double width) {
     int side = random.nextBoolean() ? 1 : -1;
     double room = width - PASSAGE_M - 0.15;
@@ -222,7 +220,7 @@ final class CourseGenerator {
     builder.pothole(line.beside(at, side * (most - 0.8 * random.nextDouble())));
   }
 
-  /** Red flags to the right of the way, blue ones to its left, in turn. */
+  /** Alternating flags: red to the right of the path, blue to its left. */
   private int flags(int from, int to, double width) {
     int at = from;
     boolean red = random.nextBoolean();
@@ -236,7 +234,7 @@ final class CourseGenerator {
     return at;
   }
 
-  /** Barrels to both sides, the passage in the middle. */
+  /** Barrels on both sides, with the passage in the middle. */
   private void gate(int at, double width) {
     double passage = PASSAGE_M + 0.5 * random.nextDouble();
     double shift = 0.4 * (width - 2.6) * (random.nextDouble() - 0.5);
@@ -249,7 +247,7 @@ final class CourseGenerator {
     }
   }
 
-  /** Scattered barrels and sawhorses, and a dead end on the straight way. */
+  /** Scattered barrels and sawhorses, and a dead end on the direct path. */
   private void noMansLand() {
     int begin = layout.lanesEnd();
     int end = layout.lanesBegin();
@@ -271,7 +269,7 @@ final class CourseGenerator {
     }
   }
 
-  /** Barrels in a U that opens towards the vehicle, closer than any vehicle is wide. */
+  /** Barrels in a U open towards the vehicle, with gaps narrower than any vehicle. */
   private void deadEnd(int at) {
     double shift = 0.8 * (random.nextDouble() - 0.5);
     for (int k = -1; k <= 1; k++) {

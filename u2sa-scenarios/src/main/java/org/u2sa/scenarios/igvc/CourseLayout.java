@@ -3,10 +3,9 @@ package org.u2sa.scenarios.igvc;
 import java.util.Random;
 
 /**
- * Where the lanes of a random course run: four rows across the field, joined by half circles; one
- * of the inner rows is no-man's land without lines.
+ * Layout of the lanes of a random course: four rows across the field, joined by half circles; one of the inner rows is no-man's land without lines.
  *
- * @param line the middle of the whole way
+ * @param line centre line of the whole course
  * @param lanesEnd last point of the first lane
  * @param lanesBegin first point of the second
  */
@@ -15,16 +14,16 @@ record CourseLayout(Centreline line, int lanesEnd, int lanesBegin) {
   static final double WIDTH_M = 30.48; // 100 ft
 
   private static final int ROWS = 4;
-  private static final double LEAST_WIDTH_M = 3.2; // 10 ft are the least
-  private static final double MOST_WIDTH_M = 5.2; // 20 ft are the most
+  private static final double LEAST_WIDTH_M = 3.2; // the rules require 10 ft
+  private static final double MOST_WIDTH_M = 5.2; // the rules allow 20 ft
   private static final double BETWEEN_LANES_M = 0.7;
-  private static final double INNER_RADIUS_M = 1.6; // 5 ft are the least
+  private static final double INNER_RADIUS_M = 1.6; // the rules require 5 ft
   private static final double STRAIGHT_M = 15.0; // at the start: 44 ft are timed
 
   /**
-   * One of countless ways.
+   * Creates a random layout.
    *
-   * @param calm share of its sway that a lane keeps, 0…1
+   * @param calm factor on the lanes' sway, 0…1
    */
   static CourseLayout random(Random random, double calm) {
     double pitch = 7.2 + 1.3 * random.nextDouble();
@@ -112,7 +111,7 @@ record CourseLayout(Centreline line, int lanesEnd, int lanesBegin) {
     }
   }
 
-  /** The width of the lane, which changes slowly along it. */
+  /** Lane width, which varies slowly along the lane. */
   private static final class Width {
     private final double waveM;
     private final double phase;

@@ -11,16 +11,14 @@ import org.u2sa.mission.Mission;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * What a team is told of a course: where it starts, its waypoints, the box around the start, and
- * the fences around the field.
+ * Information that a team gets about a course: start, waypoints, the box around the start and the fences around the field.
  */
 final class CourseMission {
-  /** The vehicle goes for the middle of a waypoint, however wide the judge's circle is. */
+  /** Makes the vehicle aim for the centre of a waypoint, regardless of the size of the judge's circle. */
   private static final double THRESHOLD_M = 0.9;
 
   /**
-   * Ahead and to the right [m]: 1 m behind the vehicle, to where the camera sees the lines; half of
-   * the narrowest lane to each side. Around the vehicle, whatever its receiver says of the place.
+   * Forward and right [m]: from 1 m behind the vehicle to where the camera sees the lines, and half of the narrowest lane to each side. In the body frame, independent of GPS errors.
    */
   private static final String START_BOX = "2.2 -1.5; -1.0 -1.5; -1.0 1.5; 2.2 1.5";
 
@@ -29,7 +27,7 @@ final class CourseMission {
   /**
    * Writes the mission.
    *
-   * @param origin of the course
+   * @param origin origin of the course
    */
   static Mission write(Course course, Geodetic origin, Path file) {
     LocalPlane plane = new LocalPlane(origin);
@@ -57,8 +55,7 @@ final class CourseMission {
   }
 
   /**
-   * Writes a world of what is known beforehand: nobody drives backwards out of the start, nor
-   * through the lines beside it, which the camera cannot see yet, nor off the field.
+   * Writes a world with prior knowledge that keeps the vehicle from driving backwards out of the start, through the lines beside it, which the camera cannot see yet, or off the field.
    */
   static Path writeKnown(Course course, Geodetic origin, Path file) {
     LocalPlane plane = new LocalPlane(origin);

@@ -21,11 +21,11 @@ import org.u2sa.messages.shape.Line;
 import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.world.Ramp;
 
-/** Draws a course from above, north up, and what the vehicle does on it. */
+/** Draws a course from above, north up, with the vehicle's track, plan and detections. */
 final class CoursePainter {
   private static final double MARGIN_M = 2.0;
   private static final Color GRASS = new Color(0x4B, 0x7A, 0x3A);
-  private static final int[] BOARDS = {0xC8, 0xA8, 0x78}; // red, green, blue at the top
+  private static final int[] BOARDS = {0xC8, 0xA8, 0x78}; // RGB at the top
   private static final double PLANK_M = 0.2;
   private static final Color WORN = new Color(255, 255, 255, 120);
   private static final Color SEEN = new Color(0x20, 0x50, 0xE0);
@@ -55,9 +55,9 @@ final class CoursePainter {
   }
 
   /**
-   * Draws all of a course.
+   * Draws the whole course.
    *
-   * @param longest pixels of the picture's longer side
+   * @param longest longer side of the picture [px]
    */
   static CoursePainter whole(Course course, VehicleOutline outline, int longest) {
     double west = Double.POSITIVE_INFINITY;
@@ -76,7 +76,7 @@ final class CoursePainter {
     return new CoursePainter(course, outline, new double[] {west, south, east, north}, longest);
   }
 
-  /** Draws a square around a place, so far to each side [m], of so many pixels. */
+  /** Draws a square around a position, given its half width [m] and its size [px]. */
   static CoursePainter around(
       Course course, VehicleOutline outline, Point at, double reachM, int pixels) {
     return new CoursePainter(
@@ -86,7 +86,7 @@ final class CoursePainter {
         pixels);
   }
 
-  /** A new picture of the course. */
+  /** Creates a new picture of the course. */
   BufferedImage course() {
     BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
     Graphics2D graphics = on(image);
@@ -108,7 +108,7 @@ final class CoursePainter {
     return graphics;
   }
 
-  /** Boards, the brighter the higher. */
+  /** Ramp boards, brighter with height. */
   private void draw(Graphics2D graphics, Ramp ramp) {
     Path2D boards = new Path2D.Double();
     for (double along = 0.0; along <= ramp.lengthM(); along += PLANK_M) {
@@ -138,7 +138,7 @@ final class CoursePainter {
       case Scenery.LINE -> stroke(graphics, ((Line) object).points(), Color.WHITE, 0.1);
       case Scenery.WORN_LINE -> stroke(graphics, ((Line) object).points(), WORN, 0.1);
       case Course.BOUNDARY, Course.END, Course.START, Course.FENCE, Scenery.RAMP -> {
-        // seen by nobody; ramps are under all else
+        // invisible, or (ramps) already drawn below all else
       }
       case Course.WAYPOINT -> {
         graphics.setColor(Color.CYAN);
@@ -194,9 +194,9 @@ final class CoursePainter {
   }
 
   /**
-   * Adds what a grid has as occupied (dark) and free (light).
+   * Adds the occupied (dark) and free (light) cells of a grid.
    *
-   * @param place puts points of a frame on the course; empty if there is no way
+   * @param place converts points of a frame to the course; empty if impossible
    */
   void grid(BufferedImage image, OccupancyGrid grid, Placing place) {
     Graphics2D graphics = on(image);
@@ -216,12 +216,12 @@ final class CoursePainter {
     graphics.dispose();
   }
 
-  /** Puts points of a frame on the course. */
+  /** Converts points of a frame to the course. */
   interface Placing {
     List<Point> of(List<Point> points, ReferenceFrame frame);
   }
 
-  /** Adds what the vehicle knows and wants at a moment, and where it has been. */
+  /** Adds the vehicle's detections and plan at a moment, and its track. */
   void moment(BufferedImage image, RunFilm.Moment moment, List<Point> track) {
     Graphics2D graphics = on(image);
     for (RunFilm.Seen seen : moment.seen()) {

@@ -15,7 +15,7 @@ import org.u2sa.scenarios.report.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** Lets the judge and the film see a run, and writes what they have when it is over. */
+/** Feeds a run to the judge and the film, and writes their results at the end. */
 final class CourseScorer implements TruthObserver.Scorer {
   private final Judge judge;
   private final RunFilm film;
@@ -24,7 +24,7 @@ final class CourseScorer implements TruthObserver.Scorer {
   private final DoubleConsumer time;
 
   /**
-   * @param time hears what time it is in the run [s]
+   * @param time receives the time of the run [s]
    */
   CourseScorer(
       Judge judge, RunFilm film, RunSnapshots snapshots, Path directory, DoubleConsumer time) {

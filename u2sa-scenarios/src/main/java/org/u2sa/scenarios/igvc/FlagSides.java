@@ -8,16 +8,15 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * On which side flags are passed: red ones belong to the right of the way, blue ones to its left. A
- * flag is passed where the vehicle was nearest to it, once it is farther away again.
+ * Checks on which side flags are passed: red ones must be to the right of the path, blue ones to its left. The side is taken at the closest approach, once the vehicle moves away again.
  */
 final class FlagSides {
   /**
-   * Farther away a flag does not concern the vehicle: nobody passes it so between it and a line.
+   * Distance beyond which flags are ignored: too far to pass between the flag and a line.
    */
   private static final double REACH_M = 2.5;
 
-  private static final double PASSED_M = 0.1; // farther than at the nearest place
+  private static final double PASSED_M = 0.1; // beyond the closest approach
   private static final double MOVES_MPS = 0.1;
 
   private final List<Flag> flags = new ArrayList<>();
@@ -26,7 +25,7 @@ final class FlagSides {
     final ObjectDescription object;
     final boolean isRed;
     double nearestM = REACH_M;
-    boolean isWrong; // at the nearest place
+    boolean isWrong; // at the closest approach
     boolean isPassed; // until it is out of reach
 
     Flag(ObjectDescription object) {
@@ -34,7 +33,7 @@ final class FlagSides {
       isRed = object.objectType().equals(Scenery.RED_FLAG);
     }
 
-    /** Whether it has just been passed on the wrong side. */
+    /** Whether the flag was just passed on the wrong side. */
     boolean see(Point at, Point velocity) {
       double east = object.x() - at.x();
       double north = object.y() - at.y();
@@ -59,10 +58,10 @@ final class FlagSides {
     course.of(Scenery.BLUE_FLAG).forEach(object -> flags.add(new Flag(object)));
   }
 
-  /** The flags that have just been passed on the wrong side. */
+  /** Flags that were just passed on the wrong side. */
   List<ObjectDescription> wrong(VehicleTruth truth) {
     if (truth.speedMps() < MOVES_MPS) {
-      return List.of(); // a vehicle that turns on the spot moves nowhere
+      return List.of(); // turning in place has no direction of travel
     }
     return flags.stream()
         .filter(flag -> flag.see(truth.position(), truth.velocity()))

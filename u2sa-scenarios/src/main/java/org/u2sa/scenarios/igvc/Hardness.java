@@ -7,9 +7,9 @@ import org.u2sa.sim.ground.DrivingHazard;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.sim.sensor.NoiseStreams;
 
-/** What may be worse than usual in a run; where and when follows from the seed. */
+/** Kinds of adverse conditions in a run; places and times depend on the seed. */
 enum Hardness {
-  /** Satellites are heard by reflections, for some seconds in most minutes. */
+  /** GNSS multipath, for some seconds in most minutes. */
   MULTIPATH {
     @Override
     Hazards with(Hazards hazards, Course course, Random random) {
@@ -28,10 +28,10 @@ enum Hardness {
     }
   },
 
-  /** The laser loses echoes, and measures between what is before and behind an edge. */
+  /** The laser loses echoes, and at edges measures ranges between foreground and background. */
   MIXED_PIXELS,
 
-  /** Patches of mud, on which wheels slip. */
+  /** Patches of mud where wheels slip. */
   SLIP {
     @Override
     Hazards with(Hazards hazards, Course course, Random random) {
@@ -46,7 +46,7 @@ enum Hardness {
     }
   },
 
-  /** Cables and iron in the ground, beside which the compass errs by some ten degrees. */
+  /** Cables and iron in the ground that disturb the compass by some ten degrees. */
   COMPASS {
     @Override
     Hazards with(Hazards hazards, Course course, Random random) {
@@ -66,7 +66,7 @@ enum Hardness {
   private static final double AROUND_M = 20.0;
   private static final SimulatedLaser.Faults FAULTS = new SimulatedLaser.Faults(0.02, 0.3);
 
-  /** Somewhere around the course's waypoints. */
+  /** Random place near one of the course's waypoints. */
   private record Place(double eastM, double northM) {
     static Place on(Course course, Random random) {
       Course.Goal goal = course.goals().get(random.nextInt(course.goals().size()));
@@ -76,12 +76,12 @@ enum Hardness {
     }
   }
 
-  /** These hazards and those of this kind. */
+  /** Adds hazards of this kind to the given ones. */
   Hazards with(Hazards hazards, Course course, Random random) {
     return hazards;
   }
 
-  /** All hazards of these kinds; each kind has a stream of its own. */
+  /** All hazards of the chosen kinds; each kind uses a separate random stream. */
   static Hazards hazards(Set<Hardness> chosen, Course course, NoiseStreams streams) {
     Hazards hazards = Hazards.none();
     for (Hardness each : values()) {
@@ -92,7 +92,7 @@ enum Hardness {
     return hazards;
   }
 
-  /** What goes wrong with the laser's beams. */
+  /** Faults of the laser. */
   static SimulatedLaser.Faults laser(Set<Hardness> chosen) {
     return chosen.contains(MIXED_PIXELS) ? FAULTS : SimulatedLaser.Faults.NONE;
   }

@@ -40,7 +40,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
 
   private static final double MOST_MINUTES = 60.0;
 
-  /** Rochester, Michigan, where the competition is held: a course's origin. */
+  /** Course origin: Rochester, Michigan, where the competition is held. */
   private static final Geodetic ORIGIN = new Geodetic(-83.2190, 42.6780, 290.0);
 
   @Mixin private DemoFrame frame;
@@ -49,7 +49,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       names = "--course",
       paramLabel = "FILE",
       description = "World XML file of a course, as each run writes one (course.xml).")
-  private Path courseFile; // null: of the seed
+  private Path courseFile; // null: generated from the seed
 
   @Option(
       names = "--ramps",
@@ -164,7 +164,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
             new CourseScorer(judge, film, snapshots, directory, world::time)),
         launch -> {
           launch
-              .override("SafetyManager", "ARM AT START", true) // the demo is its own operator
+              .override("SafetyManager", "ARM AT START", true) // the demo acts as operator
               .override("WorldModeler", "WORLD", known.toAbsolutePath().toString())
               .making(LidarSensor.class, context -> new LidarSensor(context, world.laser()))
               .making(

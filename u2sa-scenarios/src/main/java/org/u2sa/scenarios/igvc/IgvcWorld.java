@@ -43,15 +43,14 @@ import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
- * The simulated world of one run: a vehicle on a course, with its sensors and the IOIO board that
- * it is wired to.
+ * Simulated world of one run: a vehicle on a course, with its sensors and IOIO board.
  */
 final class IgvcWorld {
   private static final int COMPASS_BAUD = 9600;
   private static final double YEAR = 2026.4;
   private static final double MOST_MISMATCH = 0.05;
   private static final double PAYLOAD_KG = 9.1; // the rules' 20 lb
-  private static final double LASER_FORWARD_M = 0.35; // as LidarSensor.xml says
+  private static final double LASER_FORWARD_M = 0.35; // as in LidarSensor.xml
   private static final double LASER_UP_M = 0.4;
   private static final double CAMERA_HZ = 5.0;
 
@@ -59,7 +58,7 @@ final class IgvcWorld {
       new SimulatedLaser.Optics(
           10.0, Math.toRadians(-135.0), Math.toRadians(0.5), 541, 0.06, 10.0, 0.03);
 
-  /** A receiver with differential corrections: 0.35 m that wander over a minute and a half. */
+  /** DGPS receiver: error of 0.35 m with a correlation time of a minute and a half. */
   private static final GpsParameters RECEIVER =
       new GpsParameters(5.0, 0.1, 0.04, 0.35, 90.0, 1.6, 0.05, 0.0, 1.0, 12, 2);
 
@@ -73,14 +72,14 @@ final class IgvcWorld {
   private final double cameraDiesS;
   private final double lidarDiesS;
   private final Set<Hardness> hardness;
-  private volatile SimulatedLaser laser; // null: not yet asked for
+  private volatile SimulatedLaser laser; // null until requested
   private volatile SimulatedColourCamera camera;
 
   /**
-   * @param origin of the course on the earth
-   * @param cameraDiesS when the camera is pulled out [s]; infinite: never
-   * @param lidarDiesS the same of the laser
-   * @param hardness what is worse than usual
+   * @param origin geographic origin of the course
+   * @param cameraDiesS time at which the camera is unplugged [s]; infinite for never
+   * @param lidarDiesS time at which the laser is unplugged [s]; infinite for never
+   * @param hardness adverse conditions
    */
   IgvcWorld(
       Course course,
@@ -124,7 +123,7 @@ final class IgvcWorld {
     return lawn.with((Terrain) ground).with((Surface) ground);
   }
 
-  /** What a level laser sees; paint it does not. */
+  /** Objects visible to a level laser, i.e. all but paint. */
   private static List<ObjectDescription> solids(Course course) {
     return course.objects().stream()
         .filter(object -> object instanceof Cylinder || object instanceof Box)
@@ -159,7 +158,7 @@ final class IgvcWorld {
     return board;
   }
 
-  /** The truth of the last moment. Safe from any thread. */
+  /** Latest ground truth. Thread-safe. */
   VehicleTruth truth() {
     return vehicle.truth();
   }
@@ -190,7 +189,7 @@ final class IgvcWorld {
     return laser;
   }
 
-  /** Pulls out what dies at that time of the run [s]. */
+  /** Unplugs the devices that fail by this time of the run [s]. */
   void time(double nowS) {
     if (camera != null && nowS >= cameraDiesS) {
       camera.plug(false);
@@ -200,7 +199,7 @@ final class IgvcWorld {
     }
   }
 
-  /** A camera on the day of the seed. */
+  /** A camera with the seed's lighting. */
   Camera camera() {
     NoiseStreams streams = new NoiseStreams(seed);
     Light light = Light.random(streams.of("light"));

@@ -16,10 +16,7 @@ import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /**
- * Judges a run by the competition's rules and the truth: no part of the vehicle on a line, gaps in
- * its paint and the ends of the course included, nor on an obstacle; more than 1 mph on average
- * over the first 44 ft, never more than 5 mph; not more than a minute at rest; six minutes in all.
- * A touch that lasts is one. Flags passed on the wrong side are counted, but spoil no run.
+ * Judges a run by the competition's rules and ground truth: no part of the vehicle on a line (including gaps in its paint and the ends of the course) or an obstacle; more than 1 mph on average over the first 44 ft, never more than 5 mph; at most a minute at rest; six minutes in all. A continuous touch counts once. Flags passed on the wrong side are counted, but do not fail a run.
  */
 final class Judge {
   static final double SLOWEST_MPS = 0.44704; // 1 mph
@@ -29,7 +26,7 @@ final class Judge {
   static final double RUN_S = 360.0;
   static final double WAYPOINT_M = 2.0;
 
-  private static final double SETTLED_S = 1.0; // a touch that ends for less is the same one
+  private static final double SETTLED_S = 1.0; // shorter interruptions are the same touch
 
   private final World lines;
   private final World obstacles;
@@ -54,10 +51,9 @@ final class Judge {
   private volatile boolean over;
 
   /**
-   * @param frontM from the vehicle's reference point to its front
-   * @param rearM to its rear
-   * @param runS time after which the run is over [s]: {@link #RUN_S}, unless the course is longer
-   *     than the rules have it
+   * @param frontM distance from the vehicle's reference point to its front [m]
+   * @param rearM distance from the reference point to its rear [m]
+   * @param runS time limit of the run [s]: {@link #RUN_S}, unless the course is longer than in the rules
    */
   Judge(Course course, double frontM, double rearM, double widthM, double runS) {
     this.runS = runS;
@@ -75,7 +71,7 @@ final class Judge {
     body = Footprint.rectangle(frontM, rearM, widthM, -1.0, 0.5);
   }
 
-  /** Looks at a moment, later than the last one. */
+  /** Judges a moment, later than the last one. */
   void see(VehicleTruth truth) {
     if (over) {
       return;
@@ -114,7 +110,7 @@ final class Judge {
     pace(truth);
   }
 
-  /** Whether a touch is a new one. */
+  /** Whether a touch is new. */
   private boolean begins(ObjectDescription object, VehicleTruth truth) {
     Double before = lastTouch.put(object.uid(), truth.timeS());
     return before == null || truth.timeS() - before > SETTLED_S;
@@ -168,17 +164,17 @@ final class Judge {
             what));
   }
 
-  /** Whether the rules end the run. Safe from any thread. */
+  /** Whether the run has ended by the rules. Thread-safe. */
   boolean isOver() {
     return over;
   }
 
-  /** What happened, a line each. */
+  /** Events, one line each. */
   List<String> log() {
     return List.copyOf(log);
   }
 
-  /** How the run went. */
+  /** Outcome of the run. */
   RunOutcome outcome() {
     List<String> all = new ArrayList<>(violations);
     if (crossings > 0) {

@@ -8,13 +8,11 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Finds a place for a ramp on a finished course, on a straight and empty stretch of a lane whose
- * lines are painted whole, wherever {@link RampRules} have nothing against it. Nothing else of the
- * course changes.
+ * Places a ramp on a finished course, on a straight and empty stretch of a lane with solid lines, where {@link RampRules} allow it. Nothing else on the course changes.
  */
 final class RampPlacer {
   private static final double LEAST_RISE = 0.10;
-  private static final double MOST_RISE = 0.15; // the rules' most
+  private static final double MOST_RISE = 0.15; // limit of the rules
   private static final double LEAST_WAY_M = 1.9;
   private static final double MOST_WAY_M = 2.44; // a board of 8 ft
   private static final double LEAST_TOP_M = 0.8;
@@ -40,9 +38,9 @@ final class RampPlacer {
   }
 
   /**
-   * The course with a ramp on it; empty if there is no room.
+   * Course with a ramp added; empty if there is no room.
    *
-   * @param builder that made the course
+   * @param builder builder of the course
    */
   static Optional<Course> place(
       Course course, CourseLayout layout, CourseBuilder builder, Random random) {

@@ -10,15 +10,14 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.world.Ramp;
 
 /**
- * Whether a ramp of a course obeys the rules: not steeper than 15 %, 8 ft wide or more, both lines
- * of one lane lead straight over it, painted whole, and nothing else is on it or just before it.
+ * Checks a course's ramps against the rules: at most 15 % steep, at least 8 ft wide, both lines of one lane run straight over it and are solid, and nothing else is on it or just before it.
  */
 final class RampRules {
   private static final double STEEPEST = 0.15;
   private static final double ROUNDING = 1.0e-3;
   private static final double LEAST_WIDTH_M = 2.438; // 8 ft
-  private static final double BEFORE_M = 1.5; // before each foot nothing stands, nothing turns
-  private static final double STRAIGHT = 0.12; // from a line's direction to the ramp's [rad]
+  private static final double BEFORE_M = 1.5; // straight and free before each foot
+  private static final double STRAIGHT = 0.12; // tolerance between line and ramp direction [rad]
   private static final double PAINT_M = 0.1; // from a boundary to its paint
   private static final double STEP_M = 0.1;
 
@@ -33,7 +32,7 @@ final class RampRules {
     uid = placed.uid();
   }
 
-  /** What is wrong with a course's ramps, a sentence each. */
+  /** Rule violations of a course's ramps, one sentence each. */
   static List<String> faults(Course course) {
     List<String> all = new ArrayList<>();
     for (Course.NamedRamp placed : course.ramps()) {
@@ -86,7 +85,7 @@ final class RampRules {
         && Math.abs(ramp.left(at.x(), at.y())) < 0.5 * ramp.widthM() + asideM;
   }
 
-  /** Whether a boundary crosses both feet; what touches the ramp otherwise is a fault. */
+  /** Whether a boundary crosses both feet; touching the ramp in any other way is a fault. */
   private boolean leadsOver(PolyLine line) {
     double first = Double.POSITIVE_INFINITY;
     double last = Double.NEGATIVE_INFINITY;

@@ -2,7 +2,7 @@ package org.u2sa.scenarios.igvc;
 
 import java.util.Random;
 
-/** Which courses have a ramp, if there is room for one. */
+/** Share of courses with a ramp, if there is room for one. */
 enum Ramps {
   /** None. */
   NONE,
@@ -13,7 +13,7 @@ enum Ramps {
 
   private static final double SHARE = 0.5;
 
-  /** Whether a course is to have one. Draws once, whatever is told. */
+  /** Whether a course gets a ramp. Always draws one random number. */
   boolean isDue(Random random) {
     boolean isOneOfSome = random.nextDouble() < SHARE;
     return this == ALL || this == SOME && isOneOfSome;

@@ -23,15 +23,14 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Keeps a moment of the run every second, and makes pictures of them: {@code course.png}, the whole
- * run from above, and {@code run.gif}, an animation. For one thread.
+ * Samples the run every second and writes pictures: {@code course.png}, the whole run from above, and {@code run.gif}, an animation. Not thread-safe.
  */
 final class RunFilm {
   private static final double EVERY_S = 1.0;
   private static final int PICTURE = 1400; // pixels
   private static final int FILM = 560;
-  private static final int HUNDREDTHS = 8; // of a second that a moment is shown
-  private static final double SURE = 0.9; // confidence of what was seen, and not closed
+  private static final int HUNDREDTHS = 8; // of a second per frame
+  private static final double SURE = 0.9; // confidence of observed lines, as opposed to closed gaps
 
   private final Course course;
   private final VehicleOutline outline;
@@ -43,10 +42,10 @@ final class RunFilm {
   private List<Seen> seen = List.of();
   private double nextS;
 
-  /** A line or an outline of the World Modeler's. */
+  /** A line or outline from the World Modeler. */
   record Seen(List<Point> points, boolean closesGap) {}
 
-  /** The run at one time. */
+  /** A moment of the run. */
   record Moment(Point at, double headingRad, int trackPoints, List<Point> plan, List<Seen> seen) {}
 
   RunFilm(Course course, VehicleOutline outline, Geodetic origin, Path directory) {
@@ -65,12 +64,12 @@ final class RunFilm {
     moments.add(new Moment(truth.position(), truth.headingRad(), track.size(), plan, seen));
   }
 
-  /** The newest moment; empty before the first. */
+  /** Latest moment; empty before the first. */
   Optional<Moment> newest() {
     return moments.isEmpty() ? Optional.empty() : Optional.of(moments.get(moments.size() - 1));
   }
 
-  /** Where the vehicle has been. */
+  /** Track of the vehicle. */
   List<Point> track() {
     return track;
   }
@@ -114,7 +113,7 @@ final class RunFilm {
     return points;
   }
 
-  /** Points of a frame on the course; empty if that is not on the earth. */
+  /** Converts points of a frame to the course; empty if the frame is not global. */
   List<Point> place(List<Point> points, ReferenceFrame frame) {
     return frame.isEarth()
         ? points.stream().map(point -> plane.point(Geodetic.of(point))).toList()

@@ -21,9 +21,7 @@ import org.u2sa.vision.camera.PictureReading;
 import org.u2sa.vision.ground.AttitudeHistory;
 
 /**
- * What the vehicle saw and knew from time to time, one picture each in {@code snapshots}: the
- * camera's picture with what is recognised in it, the ground as the camera sees it from above, and
- * the surroundings with grid, lines and plan. For one thread, but for {@link #watch}.
+ * Periodic pictures of the vehicle's perception in {@code snapshots}: the camera image with detections, its bird's-eye view, and the surroundings with grid, lines and plan. Not thread-safe, except {@link #watch}.
  */
 final class RunSnapshots {
   private static final double REACH_M = 9.0;
@@ -34,13 +32,13 @@ final class RunSnapshots {
   private final Path directory;
   private final double everyS;
   private final AttitudeHistory attitudes = new AttitudeHistory();
-  private volatile WatchedCamera camera; // null: none, or not yet asked for
+  private volatile WatchedCamera camera; // null if none, or not requested yet
   private volatile PictureReading reading;
   private Optional<OccupancyGrid> grid = Optional.empty();
   private double nextS;
 
   /**
-   * @param everyS from one to the next [s]; 0: none
+   * @param everyS interval between pictures [s]; 0 for none
    */
   RunSnapshots(Course course, VehicleOutline outline, Path directory, double everyS) {
     this.course = course;
@@ -50,7 +48,7 @@ final class RunSnapshots {
     nextS = everyS;
   }
 
-  /** The same camera, watched, as long as it is read as that configuration says. */
+  /** Watches a camera, processed according to the configuration; returns the same camera. */
   WatchedCamera watch(WatchedCamera watched, XmlConfiguration configuration) {
     reading =
         new PictureReading(
@@ -87,7 +85,7 @@ final class RunSnapshots {
     pen.drawImage(sight, 0, 0, null);
     pen.drawImage(map, 0, sight.getHeight(), null);
     pen.dispose();
-    directory.toFile().mkdirs(); // what goes wrong, the next line says
+    directory.toFile().mkdirs(); // a failure is reported by the next line
     ReportFile.write(
         directory.resolve(String.format(Locale.ROOT, "%03.0f.png", nowS)),
         out -> {
@@ -107,7 +105,7 @@ final class RunSnapshots {
     return image;
   }
 
-  /** What the camera sees; empty while it has no picture. */
+  /** Camera view; 1 × 1 px while there is no image. */
   private BufferedImage sight() {
     Optional<CameraFrame> frame = camera == null ? Optional.empty() : camera.newest();
     if (frame.isEmpty()) {

@@ -3,33 +3,33 @@ package org.u2sa.scenarios.igvc;
 import org.u2sa.core.launch.LaunchOptions;
 
 /**
- * The vehicle's rectangle. Its reference point is between its driven wheels.
+ * Rectangular outline of the vehicle. The reference point is midway between the driven wheels.
  *
- * @param frontM from the reference point to its front [m]
- * @param rearM to its rear [m]
+ * @param frontM distance from the reference point to the front [m]
+ * @param rearM distance from the reference point to the rear [m]
  * @param widthM its width [m]
  */
 record VehicleOutline(double frontM, double rearM, double widthM) {
-  /** What config/igvc says. */
+  /** Outline according to config/igvc. */
   static final VehicleOutline USUAL = new VehicleOutline(0.40, 0.20, 0.92);
 
   static final double NARROWEST_M = 0.5;
   static final double WIDEST_M = 1.2;
 
-  private static final double TYRES_M = 0.06; // both halves of the wheels
-  private static final double MAPPED_M = 0.14; // that the grid adds to what stands at both sides
+  private static final double TYRES_M = 0.06; // half a tyre on each side
+  private static final double MAPPED_M = 0.14; // obstacle inflation in the grid, both sides
 
-  /** The same, of another width [m]. */
+  /** Copy with another width [m]. */
   VehicleOutline wide(double newWidthM) {
     return new VehicleOutline(frontM, rearM, newWidthM);
   }
 
-  /** Between the driven wheels' middles [m]. */
+  /** Track width between the driven wheels' centres [m]. */
   double trackM() {
     return widthM - TYRES_M;
   }
 
-  /** Tells planner and control, if it is not as their files say. */
+  /** Overrides the planner's and control's configuration if different from their files. */
   void tell(LaunchOptions launch) {
     if (!equals(USUAL)) {
       launch

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.u2sa.device.Camera;
 import org.u2sa.device.CameraFrame;
 
-/** A camera whose newest picture somebody else may look at, too. */
+/** Wraps a camera and also gives others its latest image. */
 final class WatchedCamera implements Camera {
   private final Camera camera;
   private volatile Optional<CameraFrame> newest = Optional.empty();
@@ -13,7 +13,7 @@ final class WatchedCamera implements Camera {
     this.camera = camera;
   }
 
-  /** The picture that was read last. Safe from any thread. */
+  /** Image read last. Thread-safe. */
   Optional<CameraFrame> newest() {
     return newest;
   }

@@ -1,6 +1,4 @@
 /**
- * The Intelligent Ground Vehicle Competition's course: generated, read and checked courses, the
- * simulated vehicle on them, the judge, and the demo. What the vehicle thinks is configuration of
- * ordinary services and belongs to config/igvc.
+ * The Intelligent Ground Vehicle Competition's course: generation, files and checks of courses, the simulated vehicle, the judge, and the demo. The vehicle itself is run by ordinary services, configured in config/igvc.
  */
 package org.u2sa.scenarios.igvc;

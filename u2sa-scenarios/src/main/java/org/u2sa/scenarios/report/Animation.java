@@ -13,7 +13,7 @@ import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** Writes an endless animation as GIF89a, by the JDK's own writer. */
+/** Writes a looping animation as GIF89a, using the JDK's writer. */
 public final class Animation implements Closeable {
   private static final String FORMAT = "javax_imageio_gif_image_1.0";
 
@@ -22,8 +22,8 @@ public final class Animation implements Closeable {
   private final int hundredths;
 
   /**
-   * @param out left open
-   * @param hundredths of a second that each picture is shown
+   * @param out stream; not closed
+   * @param hundredths duration of each frame [1/100 s]
    */
   public Animation(OutputStream out, int hundredths) throws IOException {
     this.hundredths = hundredths;
@@ -33,7 +33,7 @@ public final class Animation implements Closeable {
     writer.prepareWriteSequence(null);
   }
 
-  /** Adds a picture, as large as the first. */
+  /** Adds a frame of the same size as the first. */
   public void add(BufferedImage image) throws IOException {
     IIOMetadata metadata =
         writer.getDefaultImageMetadata(ImageTypeSpecifier.createFromRenderedImage(image), null);
@@ -48,7 +48,7 @@ public final class Animation implements Closeable {
     IIOMetadataNode loop = new IIOMetadataNode("ApplicationExtension");
     loop.setAttribute("applicationID", "NETSCAPE");
     loop.setAttribute("authenticationCode", "2.0");
-    loop.setUserObject(new byte[] {1, 0, 0}); // for ever
+    loop.setUserObject(new byte[] {1, 0, 0}); // loops forever
     extensions.appendChild(loop);
     metadata.setFromTree(FORMAT, root);
     writer.writeToSequence(new IIOImage(image, null, metadata), null);
@@ -65,7 +65,7 @@ public final class Animation implements Closeable {
     return node;
   }
 
-  /** A copy to draw on. */
+  /** Copies an image to draw on. */
   public static BufferedImage copyOf(BufferedImage image) {
     BufferedImage copy =
         new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_RGB);

@@ -22,8 +22,7 @@ import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 
 /**
- * What the charts of a run have in common: colours, type, and how track and waypoints look. The
- * accents are Okabe and Ito's, told apart with any colour vision.
+ * Common style of a run's charts: colours, fonts, track and waypoint marks. Accents are from Okabe and Ito's palette, distinguishable with colour vision deficiency.
  */
 final class ChartStyle {
   static final Color PAPER = Color.WHITE;
@@ -55,7 +54,7 @@ final class ChartStyle {
     return new Font(family, style, size);
   }
 
-  /** A line of a width [px], dashed if {@code dash} [px] is more than 0. */
+  /** Stroke with a width [px], dashed if {@code dash} [px] is more than 0. */
   static BasicStroke stroke(double width, double dash) {
     float[] dashes = dash > 0.0 ? new float[] {(float) dash} : null;
     return new BasicStroke(
@@ -63,10 +62,10 @@ final class ChartStyle {
   }
 
   /**
-   * An empty plot: later datasets cover earlier ones.
+   * Creates an empty plot in which later datasets cover earlier ones.
    *
    * @param left room for the labels of the range axis [px]
-   * @param bottom the same for the domain axis [px]
+   * @param bottom room for the labels of the domain axis [px]
    */
   static XYPlot plot(ValueAxis domain, ValueAxis range, double left, double bottom) {
     XYPlot plot = new XYPlot(null, domain, range, null);
@@ -96,7 +95,7 @@ final class ChartStyle {
     return plot;
   }
 
-  /** The plot as a chart without a frame of its own. */
+  /** Chart of the plot, without a frame. */
   static JFreeChart chart(XYPlot plot, boolean legend) {
     JFreeChart chart = new JFreeChart(null, TICK, plot, legend);
     chart.setBackgroundPaint(PAPER);
@@ -104,7 +103,7 @@ final class ChartStyle {
     return chart;
   }
 
-  /** Draws a dataset above all others of the plot. */
+  /** Adds a dataset on top of all others. */
   static void add(XYPlot plot, XYDataset data, XYItemRenderer renderer) {
     int index =
         plot.getDatasetCount() == 1 && plot.getDataset() == null ? 0 : plot.getDatasetCount();
@@ -124,11 +123,10 @@ final class ChartStyle {
   }
 
   /**
-   * Adds the track as a line coloured by a quantity, with only as many points as the eye can tell
-   * apart.
+   * Adds the track as a line coloured by a quantity, omitting points less than a pixel apart.
    *
-   * @param size of the plot [px]
-   * @param place where in the plot a sample stands
+   * @param size size of the plot [px]
+   * @param place plot coordinates of a sample
    */
   static void addTrack(
       XYPlot plot,
@@ -171,7 +169,7 @@ final class ChartStyle {
     add(plot, lines, renderer);
   }
 
-  /** Marks waypoints: a dot if captured, a cross if not, so that form tells what colour tells. */
+  /** Marks waypoints: a dot if captured, a cross if not, so that shape is redundant to colour. */
   static void addMarks(XYPlot plot, List<Point2D> captured, List<Point2D> missed) {
     XYSeriesCollection marks = new XYSeriesCollection();
     XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(false, true);

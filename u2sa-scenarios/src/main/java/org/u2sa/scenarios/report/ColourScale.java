@@ -6,14 +6,14 @@ import org.jfree.chart.renderer.PaintScale;
 
 /**
  * Colours for a quantity, in {@link #STEPS} steps of the lower five sixths of matplotlib's viridis
- * (CC0): of even brightness, told apart with any colour vision, and dark enough on white.
+ * (CC0): perceptually uniform, distinguishable with colour vision deficiency, and dark enough on white.
  *
- * @param low where the first step begins
- * @param high where the last one ends, more than {@code low}
+ * @param low lower end of the first step
+ * @param high upper end of the last step, more than {@code low}
  */
 record ColourScale(double low, double high) implements PaintScale {
 
-  /** How many different colours there are. */
+  /** Number of colours. */
   static final int STEPS = 24;
 
   private static final int[] VIRIDIS = {
@@ -36,8 +36,7 @@ record ColourScale(double low, double high) implements PaintScale {
   }
 
   /**
-   * Step (0…STEPS−1) of {@code value} on a scale from {@code from} to {@code to}; values outside
-   * take the nearest end.
+   * Step (0…STEPS−1) of {@code value} on a scale from {@code from} to {@code to}; values outside are clamped.
    */
   static int step(double value, double from, double to) {
     if (!(to > from)) {

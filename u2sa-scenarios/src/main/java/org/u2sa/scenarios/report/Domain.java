@@ -1,16 +1,13 @@
 package org.u2sa.scenarios.report;
 
-/** What kind of vehicle a run is of: what is measured, and how far apart things are. */
+/** Kind of vehicle of a run, which determines what is measured and the scale of distances. */
 public enum Domain {
   /**
-   * An aircraft, over kilometres. A vehicle that flies over a waypoint cannot be on the next
-   * straight at once: one radius of a coordinated turn, r = V² / (g tan φ) = 636 m at 60 m/s and
-   * 30° of bank, and some 360 m for rolling in and out (3 s each).
+   * An aircraft, over kilometres. After flying over a waypoint it needs some distance to settle on the next leg: one radius of a coordinated turn, r = V² / (g tan φ) = 636 m at 60 m/s and 30° of bank, plus some 360 m for rolling in and out (3 s each).
    */
   AIR(1000.0, 500.0, "flown"),
   /**
-   * A ground vehicle, over metres. It turns beside the waypoint, up to 2 m away where a mission
-   * allows that much, and then needs about a metre to be on the line.
+   * A ground vehicle, over metres. It turns beside the waypoint, up to 2 m away if the mission allows it, and then needs about a metre to settle on the line.
    */
   GROUND(3.0, 10.0, "driven");
 
@@ -24,17 +21,17 @@ public enum Domain {
     this.moved = moved;
   }
 
-  /** How far beyond the last waypoint a leg counts as turn [m]. */
+  /** Distance after a waypoint that still counts as turn [m]. */
   public double settlingDistanceM() {
     return settlingDistanceM;
   }
 
-  /** Least extent of a map [m]. */
+  /** Minimum extent of a map [m]. */
   double leastMapM() {
     return leastMapM;
   }
 
-  /** How the vehicle went, e.g. {@code flown}. */
+  /** Verb for the vehicle's motion, e.g. {@code flown}. */
   String moved() {
     return moved;
   }

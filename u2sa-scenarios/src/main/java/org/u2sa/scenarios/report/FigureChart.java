@@ -19,7 +19,7 @@ import org.jfree.chart.renderer.xy.XYBarRenderer;
 import org.jfree.data.statistics.DefaultBoxAndWhiskerCategoryDataset;
 import org.jfree.data.statistics.HistogramDataset;
 
-/** Draws how a figure is spread over many runs, as SVG. */
+/** Draws the distribution of a metric over many runs, as SVG. */
 public final class FigureChart {
   private static final int WIDTH = 520;
   private static final int HEIGHT = 300;
@@ -32,15 +32,15 @@ public final class FigureChart {
   private FigureChart() {}
 
   /**
-   * How often which value came.
+   * Draws a histogram.
    *
-   * @param name of the figure
-   * @param values one a run, not all the same
+   * @param name name of the metric
+   * @param values one per run, not all equal
    */
   public static String histogram(String name, double[] values) {
     HistogramDataset data = new HistogramDataset();
     int bins = Math.max(5, Math.min(MOST_BINS, (int) Math.ceil(2.0 * Math.cbrt(values.length))));
-    data.addSeries(name, values, bins); // by Rice's rule
+    data.addSeries(name, values, bins); // Rice's rule
     NumberAxis runs = new NumberAxis("runs");
     runs.setStandardTickUnits(NumberAxis.createIntegerTickUnits());
     NumberAxis figure = new NumberAxis(name);
@@ -55,12 +55,11 @@ public final class FigureChart {
   }
 
   /**
-   * How a figure depends on a parameter: a box from the lower to the upper quartile for each of its
-   * values, with the median and all between the extremes.
+   * Draws a box plot of a metric over a parameter: for each parameter value, quartiles, median and extremes.
    *
-   * @param name of the figure
-   * @param parameter that was swept
-   * @param byValue the runs' figures for each value, in the order in which they are drawn
+   * @param name name of the metric
+   * @param parameter swept parameter
+   * @param byValue the runs' metrics for each parameter value, in drawing order
    */
   public static String dependence(String name, String parameter, Map<String, double[]> byValue) {
     DefaultBoxAndWhiskerCategoryDataset data = new DefaultBoxAndWhiskerCategoryDataset();

@@ -4,14 +4,12 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * What is measured of aircraft only. An empty number means that the flight never was in the state
- * it is measured in.
+ * Metrics of aircraft only. Empty if the flight was never in the state to be measured.
  *
- * @param altitudeRmsM RMS over time of the altitude error on level legs [m]: those between
- *     waypoints of one altitude
+ * @param altitudeRmsM RMS over time of the altitude error on level legs [m], i.e. between waypoints of equal altitude
  * @param altitudeMaxErrorM largest absolute altitude error on level legs [m]
  * @param maxBankRad largest absolute bank in the air [rad]
- * @param minAirspeedMps least calibrated airspeed in the air [m/s]
+ * @param minAirspeedMps minimum calibrated airspeed in the air [m/s]
  * @param tookOff whether the vehicle left the ground and rose {@link RunScorer#SCREEN_HEIGHT_M}
  *     above its start
  */
@@ -21,7 +19,7 @@ public record FlightFigures(
     OptionalDouble maxBankRad,
     OptionalDouble minAirspeedMps,
     boolean tookOff) {
-  private static final double LEVEL_WITHIN_M = 1.0; // altitudes of a level leg's ends
+  private static final double LEVEL_WITHIN_M = 1.0; // altitude difference of a level leg's ends
 
   /** {@link #maxBankRad} in degrees. */
   public OptionalDouble maxBankDeg() {
@@ -30,7 +28,7 @@ public record FlightFigures(
         : maxBankRad;
   }
 
-  /** Of the run {@code track} of {@code plan}. */
+  /** Metrics of the run {@code track} of {@code plan}. */
   static FlightFigures of(RunPlan plan, List<TrackSample> track) {
     RunScorer.RootMeanSquare altitude = new RunScorer.RootMeanSquare();
     for (int leg = 1; leg < plan.waypoints().size(); leg++) {
@@ -72,7 +70,7 @@ public record FlightFigures(
         && Math.abs(a.getAsDouble() - b.getAsDouble()) <= LEVEL_WITHIN_M;
   }
 
-  /** The extremes from screen height on, while no wheel carries weight. */
+  /** Extremes above screen height, with weight off wheels. */
   private record Airborne(
       boolean tookOff, OptionalDouble maxBankRad, OptionalDouble minAirspeedMps) {
     static Airborne of(RunPlan plan, List<TrackSample> track) {

@@ -6,8 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Finds room for labels beside the points they name: each takes the place around its point that
- * covers least of what is there already.
+ * Places labels beside the points they name: each takes the position around its point that overlaps least with what is already there.
  */
 final class LabelPlacer {
 
@@ -16,7 +15,7 @@ final class LabelPlacer {
   private static final double OUTSIDE_COST = 1e6;
   private static final double BOX_COST = 50.0; // per px² of a covered box
   private static final double LINE_COST = 40.0; // per covered point of a line
-  private static final double LINE_SPACING = 6.0; // of the points that stand for a line [px]
+  private static final double LINE_SPACING = 6.0; // of the points that represent a line [px]
   private static final double DISTANCE_COST = 4.0; // per px from the point
 
   private final Rectangle2D frame;
@@ -24,7 +23,7 @@ final class LabelPlacer {
   private final List<Point2D.Double> lines = new ArrayList<>();
 
   /**
-   * @param frame where all labels must be
+   * @param frame area that must contain all labels
    */
   LabelPlacer(Rectangle2D frame) {
     this.frame = frame;
@@ -35,7 +34,7 @@ final class LabelPlacer {
     taken.add(box);
   }
 
-  /** Keeps labels off a line where they can. */
+  /** Makes labels avoid a line if possible. */
   void avoidLine(List<Point2D> corners) {
     for (int i = 0; i + 1 < corners.size(); i++) {
       Point2D a = corners.get(i);
@@ -51,8 +50,7 @@ final class LabelPlacer {
   }
 
   /**
-   * The best place for a label of {@code width} by {@code height} beside a mark of radius {@code
-   * radius} at (x, y); it is taken from then on.
+   * Best position for a label of {@code width} by {@code height} beside a mark of radius {@code radius} at (x, y); marks it as taken.
    */
   Rectangle2D.Double place(double x, double y, double radius, double width, double height) {
     Rectangle2D.Double best = null;
@@ -91,7 +89,7 @@ final class LabelPlacer {
     return cost;
   }
 
-  /** Area that both cover [px²]. */
+  /** Overlapping area [px²]. */
   static double overlap(Rectangle2D a, Rectangle2D b) {
     Rectangle2D both = a.createIntersection(b);
     return both.isEmpty() ? 0.0 : both.getWidth() * both.getHeight();

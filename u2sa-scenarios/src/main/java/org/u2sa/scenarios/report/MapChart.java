@@ -30,15 +30,14 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 
 /**
- * The north-up map of a run, one scale both ways, origin at home (or the first waypoint or sample):
- * fence, planned line, track, and waypoints with their capture circles and names.
+ * North-up map of a run with equal axis scales and its origin at home (or the first waypoint or sample): fence, planned line, track, and waypoints with capture circles and names.
  */
 final class MapChart {
-  private static final double MARGIN = 1.10; // of the extent
-  private static final double M_PER_KM = 1000.0; // smaller maps of ground vehicles are in metres
+  private static final double MARGIN = 1.10; // factor on the extent
+  private static final double M_PER_KM = 1000.0; // smaller maps use metres
   private static final int MOST_GRID_LINES = 12;
-  private static final int MOST_NAMES = 30; // with more waypoints, numbers alone
-  private static final double KEY_SHARE = 0.16; // of the map's width, for the key of colours
+  private static final int MOST_NAMES = 30; // with more waypoints, only numbers
+  private static final double KEY_SHARE = 0.16; // of the map's width, for the colour key
   private static final int KEY_NUMBERS = 5;
   private static final double KEY_HEIGHT = 64.0; // px
   private static final FontRenderContext FONTS = new FontRenderContext(null, true, true);
@@ -83,7 +82,7 @@ final class MapChart {
     plot = ChartStyle.plot(east, north, TrackPicture.LEFT, TrackPicture.BELOW);
   }
 
-  /** The least of 1, 2 or 5 times a power of ten that is not less than {@code least}. */
+  /** Smallest of 1, 2 or 5 times a power of ten that is at least {@code least}. */
   private static NumberTickUnit roundStep(double least) {
     return (NumberTickUnit)
         new NumberTickUnitSource(false, NumberFormat.getInstance(Locale.ROOT))
@@ -96,9 +95,9 @@ final class MapChart {
   }
 
   /**
-   * The map of a run.
+   * Creates the map of a run.
    *
-   * @param size of the map within its axes [px]
+   * @param size size of the map within its axes [px]
    */
   static JFreeChart of(
       RunPlan plan, List<TrackSample> track, RunScore score, Quantity colour, Rectangle2D size) {
@@ -108,7 +107,7 @@ final class MapChart {
   private JFreeChart chart() {
     List<Point2D> fence = new ArrayList<>();
     plan.fence().forEach(corner -> fence.add(at(corner.longitudeDeg(), corner.latitudeDeg())));
-    fence.stream().findFirst().ifPresent(fence::add); // once around
+    fence.stream().findFirst().ifPresent(fence::add); // closes the polygon
     List<Point2D> planned = new ArrayList<>();
     plan.home().ifPresent(home -> planned.add(at(home.longitudeDeg(), home.latitudeDeg())));
     plan.waypoints().forEach(waypoint -> planned.add(at(waypoint)));
@@ -142,7 +141,7 @@ final class MapChart {
             Layer.BACKGROUND);
   }
 
-  /** What the colours mean, in the lower right corner. */
+  /** Colour key in the lower right corner. */
   private XYTitleAnnotation key() {
     NumberAxis axis = new NumberAxis(colour.name() + " [" + colour.unit() + "]");
     axis.setTickUnit(roundStep((colour.high() - colour.low()) / KEY_NUMBERS));
@@ -173,7 +172,7 @@ final class MapChart {
         : new PlotPlane(track.get(0).longitudeDeg(), track.get(0).latitudeDeg());
   }
 
-  /** The least upright rectangle [m] around home, track and capture circles. */
+  /** Axis-aligned bounding box [m] of home, track and capture circles. */
   private Rectangle2D extent() {
     List<Rectangle2D> boxes = new ArrayList<>();
     plan.home()
@@ -197,7 +196,7 @@ final class MapChart {
     return at(waypoint.longitudeDeg(), waypoint.latitudeDeg());
   }
 
-  /** The names of home and the waypoints, where they cover least. */
+  /** Names of home and the waypoints, placed with least overlap. */
   private final class Names extends AbstractXYAnnotation {
     private static final long serialVersionUID = 1L;
     private static final Font OBSTACLE = ChartStyle.font(Font.ITALIC, 14);
@@ -265,7 +264,7 @@ final class MapChart {
           plot.getRangeAxis().valueToJava2D(place.getY(), area, RectangleEdge.LEFT));
     }
 
-    /** What names keep off: the whole capture circle while that is small, else the mark alone. */
+    /** Radius that names avoid: the whole capture circle if small, otherwise the mark only. */
     private double radius(WaypointSign sign) {
       double circle =
           sign.waypoint().captureRadiusM()

@@ -18,8 +18,7 @@ import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 
 /**
- * What is around on the map, below everything else: what stands, filled; what moves, as it was when
- * the vehicle was nearest, with the way it took around that moment and the time.
+ * Map layer of the obstacles, below everything else: static ones filled; moving ones at the moment of closest approach, with their path around it and the time.
  */
 final class ObstacleLayer {
   private static final Color STANDS = new Color(0x8a, 0x5a, 0x2b, 0x66);
@@ -28,11 +27,11 @@ final class ObstacleLayer {
   private static final Color WAY = new Color(0xb0578a);
   private static final int SIDES = 48;
   private static final int WAY_STEPS = 24;
-  private static final double WAY_S = 60.0; // before and after
-  private static final double LEAST_RADIUS_M = 0.05; // of what is only a point
+  private static final double WAY_S = 60.0; // before and after the closest approach
+  private static final double LEAST_RADIUS_M = 0.05; // of point objects
   private static final int MOST_NAMES = 20;
 
-  /** Where on the chart a place of the earth is. */
+  /** Chart coordinates of a global position. */
   @FunctionalInterface
   interface Chart {
     Point2D at(double longitudeDeg, double latitudeDeg);
@@ -43,7 +42,7 @@ final class ObstacleLayer {
   private final Chart chart;
 
   /**
-   * @param results one for each object of the plan; fewer: those without are left out
+   * @param results one per object of the plan; objects without a result are omitted
    */
   ObstacleLayer(RunPlan plan, List<ObstacleResult> results, Chart chart) {
     this.plan = plan;
@@ -64,10 +63,10 @@ final class ObstacleLayer {
     }
   }
 
-  /** A name to be written beside a place of the chart. */
+  /** A name to be drawn beside a point of the chart. */
   record Name(String text, Point2D at, Color colour) {}
 
-  /** The names of all, with the time for what moves; none if there are too many to be read. */
+  /** Names of all objects, with the time for moving ones; empty if there are too many to be legible. */
   List<Name> names() {
     List<Name> names = new ArrayList<>();
     for (int i = 0; i < results.size() && results.size() <= MOST_NAMES; i++) {
@@ -81,7 +80,7 @@ final class ObstacleLayer {
     return names;
   }
 
-  /** Of an area the middle of its corners: its centre need not be given. */
+  /** Centre of an object; for a polygon the mean of its corners, since its centre may be absent. */
   private static Point middle(ObjectDescription object) {
     if (!(object instanceof Polygon area) || area.points().isEmpty()) {
       return object.center();
@@ -118,7 +117,7 @@ final class ObstacleLayer {
     return way;
   }
 
-  /** The outline as seen from above. */
+  /** Outline seen from above. */
   private List<Point2D> outline(ObjectDescription object) {
     List<Point2D> points = new ArrayList<>();
     if (object instanceof Polygon area) {
@@ -144,7 +143,7 @@ final class ObstacleLayer {
       double across = corner == 0 || corner == 3 ? 0.5 * width : -0.5 * width;
       double x = along * Math.cos(psi) - across * Math.sin(psi);
       double y = along * Math.sin(psi) + across * Math.cos(psi);
-      // On the earth psi is clockwise from north, and the first axis of metres is east.
+      // In global frames psi is clockwise from north, and the first axis of metres is east.
       points.add(object.referenceFrame().isEarth() ? beside(object, y, x) : beside(object, x, y));
     }
   }
@@ -161,7 +160,7 @@ final class ObstacleLayer {
     return Math.max(LEAST_RADIUS_M, radius);
   }
 
-  /** A place so many metres beside the centre along the frame's axes, east and north on earth. */
+  /** Point offset from the centre [m] along the frame's axes; east and north in global frames. */
   private Point2D beside(ObjectDescription object, double x, double y) {
     Point metres = Point.of(x, y, 0.0);
     return object.referenceFrame().isEarth()
@@ -174,7 +173,7 @@ final class ObstacleLayer {
         plan.home()
             .map(
                 start -> new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM()))
-            .orElse(new Geodetic(0.0, 0.0, 0.0)); // only local frames need it, which have one
+            .orElse(new Geodetic(0.0, 0.0, 0.0)); // needed by local frames only, which have one
     Geodetic place = Surroundings.onEarth(object, point, home);
     return chart.at(place.longitudeDeg(), place.latitudeDeg());
   }

@@ -6,18 +6,18 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 
 /**
- * How near a vehicle came to an object around it, by truth.
+ * Closest approach of a vehicle to an object, by ground truth.
  *
  * @param name UID of the object
  * @param moves whether it moves
- * @param leastM least distance of the vehicle's reference point from it [m]; 0 inside
+ * @param leastM minimum distance of the vehicle's reference point from it [m]; 0 inside
  * @param timeS simulated time of that moment [s]
- * @param touched whether the vehicle, as far as it reaches, touched or entered it
+ * @param touched whether the vehicle, given its extent, touched or entered it
  */
 public record ObstacleResult(
     String name, boolean moves, double leastM, double timeS, boolean touched) {
 
-  /** How near a run came to an object. Where the run begins is where local frames begin. */
+  /** Closest approach of a run to an object. The start of the run is the origin of local frames. */
   static ObstacleResult of(
       ObjectDescription object, double reachM, Geodetic home, List<TrackSample> track) {
     double least = Double.POSITIVE_INFINITY;
@@ -37,7 +37,7 @@ public record ObstacleResult(
         object.uid(), Surroundings.moves(object), least, timeS, least <= reachM);
   }
 
-  /** That it was touched, as a broken rule. */
+  /** Violation text for touching it. */
   String violation() {
     return String.format(Locale.ROOT, "entered %s at %.1f s, %.1f m from it", name, timeS, leastM);
   }

@@ -20,15 +20,14 @@ import org.w3c.dom.bootstrap.DOMImplementationRegistry;
 import org.w3c.dom.ls.DOMImplementationLS;
 import org.w3c.dom.ls.LSOutput;
 
-/** Writes what is drawn as SVG or PNG, without a screen. */
+/** Writes drawings as SVG or PNG, headless. */
 final class PictureFile {
   private static final int SVG_DECIMALS = 2;
 
   private PictureFile() {}
 
   /**
-   * Why this Java cannot draw, if it cannot: one without fonts or font libraries fails at the first
-   * text, each in its own way.
+   * Reason why this Java cannot draw, or empty: without fonts or font libraries, it fails at the first text with varying errors.
    */
   static Optional<String> obstacle() {
     try {
@@ -67,7 +66,7 @@ final class PictureFile {
   }
 
   /**
-   * @param title what viewers and screen readers call the picture
+   * @param title title for viewers and screen readers
    */
   static void svg(Writer out, String title, int width, int height, Consumer<Graphics2D> content) {
     Document document = document();
@@ -95,7 +94,7 @@ final class PictureFile {
     }
   }
 
-  /** Batik would write a DOCTYPE, for which some readers ask the network. */
+  /** Omits the DOCTYPE that Batik would write, which some readers fetch from the network. */
   private static void write(Element root, Writer out) {
     DOMImplementationLS dom = (DOMImplementationLS) root.getOwnerDocument().getImplementation();
     LSOutput output = dom.createLSOutput();

@@ -5,20 +5,18 @@ import net.sf.geographiclib.GeodesicData;
 import net.sf.geographiclib.GeodesicMask;
 
 /**
- * A plane that touches the WGS-84 ellipsoid at one point: azimuthal equidistant projection, so
- * distances and bearings from that point are exact, and geodesics through it are straight. Across
- * the track, 10 km away, the error is d³/6R², less than a centimetre.
+ * Azimuthal equidistant projection about a point of the WGS-84 ellipsoid: distances and bearings from that point are exact, and geodesics through it are straight. The cross-track error 10 km away is d³/6R², less than a centimetre.
  */
 record PlotPlane(double longitudeDeg, double latitudeDeg) {
 
-  /** A point of the plane [m] east and north of its centre. */
+  /** A point of the plane, east and north of its centre [m]. */
   record Place(double eastM, double northM) {
 
     double distanceM() {
       return Math.hypot(eastM, northM);
     }
 
-    /** The point at share {@code s} (0…1) of the way to {@code other}. */
+    /** Linear interpolation by {@code s} (0…1) to {@code other}. */
     Place towards(Place other, double s) {
       return new Place(eastM + s * (other.eastM - eastM), northM + s * (other.northM - northM));
     }

@@ -31,23 +31,22 @@ import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 
 /**
- * A quantity against simulated time: planned and true, with the moments at which waypoints were
- * met.
+ * Chart of a quantity over simulated time: planned and true, with the times of closest approach to waypoints.
  */
 final class ProfileChart {
   private static final double MS_PER_S = 1000.0;
-  private static final double HEADROOM = 0.22; // of the span, for the waypoints' numbers
+  private static final double HEADROOM = 0.22; // share of the span, for the waypoints' numbers
   private static final double FOOTROOM = 0.08;
-  private static final double CLOSE = 0.015; // of the time; closer numbers take turns in two rows
+  private static final double CLOSE = 0.015; // share of the time; closer numbers alternate rows
 
   private ProfileChart() {}
 
   /**
-   * The chart.
+   * Creates the chart.
    *
-   * @param quantity what is shown
-   * @param colour what colours it
-   * @param size of the plot within its axes [px]
+   * @param quantity quantity shown
+   * @param colour quantity that determines the colour
+   * @param size size of the plot within its axes [px]
    */
   static JFreeChart of(
       RunPlan plan,
@@ -106,7 +105,7 @@ final class ProfileChart {
     return clock;
   }
 
-  /** What is planned over time; not a number where nothing is. */
+  /** Planned value over time; NaN where nothing is planned. */
   private static XYSeries planned(RunPlan plan, List<TrackSample> track, Quantity quantity) {
     XYSeries planned = new XYSeries("", false);
     for (int i = 0; i < track.size(); i++) {
@@ -135,7 +134,7 @@ final class ProfileChart {
     return points;
   }
 
-  /** A hairline where each waypoint was nearest, with its number. */
+  /** Hairline at the closest approach to each waypoint, with its number. */
   private static void moments(XYPlot plot, List<WaypointResult> results) {
     double close = CLOSE * plot.getDomainAxis().getRange().getLength();
     double last = Double.NEGATIVE_INFINITY;

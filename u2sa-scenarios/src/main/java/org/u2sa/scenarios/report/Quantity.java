@@ -8,15 +8,15 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
 /**
- * A number along a track, as pictures show it: by colour, or over time.
+ * A quantity along a track, shown by colour or over time.
  *
- * @param name what it is, e.g. {@code altitude above sea level}
- * @param unit e.g. {@code m}
- * @param low the least that is to be seen
- * @param high the most, more than the least
- * @param of its value at a moment
- * @param plannedName what is planned of it, in words
- * @param planned its planned value on the way to a waypoint
+ * @param name name, e.g. {@code altitude above sea level}
+ * @param unit unit, e.g. {@code m}
+ * @param low lower end of the displayed range
+ * @param high upper end, more than {@code low}
+ * @param of value of a sample
+ * @param plannedName name of the planned value
+ * @param planned planned value on the leg to a waypoint
  */
 record Quantity(
     String name,
@@ -30,9 +30,9 @@ record Quantity(
   private static final double LEAST_ALTITUDE_SPAN_M = 100.0;
   private static final double LEAST_SPEED_SPAN_MPS = 0.5;
   private static final double LEAST_OFF_TRACK_M = 0.5;
-  private static final double MOST_OFF_TRACK_M = 2.0; // between two legs it leaps
+  private static final double MOST_OFF_TRACK_M = 2.0; // jumps between two legs
 
-  /** What colours the track on the map. */
+  /** Quantity that colours the track on the map. */
   static Quantity onMap(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
       case AIR -> altitude(plan, track);
@@ -40,7 +40,7 @@ record Quantity(
     };
   }
 
-  /** What is shown over time. */
+  /** Quantity shown over time. */
   static Quantity overTime(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
       case AIR -> altitude(plan, track);

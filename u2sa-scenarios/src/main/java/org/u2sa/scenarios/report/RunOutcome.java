@@ -7,13 +7,13 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What the simulator says of the end of a run.
+ * Outcome of a run according to the simulator.
  *
- * @param contacts how often the vehicle hit something, or the ground harder than its gear bears
+ * @param contacts number of collisions, including ground contacts beyond the landing gear's limit
  * @param stalled whether a wing stalled in the air
- * @param violations other rules broken, a sentence each
- * @param counts what else the rules count, by their names in {@code summary.json}, in order
- * @param figures what else they measure, alike
+ * @param violations other rule violations, one sentence each
+ * @param counts other counts by the rules, by name in {@code summary.json}, in order
+ * @param figures other metrics by the rules, likewise
  */
 public record RunOutcome(
     int contacts,
@@ -28,17 +28,17 @@ public record RunOutcome(
     figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
   }
 
-  /** Without further figures. */
+  /** Creates an outcome without further metrics. */
   public RunOutcome(int contacts, boolean stalled, List<String> violations) {
     this(contacts, stalled, violations, Map.of(), Map.of());
   }
 
-  /** Nothing to complain of. */
+  /** A clean outcome. */
   public static RunOutcome clean() {
     return new RunOutcome(0, false, List.of());
   }
 
-  /** The same with further broken rules. */
+  /** Copy with further violations. */
   RunOutcome breaking(List<String> more) {
     List<String> all = new ArrayList<>(violations);
     all.addAll(more);

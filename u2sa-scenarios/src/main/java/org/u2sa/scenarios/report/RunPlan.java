@@ -7,13 +7,13 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
 /**
- * What was to be flown or driven.
+ * Plan of a run.
  *
- * @param domain by what kind of vehicle
- * @param home where the run starts; empty: where the first sample is
+ * @param domain kind of vehicle
+ * @param home start of the run; empty for the first sample
  * @param waypoints in the order of the run
- * @param fence corners of the area in which to stay; empty: none was set
- * @param surroundings what is around
+ * @param fence corners of the keep-in area; empty if none
+ * @param surroundings objects around the vehicle
  */
 public record RunPlan(
     Domain domain,
@@ -30,12 +30,12 @@ public record RunPlan(
     fence = List.copyOf(fence);
   }
 
-  /** Without a fence, and with nothing around. */
+  /** Creates a plan without fence and surroundings. */
   public RunPlan(Domain domain, Optional<Start> home, List<Waypoint> waypoints) {
     this(domain, home, waypoints, List.of(), Surroundings.none());
   }
 
-  /** Distance of a place from a leg's line [m], right of it positive; 0 where there is no leg. */
+  /** Cross-track distance of a position from a leg [m], right positive; 0 if there is no leg. */
   public double crossTrackM(int leg, double longitudeDeg, double latitudeDeg) {
     if (leg < 0 || leg >= waypoints.size() || leg == 0 && home.isEmpty()) {
       return 0.0;
@@ -47,14 +47,14 @@ public record RunPlan(
     return length == 0.0 ? 0.0 : (to.x() * here.y() - to.y() * here.x()) / length;
   }
 
-  /** Horizontal distance of a place from a leg's end [m]; 0 where there is no leg. */
+  /** Horizontal distance of a position from a leg's end [m]; 0 if there is no leg. */
   public double distanceM(int leg, double longitudeDeg, double latitudeDeg) {
     return leg < 0 || leg >= waypoints.size()
         ? 0.0
         : waypoints.get(leg).onMap().distanceM(new Geodetic(longitudeDeg, latitudeDeg, 0.0));
   }
 
-  /** The way from home past all waypoints [m]. */
+  /** Path length from home past all waypoints [m]. */
   public double lengthM() {
     double length = 0.0;
     Optional<Geodetic> from = home.map(Start::onMap);
@@ -66,12 +66,12 @@ public record RunPlan(
     return length;
   }
 
-  /** The same within a fence. */
+  /** Copy with a fence. */
   public RunPlan within(List<Corner> corners) {
     return new RunPlan(domain, home, waypoints, corners, surroundings);
   }
 
-  /** The same, with each waypoint reached within that horizontal distance [m], more than 0. */
+  /** Copy with this capture radius for every waypoint [m], more than 0. */
   public RunPlan reachedWithin(double radiusM) {
     List<Waypoint> within =
         waypoints.stream()
@@ -88,13 +88,13 @@ public record RunPlan(
     return new RunPlan(domain, home, within, fence, surroundings);
   }
 
-  /** The same among objects. */
+  /** Copy with surroundings. */
   public RunPlan among(Surroundings around) {
     return new RunPlan(domain, home, waypoints, fence, around);
   }
 
   /**
-   * Where a flight starts, e.g. the threshold of a runway.
+   * Start of a flight, e.g. the threshold of a runway.
    *
    * @param longitudeDeg longitude, WGS-84 [deg]
    * @param latitudeDeg latitude, WGS-84 [deg]
@@ -111,14 +111,14 @@ public record RunPlan(
   }
 
   /**
-   * A waypoint as the mission wants it.
+   * A waypoint of the mission.
    *
    * @param name shown in tables and pictures
    * @param longitudeDeg longitude, WGS-84 [deg]
    * @param latitudeDeg latitude, WGS-84 [deg]
-   * @param altitudeM altitude above mean sea level [m]; empty: any
+   * @param altitudeM altitude above mean sea level [m]; empty for any
    * @param captureRadiusM horizontal distance within which it counts as reached [m], more than 0
-   * @param verticalThresholdM vertical distance within which it counts as reached [m]; empty: any
+   * @param verticalThresholdM vertical distance within which it counts as reached [m]; empty for any
    */
   public record Waypoint(
       String name,

@@ -13,37 +13,35 @@ import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * All that a finished run leaves behind, and the files that tell of it: {@code track.csv}, {@code
+ * Results of a finished run, and the files that contain them: {@code track.csv}, {@code
  * track.kml}, {@code track.svg}, {@code track.png} and {@code summary.json}.
  *
- * <p>Each file is whole or absent, and {@code summary.json} comes last: a directory that has one is
- * complete.
+ * <p>Each file is complete or absent, and {@code summary.json} is written last: a directory that contains it is complete.
  *
- * @param facts what was run
- * @param plan what was to be done
- * @param track where the vehicle was, truth, oldest first
- * @param score how well, see {@link RunScorer}
+ * @param facts facts about the run
+ * @param plan plan of the run
+ * @param track ground-truth track, oldest first
+ * @param score score, see {@link RunScorer}
  */
 public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunScore score) {
 
-  /** Name of the file that programs read. */
+  /** Name of the machine-readable file. */
   public static final String SUMMARY = "summary.json";
 
   public RunReport {
     track = List.copyOf(track);
   }
 
-  /** Scores a run and makes its report. */
+  /** Scores a run and creates its report. */
   public static RunReport of(Facts facts, RunPlan plan, Track track, RunOutcome outcome) {
     return new RunReport(
         facts, plan, track.samples(), RunScorer.score(plan, track.samples(), outcome));
   }
 
   /**
-   * Makes the directory of a run before the run starts, so that a bad {@code --out} costs no run. A
-   * summary of an earlier run in it is removed: the directory is no longer complete.
+   * Creates the directory of a run before it starts, so that an invalid {@code --out} fails early. Deletes an earlier run's summary, since the directory is no longer complete.
    *
-   * @throws BadInputException if it cannot be made or written to
+   * @throws BadInputException if it cannot be created or written to
    */
   public static void prepare(Path directory) {
     try {
@@ -56,10 +54,9 @@ public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunS
   }
 
   /**
-   * Writes all files into {@code directory}, which is made if need be.
+   * Writes all files into {@code directory}, creating it if necessary.
    *
-   * @return empty, or why there is no {@code track.svg} and {@code track.png}: a Java without fonts
-   *     cannot draw, and a run is not lost for that
+   * @return empty, or the reason why {@code track.svg} and {@code track.png} are missing: a Java without fonts cannot draw, which must not lose the run
    * @throws RunFailedException naming the file and the system's reason if one cannot be written;
    *     there is no {@code summary.json} then
    */
@@ -89,7 +86,7 @@ public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunS
   }
 
   /**
-   * Writes {@code summary.json} alone into {@code directory}, which exists.
+   * Writes only {@code summary.json} into the existing {@code directory}.
    *
    * @throws RunFailedException naming the file and the system's reason if it cannot be written
    */
@@ -101,21 +98,20 @@ public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunS
     TrackPicture.draw(graphics, facts, plan, score, track);
   }
 
-  /** Writes what {@code summary.json} holds, for {@code --json}; leaves {@code out} open. */
+  /** Writes the content of {@code summary.json} for {@code --json}; does not close {@code out}. */
   public void writeSummary(Writer out) throws IOException {
     SummaryJson.write(out, plan.domain(), facts, score);
   }
 
   /**
-   * What a summary tells of a run besides its score.
+   * Facts about a run in a summary, besides its score.
    *
-   * @param demo name of the demo or system, e.g. {@code cessna}; heads the picture
+   * @param demo name of the demo or system, e.g. {@code cessna}; title of the picture
    * @param seed seed of everything random in the run
-   * @param simulator what simulated the vehicle, e.g. {@code embedded} or {@code FlightGear
+   * @param simulator simulator of the vehicle, e.g. {@code embedded} or {@code FlightGear
    *     2020.3.16}
-   * @param wallSeconds time of the wall clock that the run took [s], more than 0
-   * @param goalsCompleted goals that the Mission Manager called completed, by its estimates; empty:
-   *     not asked
+   * @param wallSeconds wall-clock duration of the run [s], more than 0
+   * @param goalsCompleted goals completed according to the Mission Manager's estimates; empty if not queried
    */
   public record Facts(
       String demo, long seed, String simulator, double wallSeconds, OptionalInt goalsCompleted) {}

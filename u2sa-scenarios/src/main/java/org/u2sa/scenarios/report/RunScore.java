@@ -5,17 +5,14 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * How well a run went, by truth. An empty number means that the vehicle never was in the state it
- * is measured in.
+ * Score of a run by ground truth. A number is empty if the vehicle was never in the state to be measured.
  *
  * @param waypoints one result for each planned waypoint, in order
- * @param crossTrackRmsM RMS over time of the distance from the straight between consecutive
- *     waypoints [m], without the first {@link Domain#settlingDistanceM} of each leg; the way to the
- *     first waypoint is none
- * @param crossTrackRmsWholeLegsM the same with nothing left out [m]
- * @param flight what is measured of aircraft only; empty for others
- * @param obstacles one result for each object around, in order
- * @param outcome what the simulator says of the end
+ * @param crossTrackRmsM RMS cross-track error over time relative to the straight line between consecutive waypoints [m], without the first {@link Domain#settlingDistanceM} of each leg; the path to the first waypoint is not a leg
+ * @param crossTrackRmsWholeLegsM same for whole legs [m]
+ * @param flight metrics of aircraft; empty for others
+ * @param obstacles one result per surrounding object, in order
+ * @param outcome outcome according to the simulator
  * @param simSeconds simulated time from first to last sample [s]
  */
 public record RunScore(
@@ -32,12 +29,12 @@ public record RunScore(
     obstacles = List.copyOf(obstacles);
   }
 
-  /** How many waypoints were captured. */
+  /** Number of waypoints captured. */
   public int captured() {
     return (int) waypoints.stream().filter(WaypointResult::captured).count();
   }
 
-  /** How many waypoints were passed within a distance [m], whatever their own capture radius. */
+  /** Number of waypoints passed within a distance [m], regardless of their capture radius. */
   int within(double distanceM) {
     return (int)
         waypoints.stream()
@@ -47,7 +44,7 @@ public record RunScore(
 
   /**
    * Whether all waypoints were captured, at least one was planned, and the {@linkplain
-   * RunOutcome#isClean outcome is clean}: what exit code 0 asks for.
+   * RunOutcome#isClean outcome is clean}: the condition for exit code 0.
    */
   public boolean success() {
     return !waypoints.isEmpty() && captured() == waypoints.size() && outcome.isClean();

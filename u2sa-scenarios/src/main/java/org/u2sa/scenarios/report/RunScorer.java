@@ -7,8 +7,7 @@ import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Geodetic;
 
 /**
- * Scores a run against its plan by truth alone. Between samples the vehicle is taken to go
- * straight.
+ * Scores a run against its plan by ground truth only. Assumes straight motion between samples.
  */
 public final class RunScorer {
 
@@ -22,7 +21,7 @@ public final class RunScorer {
 
   private RunScorer() {}
 
-  /** The score of the run {@code track} of {@code plan}. */
+  /** Scores the run {@code track} of {@code plan}. */
   public static RunScore score(RunPlan plan, List<TrackSample> track, RunOutcome outcome) {
     List<WaypointResult> results = new ArrayList<>();
     for (int leg = 0; leg < plan.waypoints().size(); leg++) {
@@ -88,7 +87,7 @@ public final class RunScorer {
       PlotPlane.Place a = plane.place(track.get(i));
       PlotPlane.Place b = plane.place(track.get(i + 1));
       double duration = track.get(i + 1).timeS() - track.get(i).timeS();
-      double crossA = a.eastM() * cos - a.northM() * sin; // right of the track positive
+      double crossA = a.eastM() * cos - a.northM() * sin; // right positive
       double crossB = b.eastM() * cos - b.northM() * sin;
       wholeLegs.add(duration, crossA, crossB);
       double alongA = a.eastM() * sin + a.northM() * cos;
@@ -99,8 +98,7 @@ public final class RunScorer {
   }
 
   /**
-   * Root of the mean square over time of a quantity that runs straight between its samples, so that
-   * uneven sampling weighs nothing wrongly.
+   * RMS over time of a quantity that is linear between its samples, so that uneven sampling does not bias it.
    */
   static final class RootMeanSquare {
 
@@ -108,15 +106,15 @@ public final class RunScorer {
     private double seconds;
     private double largest;
 
-    /** The quantity went from {@code from} to {@code to} in {@code durationS}. */
+    /** Adds a linear change from {@code from} to {@code to} in {@code durationS}. */
     void add(double durationS, double from, double to) {
       squareSeconds +=
-          durationS * (from * from + from * to + to * to) / 3.0; // ∫ of a squared straight line
+          durationS * (from * from + from * to + to * to) / 3.0; // ∫ of a squared linear function
       seconds += durationS;
       largest = Math.max(largest, Math.max(Math.abs(from), Math.abs(to)));
     }
 
-    /** Empty if nothing was added. */
+    /** RMS; empty if nothing was added. */
     OptionalDouble value() {
       return seconds > 0.0
           ? OptionalDouble.of(Math.sqrt(squareSeconds / seconds))

@@ -14,9 +14,9 @@ import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.gcs.command.RunFailedException;
 
 /**
- * Several runs of one mission, by their seeds: the worst of each figure, and a line a run.
+ * Several runs of one mission with different seeds: the worst value of each metric, and one line per run.
  *
- * @param reports the runs in the order flown, at least one
+ * @param reports the runs in order of execution, at least one
  */
 public record RunSeries(List<RunReport> reports) {
 
@@ -36,8 +36,7 @@ public record RunSeries(List<RunReport> reports) {
   }
 
   /**
-   * Writes {@code summary.json} of the whole into {@code directory}, beside the directories of its
-   * runs.
+   * Writes the series' {@code summary.json} into {@code directory}, beside the directories of its runs.
    *
    * @throws RunFailedException if it cannot be written
    */
@@ -45,7 +44,7 @@ public record RunSeries(List<RunReport> reports) {
     ReportFile.writeText(directory.resolve(RunReport.SUMMARY), this::writeSummary);
   }
 
-  /** Writes the same for {@code --json}; leaves {@code out} open. */
+  /** Writes the same content for {@code --json}; does not close {@code out}. */
   public void writeSummary(Writer out) throws IOException {
     try (SummaryNumbers json = new SummaryNumbers(out)) {
       JsonGenerator generator = json.generator();
@@ -80,7 +79,7 @@ public record RunSeries(List<RunReport> reports) {
     }
   }
 
-  /** Sums of what the rules count. */
+  /** Sums of the counts by the rules. */
   private Map<String, Integer> totals() {
     Map<String, Integer> totals = new LinkedHashMap<>();
     for (RunReport report : reports) {

@@ -10,7 +10,7 @@ import java.util.OptionalDouble;
 /** Writes {@code summary.json} of one run, keys in a fixed order. */
 final class SummaryJson {
 
-  /** What IGVC's qualification asks for, whatever the mission does [m]. */
+  /** Waypoint radius of IGVC's qualification, independent of the mission [m]. */
   private static final double QUALIFYING_M = 2.0;
 
   private final SummaryNumbers numbers;
@@ -21,7 +21,7 @@ final class SummaryJson {
     json = numbers.generator();
   }
 
-  /** Writes the summary and leaves {@code out} open. */
+  /** Writes the summary; does not close {@code out}. */
   static void write(Writer out, Domain domain, RunReport.Facts facts, RunScore score)
       throws IOException {
     try (SummaryNumbers numbers = new SummaryNumbers(out)) {

@@ -14,8 +14,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 
 /**
- * JSON with numbers rounded to the thousandth. A number that does not exist is {@code null}, and
- * {@code absent} says why; JSON has no NaN.
+ * Writes JSON with numbers rounded to thousandths. A missing number is {@code null} with a reason in {@code absent}, since JSON has no NaN.
  */
 final class SummaryNumbers implements Closeable {
 
@@ -37,7 +36,7 @@ final class SummaryNumbers implements Closeable {
     return json;
   }
 
-  /** A number of one part of the summary, named {@code of} in the reasons. */
+  /** Writes a number of a part of the summary, named {@code of} in the reasons. */
   void number(String key, OptionalDouble value, String reasonIfAbsent, String of)
       throws IOException {
     if (value.isPresent()) {
@@ -57,7 +56,7 @@ final class SummaryNumbers implements Closeable {
     json.writeNumber(BigDecimal.valueOf(value).setScale(DECIMALS, RoundingMode.HALF_EVEN));
   }
 
-  /** Writes the reasons for all numbers that were absent so far. */
+  /** Writes the reasons for all numbers missing so far. */
   void absences() throws IOException {
     json.writeObjectFieldStart("absent");
     for (Map.Entry<String, String> entry : absent.entrySet()) {
@@ -66,7 +65,7 @@ final class SummaryNumbers implements Closeable {
     json.writeEndObject();
   }
 
-  /** Ends the document with a line feed and leaves the writer open. */
+  /** Ends the document with a line feed; does not close the writer. */
   @Override
   public void close() throws IOException {
     json.close();

@@ -8,31 +8,29 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.MovingSphere;
 
 /**
- * What truly stands and moves around in a run, whatever the vehicle knows of it.
+ * Ground truth of the static and moving objects of a run, whether known to the vehicle or not.
  *
- * @param objects in GLOBAL, UTM, or a local frame about the vehicle's first place
- * @param reachM from the vehicle's reference point to where it ends [m]: an object nearer than that
- *     is touched
+ * @param objects in GLOBAL, UTM, or a local frame with its origin at the vehicle's start
+ * @param reachM radius of the vehicle around its reference point [m]; nearer objects are touched
  */
 public record Surroundings(List<ObjectDescription> objects, double reachM) {
   public Surroundings {
     objects = List.copyOf(objects);
   }
 
-  /** Nothing. */
+  /** No objects. */
   public static Surroundings none() {
     return new Surroundings(List.of(), 0.0);
   }
 
-  /** Whether an object moves, as far as its description goes. */
+  /** Whether an object moves, according to its description. */
   public static boolean moves(ObjectDescription object) {
     boolean turns = object instanceof MovingSphere sphere && !sphere.trajectory().isEmpty();
     return turns || object.motion().velocity().filter(v -> !v.equals(Point.ORIGIN)).isPresent();
   }
 
   /**
-   * The centre of an object when so many seconds of the run have passed, in its own frame. What
-   * moves straight on over the earth keeps its height above the sea, but for its climb.
+   * Centre of an object at a time of the run [s], in its own frame. In global frames, an object that moves straight keeps its altitude above sea level, except for its climb.
    */
   public static Point centreAfter(ObjectDescription object, double seconds) {
     if (!moves(object)) {
@@ -48,12 +46,12 @@ public record Surroundings(List<ObjectDescription> objects, double reachM) {
         : there;
   }
 
-  /** The object as it is after so many seconds of the run. */
+  /** Object at a time of the run [s]. */
   static ObjectDescription after(ObjectDescription object, double seconds) {
     return moves(object) ? object.movedTo(centreAfter(object, seconds)) : object;
   }
 
-  /** A place in the frame of an object, as {@link ObjectDescription#distanceTo} takes it. */
+  /** Converts a position to an object's frame, for {@link ObjectDescription#distanceTo}. */
   static Point in(ObjectDescription object, Geodetic place, Geodetic home) {
     if (object.referenceFrame().isEarth()) {
       return place.point();
@@ -66,7 +64,7 @@ public record Surroundings(List<ObjectDescription> objects, double reachM) {
         : Point.of(enu.x(), enu.y(), upM);
   }
 
-  /** A place on the earth of a point in an object's frame: the way back of {@link #in}. */
+  /** Global position of a point in an object's frame: the inverse of {@link #in}. */
   public static Geodetic onEarth(ObjectDescription object, Point point, Geodetic home) {
     if (object.referenceFrame().isEarth()) {
       return Geodetic.of(point);

@@ -5,18 +5,15 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * The samples of one flight, oldest first, in bounded memory: when full, every other sample is
- * dropped and from then on only every other one is taken, so that a flight of any length keeps an
- * even track. Samples at which leg or phase changes outlive the first thinnings. Not for use by
- * several threads at once.
+ * Samples of one run, oldest first, in bounded memory: when full, drops every other sample and halves the sampling rate, so that a run of any length keeps evenly spaced samples. Samples at which leg or phase changes survive the first thinnings. Not thread-safe.
  */
 public final class Track {
 
-  /** Room for two hours at 20 samples a second, some 20 MB. */
+  /** Capacity for two hours at 20 Hz, some 20 MB. */
   public static final int DEFAULT_CAPACITY = 150_000;
 
   private static final int LEAST_CAPACITY = 4;
-  private static final long LARGEST_STRIDE = 1L << 40; // a flight made of changes thins without end
+  private static final long LARGEST_STRIDE = 1L << 40; // thinning may never end
 
   private final int capacity;
   private final List<TrackSample> samples = new ArrayList<>();
@@ -28,7 +25,7 @@ public final class Track {
   }
 
   /**
-   * @param capacity most samples to keep
+   * @param capacity maximum number of samples
    * @throws IllegalArgumentException if less than 4
    */
   public Track(int capacity) {
@@ -40,7 +37,7 @@ public final class Track {
   }
 
   /**
-   * Takes the next sample, or leaves it out when the track is thinned.
+   * Adds the next sample, or skips it if the track is thinned.
    *
    * @throws IllegalArgumentException if it is not later than the last one
    */
@@ -61,7 +58,7 @@ public final class Track {
     samples.add(sample);
   }
 
-  /** The samples kept, oldest first; a view that must not be used while appending. */
+  /** Kept samples, oldest first; a view that must not be used while appending. */
   public List<TrackSample> samples() {
     return Collections.unmodifiableList(samples);
   }
@@ -69,7 +66,7 @@ public final class Track {
   private void thin() {
     stride = Math.min(2 * stride, LARGEST_STRIDE);
     if (keepEveryOther(true) > capacity * 3 / 4) {
-      keepEveryOther(false); // a flight made of changes: the bound comes first
+      keepEveryOther(false); // mostly changes: the memory limit has priority
     }
   }
 

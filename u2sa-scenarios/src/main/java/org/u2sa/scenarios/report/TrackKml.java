@@ -8,12 +8,11 @@ import java.util.OptionalDouble;
 import org.u2sa.gcs.command.EscapedXml;
 
 /**
- * Writes {@code track.kml} (OGC KML 2.2) for Google Earth: the track, of aircraft at its true
- * altitude, the planned line, and the waypoints.
+ * Writes {@code track.kml} (OGC KML 2.2) for Google Earth: the track (of aircraft at true altitude), the planned line and the waypoints.
  */
 final class TrackKml {
 
-  private static final int MOST_POINTS = 10_000; // viewers slow down beyond
+  private static final int MOST_POINTS = 10_000; // viewers slow down beyond this
 
   private static final String END_OF_LINE =
       "      </coordinates>\n    </LineString>\n  </Placemark>\n";
@@ -55,7 +54,7 @@ final class TrackKml {
   }
 
   /**
-   * @param joined how the line is joined to the ground, if it is
+   * @param joined KML element that joins the line to the ground, such as {@code extrude}; empty if none
    */
   private static void beginLine(Writer out, String name, String style, boolean flies, String joined)
       throws IOException {

@@ -10,8 +10,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * Draws a run on one page: what it was and how it went, the map, and a quantity over time: the
- * altitude of aircraft, how far beside the line others were.
+ * Draws a run on one page: facts and results, the map, and a quantity over time (altitude of aircraft, cross-track error of others).
  */
 final class TrackPicture {
   static final int WIDTH = 1600;
@@ -74,7 +73,7 @@ final class TrackPicture {
     graphics.drawString(text, (int) LEFT, y);
   }
 
-  /** Minutes and seconds. */
+  /** Formats minutes and seconds. */
   static String clock(double seconds) {
     long whole = Math.round(seconds);
     return String.format(Locale.ROOT, "%d:%02d", whole / 60, whole % 60);

@@ -3,7 +3,7 @@ package org.u2sa.scenarios.report;
 import java.util.Optional;
 
 /**
- * Truth at one moment of a run (never an estimate: scores are computed from it).
+ * Ground truth at one moment of a run (never an estimate, because scores are computed from it).
  *
  * @param timeS simulated time since the start of the run [s]
  * @param longitudeDeg longitude, WGS-84 [deg], east positive
@@ -11,13 +11,10 @@ import java.util.Optional;
  * @param altitudeM altitude above mean sea level [m]
  * @param headingRad true heading [rad], clockwise from north
  * @param groundSpeedMps horizontal speed over ground [m/s]
- * @param crossTrackM distance from the line to the target as the vehicle's guidance saw it [m],
- *     right of it positive; kept for the track file and the picture only, the score measures for
- *     itself
- * @param leg index of the waypoint that was the target, from 0; −1: none yet; number of waypoints:
- *     all done
- * @param phase what the vehicle was doing, e.g. {@code CLIMB}
- * @param flight what aircraft have besides; empty for others
+ * @param crossTrackM cross-track error according to the vehicle's guidance [m], right positive; only for the track file and the picture, not for the score
+ * @param leg index of the target waypoint, from 0; −1 if none yet; number of waypoints if all are done
+ * @param phase phase of the run, e.g. {@code CLIMB}
+ * @param flight additional values of aircraft; empty for others
  */
 public record TrackSample(
     double timeS,
@@ -37,7 +34,7 @@ public record TrackSample(
    * @param rollRad roll [rad], right wing down positive
    * @param pitchRad pitch [rad], nose up positive
    * @param calibratedAirspeedMps calibrated airspeed [m/s]
-   * @param onGround whether wheels carry weight; always false from simulators that cannot tell
+   * @param onGround weight on wheels; always false for simulators that do not report it
    */
   public record Flight(
       double rollRad, double pitchRad, double calibratedAirspeedMps, boolean onGround) {

@@ -4,16 +4,13 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * How well one waypoint was met, by truth. All three numbers are empty if the waypoint never was
- * the target.
+ * Result at one waypoint, by ground truth. All three numbers are empty if the waypoint was never the target.
  *
- * @param waypoint as planned
+ * @param waypoint planned waypoint
  * @param missM smallest horizontal distance to it while it was the target [m]
- * @param altitudeErrorM altitude at that moment less the planned one [m], too high positive; empty
- *     also if none was planned
+ * @param altitudeErrorM altitude error at that moment [m], too high positive; also empty if no altitude was planned
  * @param timeS simulated time of that moment [s]
- * @param captured whether at some moment while it was the target the vehicle was within the capture
- *     radius and, if there is one, within the vertical threshold
+ * @param captured whether, at some moment while it was the target, the vehicle was within the capture radius and the vertical threshold, if any
  */
 public record WaypointResult(
     RunPlan.Waypoint waypoint,
@@ -23,22 +20,22 @@ public record WaypointResult(
     boolean captured) {
 
   /**
-   * How close a run came to a waypoint while that was the target.
+   * Closest approach of a run to a waypoint while it was the target.
    *
-   * @param leg index of the waypoint as {@link TrackSample#leg()} has it
+   * @param leg index of the waypoint, as in {@link TrackSample#leg()}
    */
   static WaypointResult of(RunPlan.Waypoint waypoint, int leg, List<TrackSample> track) {
     Approach approach = new Approach(waypoint);
     for (int i = 0; i < track.size(); i++) {
       if (track.get(i).leg() == leg) {
-        // up to the sample at which the target changed: the moment of capture lies between the two
+        // including the sample at which the target changed: capture happens between the two
         approach.segment(track.get(i), track.get(Math.min(i + 1, track.size() - 1)));
       }
     }
     return approach.result();
   }
 
-  /** What is known so far, and how each further straight of the track changes it. */
+  /** Accumulates the result over the track's segments. */
   private static final class Approach {
     private final RunPlan.Waypoint waypoint;
     private final PlotPlane plane;
@@ -60,7 +57,7 @@ public record WaypointResult(
       double lengthSquared = dx * dx + dy * dy;
       double foot =
           lengthSquared == 0.0 ? 0.0 : -(a.eastM() * dx + a.northM() * dy) / lengthSquared;
-      double share = clamp(foot); // of the way from a to b: where it comes nearest
+      double share = clamp(foot); // closest point, as a fraction of the way from a to b
       double distance = a.towards(b, share).distanceM();
       if (distance < miss) {
         miss = distance;

@@ -4,16 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A waypoint on the map. Several at one place, as of a mission that goes round, are one: with the
- * first one's name, and captured only if all were.
+ * A waypoint on the map. Several at the same position, as in a mission with laps, are merged: with the first one's name, and captured only if all were.
  *
- * @param index of the first one in the plan, from 0
+ * @param index index of the first one in the plan, from 0
  * @param waypoint the first one
  * @param captured whether all were
  */
 record WaypointSign(int index, RunPlan.Waypoint waypoint, boolean captured) {
 
-  /** Of all waypoints of a run, in the order of the plan. */
+  /** Signs of all waypoints of a run, in plan order. */
   static List<WaypointSign> of(List<WaypointResult> results) {
     List<WaypointSign> signs = new ArrayList<>();
     for (int i = 0; i < results.size(); i++) {
@@ -40,7 +39,7 @@ record WaypointSign(int index, RunPlan.Waypoint waypoint, boolean captured) {
     return -1;
   }
 
-  /** The number from 1 before the name, unless that is empty or already has the number. */
+  /** Name prefixed with its number from 1, unless the name is empty or already contains it. */
   String numberedName() {
     String number = String.valueOf(index + 1);
     if (waypoint.name().isEmpty()) {

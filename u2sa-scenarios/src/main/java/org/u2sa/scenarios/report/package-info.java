@@ -1,5 +1,4 @@
 /**
- * The results of a run: its track, its score against the mission by truth, and the files that tell
- * of both. Independent of simulators and control; terminal output is not here.
+ * Results of a run: its track, its score against the mission by ground truth, and the files that contain them. Independent of simulators, control and terminal output.
  */
 package org.u2sa.scenarios.report;

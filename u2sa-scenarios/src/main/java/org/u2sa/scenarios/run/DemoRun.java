@@ -28,7 +28,7 @@ import org.u2sa.service.U2SAService;
 /**
  * One run of a mission with the services of a system file, from start-up to report.
  *
- * @param demo its name in reports
+ * @param demo name in reports
  * @param system the system file's services
  * @param plan the planned route
  * @param limitS time limit [s]

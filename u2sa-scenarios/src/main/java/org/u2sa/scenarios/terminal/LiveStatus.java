@@ -7,9 +7,7 @@ import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.report.TrackSample;
 
 /**
- * Shows a run while it goes on. A terminal gets a panel redrawn in place, at most ten times a
- * second of {@link Moment#elapsedS()}; a pipe or file gets a line at each change of phase or
- * waypoint and every ten simulated seconds. Not for use by several threads at once.
+ * Shows the progress of a run. On a terminal, redraws a panel in place at most ten times a second of {@link Moment#elapsedS()}; to a pipe or file, prints a line at each change of phase or waypoint and every ten simulated seconds. Not thread-safe.
  */
 public final class LiveStatus implements AutoCloseable {
 
@@ -21,13 +19,13 @@ public final class LiveStatus implements AutoCloseable {
   private final Terminal terminal;
   private Moment shown; // last one printed
   private Moment newest;
-  private int panelLines; // how far up the next redraw starts
+  private int panelLines; // lines to move up for the next redraw
 
   public LiveStatus(Terminal terminal) {
     this.terminal = terminal;
   }
 
-  /** Takes a new moment; cheap when it is not yet time to show it. */
+  /** Updates the status; cheap if not due for display. */
   public void update(Moment status) {
     newest = status;
     if (isDue(status)) {
@@ -35,7 +33,7 @@ public final class LiveStatus implements AutoCloseable {
     }
   }
 
-  /** Shows the last moment, whatever the time, and leaves the cursor below it. */
+  /** Shows the last moment unconditionally, and leaves the cursor below it. */
   @Override
   public void close() {
     if (newest != null && newest != shown) {
@@ -156,14 +154,14 @@ public final class LiveStatus implements AutoCloseable {
   }
 
   /**
-   * One moment of a run, as people watch it.
+   * A moment of a run, for display.
    *
-   * @param sample where the vehicle truly is, and what it does
-   * @param waypoint number of the waypoint it goes to, from 1; 0: none
-   * @param waypoints how many the mission has
-   * @param waypointName name of the waypoint it goes to; may be empty
-   * @param distanceM horizontal distance to it [m]; asked only if the moment is shown
-   * @param elapsedS time of the wall clock since the start [s]
+   * @param sample ground truth and activity of the vehicle
+   * @param waypoint number of the target waypoint, from 1; 0 if none
+   * @param waypoints number of waypoints of the mission
+   * @param waypointName name of the target waypoint; may be empty
+   * @param distanceM horizontal distance to it [m]; evaluated only if shown
+   * @param elapsedS wall-clock time since the start [s]
    */
   public record Moment(
       TrackSample sample,
@@ -173,7 +171,7 @@ public final class LiveStatus implements AutoCloseable {
       DoubleSupplier distanceM,
       double elapsedS) {
 
-    /** What the vehicle does, e.g. {@code CLIMB}. */
+    /** Activity of the vehicle, e.g. {@code CLIMB}. */
     String phase() {
       return sample.phase();
     }

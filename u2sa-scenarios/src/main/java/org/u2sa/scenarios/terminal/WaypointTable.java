@@ -12,11 +12,11 @@ import org.u2sa.scenarios.report.RunOutcome;
 import org.u2sa.scenarios.report.RunScore;
 import org.u2sa.scenarios.report.WaypointResult;
 
-/** Prints how a run went: a line a waypoint, then the figures of the whole. */
+/** Prints the results of a run: one line per waypoint, then the overall metrics. */
 public final class WaypointTable {
 
   private static final int LEAST_NAME = 8;
-  private static final int NUMBERS_WIDTH = 51; // of all columns but the name
+  private static final int NUMBERS_WIDTH = 51; // of all columns except the name
   private static final String ROW = "%3s  %s  %8s  ";
   private static final String ALTITUDE = "%10s  ";
   private static final String TIME = "%8s  ";
@@ -87,7 +87,7 @@ public final class WaypointTable {
     }
   }
 
-  /** A line for each object around: how near the vehicle came to it, and when. */
+  /** One line per surrounding object: distance and time of closest approach. */
   private static List<String> obstacles(RunScore score, int width) {
     List<String> lines = new ArrayList<>();
     String metres = score.flight().isPresent() ? "%.1f" : "%.2f";

@@ -1,2 +1,2 @@
-/** What a run shows on the terminal: its live status and its table of waypoints. */
+/** Terminal output of a run: live status and waypoint table. */
 package org.u2sa.scenarios.terminal;

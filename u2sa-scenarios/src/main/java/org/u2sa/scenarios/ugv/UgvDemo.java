@@ -258,7 +258,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
     launch
         .override("PassThroughStateEstimator", "STALE AFTER", receiver.fixTimeoutS())
         .override(FUSING, "POSITION CORRELATION", receiver.correlationS())
-        .override("SafetyManager", "ARM AT START", true); // the demo is its own operator
+        .override("SafetyManager", "ARM AT START", true); // the demo acts as operator
   }
 
   private String simulator(DriveConditions conditions) {
