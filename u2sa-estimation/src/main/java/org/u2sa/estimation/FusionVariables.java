@@ -2,7 +2,7 @@ package org.u2sa.estimation;
 
 import org.u2sa.estimation.fusion.FilterTuning;
 import org.u2sa.estimation.fusion.MotionDomain;
-import org.u2sa.estimation.fusion.UsualSigmas;
+import org.u2sa.estimation.measurement.UsualSigmas;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**

@@ -2,7 +2,7 @@ package org.u2sa.estimation;
 
 import java.util.Map;
 import java.util.TreeMap;
-import org.u2sa.estimation.fusion.Measurement;
+import org.u2sa.estimation.measurement.Measurement;
 
 /**
  * Mounting positions of sensors on the vehicle, by sensor name, parsed from a configuration text.

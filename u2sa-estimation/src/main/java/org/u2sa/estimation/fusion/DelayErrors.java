@@ -1,6 +1,8 @@
 package org.u2sa.estimation.fusion;
 
 import java.util.Arrays;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
  * Residual delays of the first {@link #SLOTS} position sources, estimated as filter states (online

@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+
 /**
  * Error-state extended Kalman filter (Solà 2017, arXiv 1711.02508) that accepts any sources; each
  * is identified by name, from its first measurement on. Measurements may arrive late and out of

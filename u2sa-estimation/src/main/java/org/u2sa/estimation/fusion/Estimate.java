@@ -145,7 +145,7 @@ public final class Estimate {
   }
 
   /** Rate of the heading [rad/s] (Stevens and Lewis, 2nd ed., section 1.3). */
-  double headingRate() {
+  public double headingRate() {
     double cos = Math.sqrt(r[7] * r[7] + r[8] * r[8]);
     double[] x = s.x;
     double turn = r[7] * x[FilterState.W + 1] + r[8] * x[FilterState.W + 2];

@@ -1,5 +1,8 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
  * Fuses one measurement into a state: predicts the state, initialises unknown quantities, and
  * updates with each vector that passes the gate and comes from a trusted source.

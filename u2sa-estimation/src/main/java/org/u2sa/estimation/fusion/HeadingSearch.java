@@ -1,5 +1,8 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
  * Estimates the heading if no source measures it. Speed and turn rate of the wheels give the
  * displacement in the vehicle's axes, positions give it on the earth: the angle between the two is

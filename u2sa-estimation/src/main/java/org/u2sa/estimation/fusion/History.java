@@ -2,6 +2,7 @@ package org.u2sa.estimation.fusion;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import org.u2sa.estimation.measurement.Measurement;
 
 /**
  * Time-ordered buffer of recent measurements with snapshots of the state after them, from which

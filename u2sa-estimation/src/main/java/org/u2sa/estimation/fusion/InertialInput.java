@@ -1,5 +1,8 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
  * Uses the newest angular rates and specific force of one inertial sensor to drive the prediction
  * while they are fresh, and initialises the tilt that the specific force requires.

@@ -1,5 +1,8 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
  * Compares the inertial sensor that drives the prediction with those on standby. Any that differs
  * from it by more than biases and noise allow is excluded and reported. The driving sensor itself

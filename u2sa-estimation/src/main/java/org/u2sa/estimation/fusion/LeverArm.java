@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+
 /**
  * Lever-arm corrections for a sensor that is not at the vehicle's reference point. With its offset
  * l along BODY_FRD it is at p + R l, moves with v + R (ω × l) and is accelerated by ω̇ × l + ω × (ω

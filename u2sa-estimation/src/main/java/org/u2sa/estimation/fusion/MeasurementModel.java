@@ -1,6 +1,8 @@
 package org.u2sa.estimation.fusion;
 
 import org.ejml.data.DMatrixRMaj;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
  * Measurement model of each quantity: innovation, Jacobian with respect to the error state, and

@@ -1,5 +1,8 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
  * Uses measured forward speed and turn rate as inputs of the prediction if no inertial sensor
  * drives it (velocity motion model, Thrun, Burgard and Fox 2005, section 5.3): the newest values

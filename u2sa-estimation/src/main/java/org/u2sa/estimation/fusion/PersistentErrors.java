@@ -1,6 +1,8 @@
 package org.u2sa.estimation.fusion;
 
 import java.util.Arrays;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
  * Time-correlated measurement errors as filter states: first-order Gauss-Markov processes (Brown

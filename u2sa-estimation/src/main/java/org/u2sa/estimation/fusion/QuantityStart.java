@@ -1,5 +1,8 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
  * Initialises a quantity from its first measurement, and resets it from one that proves right
  * against the estimate.

@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+
 /**
  * Remembers when landmarks were last seen. Repeated sightings of a landmark from nearly the same
  * position have nearly the same range and bearing error: such errors carry as much information as

@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
  * Decides which sources are trusted: detects sources that repeat a value while the vehicle moves
  * (frozen), sources that contradict others in one direction (biased), and when the estimate itself

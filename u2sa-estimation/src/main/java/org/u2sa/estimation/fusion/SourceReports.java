@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /** Reports on each source of the filter, for operators and health reports. */
 public final class SourceReports {

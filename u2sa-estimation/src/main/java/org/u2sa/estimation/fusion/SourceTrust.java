@@ -3,6 +3,8 @@ package org.u2sa.estimation.fusion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
  * Statistics of the sources: a block of numbers for each source and for each quantity it measures.

@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
  * Interprets positions that drift away from the estimate rather than keep a constant offset. A
  * receiver whose error jumped differs by the same amount each time; a difference that grows at half
