@@ -8,7 +8,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.schema.MessageCodec;

@@ -1,4 +1,4 @@
-package org.u2sa.world;
+package org.u2sa.world.grid;
 
 import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
@@ -24,6 +24,10 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.SensorPose;
+import org.u2sa.world.modeller.Sighting;
 
 /**
  * Enters a published CARMEN lidar log with its corrected poses into the World Modeler's grid and

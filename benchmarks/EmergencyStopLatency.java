@@ -10,8 +10,8 @@ import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
 

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Random;
 import org.u2sa.estimation.fusion.ErrorStateFilter;
 import org.u2sa.estimation.fusion.FilterTuning;
-import org.u2sa.estimation.fusion.Measurement;
+import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.fusion.MotionDomain;
 
 /**

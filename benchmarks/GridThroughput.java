@@ -1,4 +1,4 @@
-package org.u2sa.world;
+package org.u2sa.world.grid;
 
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
@@ -10,6 +10,9 @@ import java.util.Random;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.Sighting;
 
 /**
  * Lidar points a second that one thread enters into the occupancy grid, clearing included: scans as

@@ -1,4 +1,4 @@
-package org.u2sa.world;
+package org.u2sa.world.object;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -15,6 +15,8 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.Sighting;
 
 /**
  * Enters the sightings of a published MRCLAM data set (UTIAS; Leung et al., "The UTIAS multi-robot

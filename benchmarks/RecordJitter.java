@@ -9,7 +9,7 @@ import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.Recorder;

@@ -11,10 +11,10 @@ import java.util.Map;
 import java.util.Random;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.recorder.mcap.ChunkCompression;
-import org.u2sa.recorder.mcap.McapChannel;
-import org.u2sa.recorder.mcap.McapMessage;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
 import org.u2sa.recorder.mcap.McapOptions;
-import org.u2sa.recorder.mcap.McapSchema;
+import org.u2sa.recorder.mcap.record.McapSchema;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /**

@@ -6,6 +6,7 @@ description = "Perception: what a camera and a laser see, as objects on the grou
 
 dependencies {
     api(project(":u2sa-abstract"))
+    api(project(":u2sa-world"))
     // EJML is ours, which is newer.
     api(libs.boofcv.recognition) {
         exclude(group = "org.ejml")

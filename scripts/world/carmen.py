@@ -15,7 +15,7 @@ def rows(java, folder, work):
         for degrees in (1, 2):
             command = shlex.split(java)
             command[1:1] = ["-Ddeg=%d" % degrees]
-            words = subprocess.run([*command, "org.u2sa.world.CarmenGrid", str(log)], check=True, stdout=subprocess.PIPE, text=True).stdout
+            words = subprocess.run([*command, "org.u2sa.world.grid.CarmenGrid", str(log)], check=True, stdout=subprocess.PIPE, text=True).stdout
             kept, standing = (float(each) for each in FIGURES.search(words).groups())
             table.append(dict(name="%s, %d°" % (name, degrees), metric="echoes kept [%]", value=kept, goal=GOALS[degrees] if name in NAMED else ""))
             table.append(dict(name="%s, %d°" % (name, degrees), metric="echoes seen again 20 scans apart kept [%]", value=standing, goal=GOALS[degrees]))

@@ -5,7 +5,7 @@ import subprocess
 
 def rows(java, folder, work):
     sets = [str(each) for each in sorted(folder.glob("MRCLAM_Dataset*"))]
-    words = subprocess.run([*shlex.split(java), "org.u2sa.world.LandmarkMap", *sets], check=True, stdout=subprocess.PIPE, text=True).stdout
+    words = subprocess.run([*shlex.split(java), "org.u2sa.world.object.LandmarkMap", *sets], check=True, stdout=subprocess.PIPE, text=True).stdout
     table = []
     for line in words.splitlines()[2:]:
         cells = [cell.strip() for cell in line.strip("|").split("|")]

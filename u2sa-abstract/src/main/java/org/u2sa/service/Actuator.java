@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
-import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**

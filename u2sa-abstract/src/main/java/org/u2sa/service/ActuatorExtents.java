@@ -2,11 +2,11 @@ package org.u2sa.service;
 
 import java.util.List;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.AngleCommand;
-import org.u2sa.messages.ForceCommand;
-import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.SpeedCommand;
+import org.u2sa.messages.command.ActuatorCommand;
+import org.u2sa.messages.command.AngleCommand;
+import org.u2sa.messages.command.ForceCommand;
+import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.command.SpeedCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /** Command types and ranges an actuator announced, and their conversion to percent. */

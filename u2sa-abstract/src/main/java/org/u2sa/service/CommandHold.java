@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**

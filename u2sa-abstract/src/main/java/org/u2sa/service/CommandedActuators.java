@@ -12,10 +12,10 @@ import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
-import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /**
  * Gate between the actuation channel and the actuators of one service: invalid commands are

@@ -11,7 +11,7 @@ import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /**

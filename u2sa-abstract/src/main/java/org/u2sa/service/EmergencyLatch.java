@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /**
  * Latch for emergency stops. Each stop latches separately; it is lifted only by a clear that names

@@ -12,10 +12,10 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
 
 @Timeout(120)

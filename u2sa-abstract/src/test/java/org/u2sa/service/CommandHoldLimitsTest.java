@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /** Commands at the very limits of what an actuator takes, and of their time. */

@@ -17,7 +17,7 @@ import net.jqwik.api.Tuple.Tuple3;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /** Whatever comes, in whatever order: an actuator moves by a valid command in time, or not. */

@@ -6,8 +6,8 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.ActuatorCommand;
+import org.u2sa.messages.command.PercentageCommand;
 
 class CommandHoldTest {
   private final LockstepClock clock = new LockstepClock();

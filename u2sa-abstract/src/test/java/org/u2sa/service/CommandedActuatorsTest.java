@@ -9,11 +9,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.command.ActuatorCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
 
 /** Two actuators of one service: which commands move them, and what is said of the others. */

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.Waypoint;
-import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /** Writes down what it handles and hands the list over, so that the last of many knows all. */

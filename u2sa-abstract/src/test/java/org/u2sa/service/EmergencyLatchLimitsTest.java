@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /** How many stops are told apart, how many lifted ones are remembered, and what comes after. */
 class EmergencyLatchLimitsTest {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.EmergencyStop;
 
 class EmergencyLatchTest {
   private final EmergencyLatch latch = new EmergencyLatch(new LockstepClock(), "boat");

@@ -13,8 +13,8 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
 
 /**

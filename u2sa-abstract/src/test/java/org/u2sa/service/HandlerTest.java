@@ -9,10 +9,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
-import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 

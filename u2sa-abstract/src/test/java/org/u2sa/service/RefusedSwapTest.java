@@ -8,9 +8,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 

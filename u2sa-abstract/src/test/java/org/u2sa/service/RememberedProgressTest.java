@@ -17,8 +17,8 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.messages.Waypoint;
-import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /** What a service knows after it was started anew. */

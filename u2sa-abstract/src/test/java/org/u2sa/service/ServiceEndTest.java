@@ -13,7 +13,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 

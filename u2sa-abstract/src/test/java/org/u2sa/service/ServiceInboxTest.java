@@ -4,14 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.contract.ArmCommand;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.DiscoveryRequest;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.service.ServiceInbox.Outcome;
 
 /** Who finds room in a service's inbox when others fill it. */

@@ -18,7 +18,7 @@ import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /** Many swaps in real time: no message is lost, none handled twice, nothing is left behind. */

@@ -22,7 +22,7 @@ import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceSwap;

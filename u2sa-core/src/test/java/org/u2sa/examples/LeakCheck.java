@@ -11,7 +11,7 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 
 /** An extension's check: water in the hull, told by a sensor on a channel of its own. */

@@ -15,10 +15,15 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A simple alternative between pass-through and full fusion: slow but drift-free measurements of a value (position, heading) pull the estimate with a time constant; fast measurements of its rate (velocity, turn rate) propagate it in between (complementary filter, Higgins 1975). In:
- * sensed-state. Out: state, at the time of the newest measurement, in GLOBAL; only position and heading with their rates. A measurement older than the newest, such as a GPS fix with 0.1 s latency, is extrapolated to the state's time by the measured rates.
+ * A simple alternative between pass-through and full fusion: slow but drift-free measurements of a
+ * value (position, heading) pull the estimate with a time constant; fast measurements of its rate
+ * (velocity, turn rate) propagate it in between (complementary filter, Higgins 1975). In:
+ * sensed-state. Out: state, at the time of the newest measurement, in GLOBAL; only position and
+ * heading with their rates. A measurement older than the newest, such as a GPS fix with 0.1 s
+ * latency, is extrapolated to the state's time by the measured rates.
  *
- * <p>Each standard deviation is that of the value's latest source. Sources are not checked for faults.
+ * <p>Each standard deviation is that of the value's latest source. Sources are not checked for
+ * faults.
  */
 public final class ComplementaryStateEstimator extends StateEstimator {
   private static final double FULL_TURN = 2.0 * Math.PI;
@@ -76,7 +81,10 @@ public final class ComplementaryStateEstimator extends StateEstimator {
       return hasRate ? rate * seconds * perUnit : 0.0;
     }
 
-    /** Each source is weighted by the time since its own previous measurement, because any source may be late. */
+    /**
+     * Each source is weighted by the time since its own previous measurement, because any source
+     * may be late.
+     */
     void pull(String source, double apart, double newSigma, double timeS, long micros) {
       Long before = pulls.put(source, micros);
       double seconds =

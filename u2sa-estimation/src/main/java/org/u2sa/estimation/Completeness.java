@@ -13,7 +13,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.service.U2SAService;
 
 /**
- * Reports in a service's log and health report when published states have lacked needed numbers for too long, and when they are complete again.
+ * Reports in a service's log and health report when published states have lacked needed numbers for
+ * too long, and when they are complete again.
  */
 final class Completeness {
   private final U2SAService service;

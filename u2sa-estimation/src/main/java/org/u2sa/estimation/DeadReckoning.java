@@ -9,7 +9,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Extrapolates a measured position and attitude to a later time using the rates measured with them, and increases their standard deviations for the unmeasured motion since.
+ * Extrapolates a measured position and attitude to a later time using the rates measured with them,
+ * and increases their standard deviations for the unmeasured motion since.
  *
  * @param velocitySigmaMps standard deviation of a velocity that has none [m/s]
  * @param accelerationMps2 unmeasured acceleration, 1 σ [m/s²]

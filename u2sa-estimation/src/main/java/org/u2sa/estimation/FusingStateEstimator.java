@@ -7,13 +7,11 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.estimation.fusion.ErrorStateFilter;
 import org.u2sa.estimation.fusion.Estimate;
-import org.u2sa.estimation.fusion.EstimateWriter;
 import org.u2sa.estimation.fusion.FilterMemory;
-import org.u2sa.estimation.fusion.LocalOdometry;
-import org.u2sa.estimation.fusion.Measurement;
-import org.u2sa.estimation.fusion.MeasurementReader;
 import org.u2sa.estimation.fusion.SourceReports.Report;
 import org.u2sa.estimation.fusion.SourceReports.Standing;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.MeasurementReader;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
@@ -22,7 +20,10 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Fuses all available proprioceptive sources into one state with consistent standard deviations (thesis 3.2.3.1, 5.1), using an {@link ErrorStateFilter}. Sources are known only by their messages and registered on the first one. In: sensed-state. Out: state, predicted to the current time; local-state, a dead-reckoned pose that never jumps.
+ * Fuses all available proprioceptive sources into one state with consistent standard deviations
+ * (thesis 3.2.3.1, 5.1), using an {@link ErrorStateFilter}. Sources are known only by their
+ * messages and registered on the first one. In: sensed-state. Out: state, predicted to the current
+ * time; local-state, a dead-reckoned pose that never jumps.
  *
  * <p>Sensor fields beyond the common state fields, such as weight on wheels, are passed on.
  *
@@ -96,7 +97,8 @@ public final class FusingStateEstimator extends StateEstimator {
   }
 
   /**
-   * Feeds the surveyed start heading to the filter, and the surveyed position once a receiver has given an approximate one.
+   * Feeds the surveyed start heading to the filter, and the surveyed position once a receiver has
+   * given an approximate one.
    */
   private void tellStart() {
     if (!isHeadingTold && variables.startPsiSigma() > 0.0) {
@@ -202,8 +204,7 @@ public final class FusingStateEstimator extends StateEstimator {
     if (!FilterMemory.read(filter, state::text)) {
       for (StateInformation each : state.messages("MEASUREMENTS", StateInformation.class)) {
         filter.add(
-            leverArms.place(
-                reader.read(each, measurement))); // other estimator: at least a start
+            leverArms.place(reader.read(each, measurement))); // other estimator: at least a start
       }
     }
   }

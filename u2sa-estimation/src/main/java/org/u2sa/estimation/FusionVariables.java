@@ -2,11 +2,12 @@ package org.u2sa.estimation;
 
 import org.u2sa.estimation.fusion.FilterTuning;
 import org.u2sa.estimation.fusion.MotionDomain;
-import org.u2sa.estimation.fusion.UsualSigmas;
+import org.u2sa.estimation.measurement.UsualSigmas;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * Variables of the fusing State Estimator. Where 0 selects the domain's value, that value is recommended.
+ * Variables of the fusing State Estimator. Where 0 selects the domain's value, that value is
+ * recommended.
  */
 record FusionVariables(
     @Variable(

@@ -2,9 +2,11 @@ package org.u2sa.estimation;
 
 import java.util.Map;
 import java.util.TreeMap;
-import org.u2sa.estimation.fusion.Measurement;
+import org.u2sa.estimation.measurement.Measurement;
 
-/** Mounting positions of sensors on the vehicle, by sensor name, parsed from a configuration text. */
+/**
+ * Mounting positions of sensors on the vehicle, by sensor name, parsed from a configuration text.
+ */
 final class LeverArms {
   private static final String FORM = "expected \"SENSOR = FORWARD LEFT DOWN; …\" in metres";
   private static final double FARTHEST_M = 100.0;

@@ -46,10 +46,13 @@ final class NewestMeasurements {
   }
 
   /**
-   * Adds a measurement and returns the state: that measurement, completed by the newest ones of other sensors in the same frame.
+   * Adds a measurement and returns the state: that measurement, completed by the newest ones of
+   * other sensors in the same frame.
    *
    * @param sensed measurement, which must have a timestamp
-   * @return empty if another sensor's measurement is newer, because the state must not go back in time; the measurement is then used from the next one on. Also empty for a measurement in a body frame while other sensors measure in an external frame
+   * @return empty if another sensor's measurement is newer, because the state must not go back in
+   *     time; the measurement is then used from the next one on. Also empty for a measurement in a
+   *     body frame while other sensors measure in an external frame
    */
   Optional<StateInformation> with(StateInformation sensed) {
     long now = sensed.timestamp().orElseThrow();
@@ -77,7 +80,10 @@ final class NewestMeasurements {
     return Optional.of(state);
   }
 
-  /** Whether a body-frame measurement, such as wheel speeds, would displace the vehicle's position on the state channel. */
+  /**
+   * Whether a body-frame measurement, such as wheel speeds, would displace the vehicle's position
+   * on the state channel.
+   */
   private boolean isOutshone(StateInformation sensed) {
     return sensed.referenceFrame().isBody()
         && bySensor.values().stream().anyMatch(other -> !other.referenceFrame().isBody());

@@ -11,7 +11,8 @@ final class OwnFields {
   private OwnFields() {}
 
   /**
-   * Copies a state. If a sensor's message class has additional fields, the copy is of that class and includes these fields.
+   * Copies a state. If a sensor's message class has additional fields, the copy is of that class
+   * and includes these fields.
    *
    * @param sensors the first one with additional fields is used
    */
@@ -26,7 +27,10 @@ final class OwnFields {
     return state.copy();
   }
 
-  /** Whether a sensor has additional fields. Angular rates and specific forces do not count: they are not part of a state. */
+  /**
+   * Whether a sensor has additional fields. Angular rates and specific forces do not count: they
+   * are not part of a state.
+   */
   static boolean isRicher(StateInformation sensor) {
     return sensor.getClass() != StateInformation.class && !(sensor instanceof InertialMeasurement);
   }

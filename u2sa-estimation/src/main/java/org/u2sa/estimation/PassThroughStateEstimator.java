@@ -8,9 +8,15 @@ import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Uses the measurements as the state (thesis 4.5.2.2, 4.6.2.2): copies each present field of a measurement, including those added by a message subclass, to a new message. In: sensed-state. Out: state, at the time of the newest measurement.
+ * Uses the measurements as the state (thesis 4.5.2.2, 4.6.2.2): copies each present field of a
+ * measurement, including those added by a message subclass, to a new message. In: sensed-state.
+ * Out: state, at the time of the newest measurement.
  *
- * <p>With several sensors, such as a GPS and a compass (thesis 4.6.3), fields that one does not measure are filled in from the newest measurement of another in the same frame: position and attitude are extrapolated to the state's time by the rates measured with them, their standard deviations grow with age, and measurements older than STALE AFTER are discarded. There is no fusion: if two sensors measure the same quantity, the newest measurement wins.
+ * <p>With several sensors, such as a GPS and a compass (thesis 4.6.3), fields that one does not
+ * measure are filled in from the newest measurement of another in the same frame: position and
+ * attitude are extrapolated to the state's time by the rates measured with them, their standard
+ * deviations grow with age, and measurements older than STALE AFTER are discarded. There is no
+ * fusion: if two sensors measure the same quantity, the newest measurement wins.
  */
 public final class PassThroughStateEstimator extends StateEstimator {
   private record Limits(

@@ -8,7 +8,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Rejects values that no sensor of a vehicle on or near the earth can measure. A message may hold any finite double; squared in an estimator, 1e200 overflows to infinity and then yields NaN.
+ * Rejects values that no sensor of a vehicle on or near the earth can measure. A message may hold
+ * any finite double; squared in an estimator, 1e200 overflows to infinity and then yields NaN.
  */
 final class Plausibility {
   private static final double MAX_M = 1e8; // from any origin: twice around the earth
@@ -22,7 +23,10 @@ final class Plausibility {
 
   private Plausibility() {}
 
-  /** First implausible value of a measurement, such as "x 1.0E200, outside ±360.0 deg"; empty if none. */
+  /**
+   * First implausible value of a measurement, such as "x 1.0E200, outside ±360.0 deg"; empty if
+   * none.
+   */
   static Optional<String> objection(StateInformation sensed) {
     boolean isGlobal = sensed.referenceFrame().equals(ReferenceFrame.GLOBAL);
     for (StateField field : StateField.values()) {

@@ -12,10 +12,12 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Base class of services that estimate the vehicle's state from sensor measurements (thesis 3.2.3.1). In:
- * sensed-state. Out: state.
+ * Base class of services that estimate the vehicle's state from sensor measurements (thesis
+ * 3.2.3.1). In: sensed-state. Out: state.
  *
- * <p>A subclass implements {@link #estimate}. The estimate's sensorName is set to this service's name, so that receivers can tell estimators apart; its timestamp defaults to that of the measurement. Implausible measurements are ignored, as are sensors beyond the first 32.
+ * <p>A subclass implements {@link #estimate}. The estimate's sensorName is set to this service's
+ * name, so that receivers can tell estimators apart; its timestamp defaults to that of the
+ * measurement. Implausible measurements are ignored, as are sensors beyond the first 32.
  */
 public abstract class StateEstimator extends EventDrivenService {
   private static final double FUTURE_S = 0.5; // tolerated clock difference between sensors
@@ -36,7 +38,8 @@ public abstract class StateEstimator extends EventDrivenService {
   }
 
   /**
-   * Updates the estimate with a measurement; empty if there is nothing to publish. Called on the service's thread, in order of arrival.
+   * Updates the estimate with a measurement; empty if there is nothing to publish. Called on the
+   * service's thread, in order of arrival.
    *
    * @param sensed frozen; its presence vector marks the measured fields
    * @return a new message, not frozen
@@ -71,7 +74,9 @@ public abstract class StateEstimator extends EventDrivenService {
     }
   }
 
-  /** Whether a measurement must be ignored because its timestamp is in the future; reports it if so. */
+  /**
+   * Whether a measurement must be ignored because its timestamp is in the future; reports it if so.
+   */
   final boolean isFromTheFuture(StateInformation sensed) {
     double aheadS = Clock.seconds(sensed.timestamp().orElseThrow() - clock().micros());
     if (aheadS <= FUTURE_S) {

@@ -8,7 +8,7 @@ import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.xml.NearestNames;
-import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.recorder.mcap.record.McapException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;

@@ -9,10 +9,10 @@ import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.log.LogLevelEnum;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
-import org.u2sa.messages.Waypoint;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /** The goals for the failsafes RETURN and LAND. */
 final class FailsafeMissions {

@@ -7,8 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.service.HandOver;
@@ -32,8 +32,8 @@ final class GoalBook {
           "repeatTimes"); // the order is up to the Mission Manager and may have changed
 
   /**
-   * All goals together, as encoded [B]: {@link org.u2sa.messages.GoalList} has them up to three
-   * times, within the codec's limit.
+   * All goals together, as encoded [B]: {@link org.u2sa.messages.goal.GoalList} has them up to
+   * three times, within the codec's limit.
    */
   private static final int MAX_BYTES = 320 * 1_024;
 

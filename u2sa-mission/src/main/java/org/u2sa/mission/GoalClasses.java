@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
-import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.schema.MessageType;
 
 /** Inserts goals into a mission between a goal and its followers. */

@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
 
 /**
  * Links of a goal's element to following goals, beyond a plain {@code <next>}: {@code <next

@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.service.HandOver;
 
 /**
@@ -116,7 +116,7 @@ final class GoalSequence {
 
   /**
    * Goals that become current after one of the current goals, for {@link
-   * org.u2sa.messages.GoalList#upcoming}.
+   * org.u2sa.messages.goal.GoalList#upcoming}.
    */
   List<GoalInformation> upcoming() {
     if (at.current.size() == 1) {

@@ -2,9 +2,9 @@ package org.u2sa.mission;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Waypoint;
 
 /**
  * Start and return position of the vehicle: runway threshold, dock.

@@ -2,7 +2,7 @@ package org.u2sa.mission;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.interfaces.configuration.XmlNumbers;
+import org.u2sa.interfaces.units.XmlNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.frame.ReferenceFrame;
 

@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**

@@ -3,7 +3,7 @@ package org.u2sa.mission;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import org.u2sa.interfaces.configuration.XmlNumbers;
+import org.u2sa.interfaces.units.XmlNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
 
 /**

@@ -13,10 +13,10 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
-import org.u2sa.messages.contract.MissionOrder;
-import org.u2sa.messages.contract.MissionOrderResult;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**

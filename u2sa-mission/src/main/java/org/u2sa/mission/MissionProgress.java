@@ -7,9 +7,9 @@ import java.util.OptionalLong;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.service.HandOver;
 
 /**

@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.xml.XmlElement;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.MessageTypes;
 
 /** Reads {@code <mission>} (thesis 3.2.3.2, 4.5.2.3) and rejects contradictions. */

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.mission.MissionReport;
 
 /** Creates mission reports. */
 final class MissionReportMaker {

@@ -2,7 +2,7 @@ package org.u2sa.mission;
 
 import java.util.HashMap;
 import java.util.Map;
-import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.goal.GoalInformation;
 
 /**
  * Detects duplicate reports (same goal and time) from the network or from a planner that waits for

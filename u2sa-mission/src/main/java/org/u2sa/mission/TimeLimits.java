@@ -2,8 +2,8 @@ package org.u2sa.mission;
 
 import java.util.Optional;
 import org.u2sa.interfaces.log.LogLevelEnum;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.service.HandOver;
 
 /** Enforces time limits of goals and the mission. Confined to the manager's thread. */

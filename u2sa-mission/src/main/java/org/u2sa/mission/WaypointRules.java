@@ -1,10 +1,10 @@
 package org.u2sa.mission;
 
 import java.util.Collection;
-import org.u2sa.interfaces.configuration.XmlNumbers;
+import org.u2sa.interfaces.units.XmlNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Waypoint;
 
 /** Constraints on a mission's waypoints beyond single fields' bounds. */
 final class WaypointRules {

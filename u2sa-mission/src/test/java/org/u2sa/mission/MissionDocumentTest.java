@@ -15,7 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageField;
 

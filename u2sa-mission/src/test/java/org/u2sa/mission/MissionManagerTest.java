@@ -11,12 +11,12 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.ConfigurationChange;
-import org.u2sa.messages.contract.GoalCommand;
-import org.u2sa.messages.contract.MissionReport;
-import org.u2sa.messages.contract.MissionRequest;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.GoalCommand;
+import org.u2sa.messages.mission.MissionReport;
+import org.u2sa.messages.mission.MissionRequest;
 
 /** What a MissionManager publishes, and what it does about reports, commands and changes. */
 class MissionManagerTest extends ThreeWaypoints {

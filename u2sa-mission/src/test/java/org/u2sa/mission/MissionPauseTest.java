@@ -8,15 +8,15 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
-import org.u2sa.messages.contract.GoalCommand;
-import org.u2sa.messages.contract.MissionAction;
-import org.u2sa.messages.contract.MissionOrder;
-import org.u2sa.messages.contract.MissionOrderResult;
-import org.u2sa.messages.contract.MissionReport;
-import org.u2sa.messages.contract.MissionRequest;
+import org.u2sa.messages.mission.GoalCommand;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
+import org.u2sa.messages.mission.MissionReport;
+import org.u2sa.messages.mission.MissionRequest;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 
 /** A mission that an operator pauses, and how it goes on. */
 class MissionPauseTest extends ThreeWaypoints {

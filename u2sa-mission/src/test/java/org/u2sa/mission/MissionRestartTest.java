@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.Waypoint;
 
 /** Where a mission goes on when its manager is restarted or swapped. */
 class MissionRestartTest extends ThreeWaypoints {

@@ -12,9 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.registry.StandardTypes;
 
 class MissionTest {

@@ -8,9 +8,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.testkit.ServiceKit;
 
 /** Tests of a MissionManager with a mission of three waypoints. */

@@ -5,6 +5,11 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.LoiterCircle;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.HandOver;
 
 /** Behaviour of a planner without a goal: hold at a place, or nothing. */

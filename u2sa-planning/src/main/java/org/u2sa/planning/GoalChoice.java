@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
 
 /** Chooses among the current goals, and predicts the one after. Immutable. */
 final class GoalChoice {

@@ -7,11 +7,15 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.NavigationPoint;
-import org.u2sa.messages.ObjectGoal;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.ObjectGoal;
+import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.avoidance.AvoidanceSettings;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenTarget;
 

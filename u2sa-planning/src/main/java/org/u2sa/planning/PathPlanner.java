@@ -8,13 +8,21 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.avoidance.AvoidanceSettings;
+import org.u2sa.planning.guidance.AltitudeProfile;
+import org.u2sa.planning.guidance.ChosenGuidance;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -233,7 +241,10 @@ public class PathPlanner extends EventDrivenService {
     return new GoalChoice(goals.get()).goal(preferred, option -> distanceM(option, state));
   }
 
-  /** Start of the mission, from the list's elapsed time if given, else from the arrival of the first goals [µs]. */
+  /**
+   * Start of the mission, from the list's elapsed time if given, else from the arrival of the first
+   * goals [µs].
+   */
   private long missionBegan(GoalList list) {
     long now = clock().micros();
     if (list.elapsed().isPresent()) {

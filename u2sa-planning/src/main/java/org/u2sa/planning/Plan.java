@@ -2,8 +2,8 @@ package org.u2sa.planning;
 
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.goal.GoalInformation;
 
 /**
  * One step of a pursuit.

@@ -1,7 +1,7 @@
 package org.u2sa.planning;
 
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.service.HandOver;
 
 /**

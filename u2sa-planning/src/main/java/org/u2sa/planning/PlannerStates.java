@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.goal.GoalInformation;
 
 /** States of a planner, looked up by the class of the goal. */
 final class PlannerStates {

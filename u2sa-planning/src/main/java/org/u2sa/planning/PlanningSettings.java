@@ -2,6 +2,9 @@ package org.u2sa.planning;
 
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.planning.guidance.AltitudeProfile;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.TurnAnticipation;
 
 /**
  * Configuration variables of every {@link PathPlanner}. Only these distinguish an aircraft from a

@@ -1,8 +1,8 @@
 package org.u2sa.planning;
 
 import java.util.Optional;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.goal.GoalInformation;
 
 /**
  * Input of a planner state.

@@ -2,6 +2,9 @@ package org.u2sa.planning;
 
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.planning.guidance.GuidanceLaw;
+import org.u2sa.planning.guidance.LineGuidance;
+import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.ServiceContext;
 
 /**

@@ -3,9 +3,9 @@ package org.u2sa.planning;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
 
 /**
  * Adapts waypoints' horizontal thresholds to the accuracy reported in the state. With a standard

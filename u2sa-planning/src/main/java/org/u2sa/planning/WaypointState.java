@@ -6,11 +6,17 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.avoidance.AvoidanceSettings;
+import org.u2sa.planning.guidance.Leg;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.HandOver;
 
 /**

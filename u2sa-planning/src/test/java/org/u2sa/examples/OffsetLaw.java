@@ -4,8 +4,8 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.planning.GuidanceLaw;
-import org.u2sa.planning.GuidanceLawProvider;
+import org.u2sa.planning.guidance.GuidanceLaw;
+import org.u2sa.planning.guidance.GuidanceLawProvider;
 
 /** An extension's guidance law: beside the line instead of on it. */
 public final class OffsetLaw implements GuidanceLawProvider {

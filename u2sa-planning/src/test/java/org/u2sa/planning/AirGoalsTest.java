@@ -10,13 +10,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.planning.guidance.Leg;
 
 /** What an aircraft's planner makes of a waypoint's heading, time and threshold. */
 class AirGoalsTest extends PlannedVehicle {

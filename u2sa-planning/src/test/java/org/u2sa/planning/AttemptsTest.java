@@ -13,9 +13,9 @@ import java.util.function.Function;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 

@@ -1,6 +1,6 @@
 package org.u2sa.planning;
 
-import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 
 class GoalChoiceTest {
   private final Waypoint a = new Waypoint().uid("a").next(List.of("d"));

@@ -15,9 +15,9 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.contract.MissionReport;
-import org.u2sa.messages.contract.MissionRequest;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.mission.MissionReport;
+import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.schema.MessageType;
 
 /** A class of goals, its planner state and its element in missions come from a jar (4.2.1.3). */
@@ -26,7 +26,7 @@ class GoalsFromAJarTest {
       """
       package org.example.boat;
 
-      import org.u2sa.messages.Waypoint;
+      import org.u2sa.messages.goal.Waypoint;
       import org.u2sa.messages.schema.MessageType;
       import org.u2sa.messages.schema.NumberField;
       import org.u2sa.messages.schema.Schema;
@@ -65,7 +65,7 @@ class GoalsFromAJarTest {
       import org.u2sa.planning.Plan;
       import org.u2sa.planning.PlannerState;
       import org.u2sa.planning.Pursuit;
-      import org.u2sa.messages.GoalInformation;
+      import org.u2sa.messages.goal.GoalInformation;
       import org.u2sa.messages.StateInformation;
 
       final class HulaHoopState implements PlannerState {

@@ -7,6 +7,13 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.planning.guidance.AltitudeProfile;
+import org.u2sa.planning.guidance.LineGuidance;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.LoiterCircle;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.TurnAnticipation;
+import org.u2sa.planning.guidance.Vehicle;
 
 class LineGuidanceTest {
   private static final LineSettings AIRCRAFT =

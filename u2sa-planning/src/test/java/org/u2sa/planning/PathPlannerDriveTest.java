@@ -11,10 +11,11 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.planning.guidance.Leg;
 
 class PathPlannerDriveTest {
   private static final Map<String, Object> AIRCRAFT =

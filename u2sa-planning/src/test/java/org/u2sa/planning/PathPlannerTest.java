@@ -8,11 +8,11 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Waypoint;
 
 /** From a state to the point steered for: frames, ages, altitudes, and variables that change. */
 class PathPlannerTest extends PlannedVehicle {

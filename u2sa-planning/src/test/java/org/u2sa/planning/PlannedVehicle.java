@@ -3,12 +3,12 @@ package org.u2sa.planning;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.testkit.ServiceKit;
 
 /** Tests of a PathPlanner that is handed goals and states. */

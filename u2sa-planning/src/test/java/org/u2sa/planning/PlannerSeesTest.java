@@ -8,19 +8,20 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
-import org.u2sa.messages.ObjectGoal;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.messages.shape.Polygon;
+import org.u2sa.planning.guidance.Leg;
 
 /** The planner with objects around the vehicle. */
 class PlannerSeesTest extends PlannedVehicle {

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
 
 class PlannerStatesTest {
   private final PlannerState any = new Fixed(GoalInformation.class);

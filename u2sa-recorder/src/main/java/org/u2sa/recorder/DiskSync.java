@@ -9,7 +9,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
- * Syncs a file to disk so that a power cut does not lose it. Runs on its own thread: a busy disk may take seconds, during which writing must continue.
+ * Syncs a file to disk so that a power cut does not lose it. Runs on its own thread: a busy disk
+ * may take seconds, during which writing must continue.
  */
 final class DiskSync implements AutoCloseable {
   private static final long LOOK_UP_EVERY_MS = 100; // polls for the end

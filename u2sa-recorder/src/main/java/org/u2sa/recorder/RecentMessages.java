@@ -8,7 +8,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionPart;
 
 /**
- * Positions of recently written messages in the current file, so that an execution can refer to them. Not thread-safe.
+ * Positions of recently written messages in the current file, so that an execution can refer to
+ * them. Not thread-safe.
  */
 final class RecentMessages {
   private record Kept(U2SAData message, ExecutionPart.Place place) {}

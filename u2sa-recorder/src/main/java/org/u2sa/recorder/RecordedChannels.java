@@ -11,19 +11,21 @@ import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionPart;
-import org.u2sa.recorder.mcap.McapChannel;
-import org.u2sa.recorder.mcap.McapMessage;
-import org.u2sa.recorder.mcap.McapSchema;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapSchema;
 
 /**
- * Channels and schemas of a recording, numbered in order of first use; each file defines those it uses. Not thread-safe.
+ * Channels and schemas of a recording, numbered in order of first use; each file defines those it
+ * uses. Not thread-safe.
  */
 final class RecordedChannels {
   private static final int MOST = 0xFFFF; // IDs have 16 bits
 
   /**
-   * Limit for channels of arbitrary sources and types, of which a sender may invent tens of thousands. The rest is reserved for the standard channels.
+   * Limit for channels of arbitrary sources and types, of which a sender may invent tens of
+   * thousands. The rest is reserved for the standard channels.
    */
   private static final int MAX_OF_ANY_NAME = MOST - 4_096;
 

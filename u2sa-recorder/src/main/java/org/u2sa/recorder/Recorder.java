@@ -18,7 +18,9 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Records every message of a system into MCAP files (thesis 3.2.1.5). In: all channels, over a connection of its own that delivers every message on publication, without replacing older ones. Out: only the messages every service publishes; health reports dropped messages.
+ * Records every message of a system into MCAP files (thesis 3.2.1.5). In: all channels, over a
+ * connection of its own that delivers every message on publication, without replacing older ones.
+ * Out: only the messages every service publishes; health reports dropped messages.
  *
  * <p>Can also be listed in a system file, including on a phone.
  */
@@ -103,7 +105,8 @@ public final class Recorder extends EventDrivenService implements Execution.Keep
   }
 
   /**
-   * Ends the service and waits until its last file is complete. {@link #kill} has a timeout, within which a busy machine may not have written everything.
+   * Ends the service and waits until its last file is complete. {@link #kill} has a timeout, within
+   * which a busy machine may not have written everything.
    */
   public void finish() {
     kill();

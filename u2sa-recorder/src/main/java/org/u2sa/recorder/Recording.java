@@ -24,7 +24,9 @@ import org.u2sa.recorder.foxglove.FoxgloveMessages;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /**
- * Accepts messages from any thread and writes them on its own. Publishers never wait for the disk: messages that do not fit into the queue are dropped and counted. In simulated time, where waiting costs nothing, publishers block instead, and nothing is dropped.
+ * Accepts messages from any thread and writes them on its own. Publishers never wait for the disk:
+ * messages that do not fit into the queue are dropped and counted. In simulated time, where waiting
+ * costs nothing, publishers block instead, and nothing is dropped.
  */
 final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private static final long NANOS_PER_MICRO = 1_000L;
@@ -102,7 +104,8 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   }
 
   /**
-   * Shutdown hook: the writing thread ends with the program. Allows a moment for the services' last messages, then completes the file whether or not it was closed.
+   * Shutdown hook: the writing thread ends with the program. Allows a moment for the services' last
+   * messages, then completes the file whether or not it was closed.
    */
   private void endWithProgram() {
     try {

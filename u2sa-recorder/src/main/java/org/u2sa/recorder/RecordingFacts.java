@@ -9,11 +9,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
-import org.u2sa.recorder.mcap.McapAttachment;
-import org.u2sa.recorder.mcap.McapMetadata;
+import org.u2sa.recorder.mcap.record.McapAttachment;
+import org.u2sa.recorder.mcap.record.McapMetadata;
 
 /**
- * Facts about a run stored beside its messages: named texts and attached files. Filled before recording starts.
+ * Facts about a run stored beside its messages: named texts and attached files. Filled before
+ * recording starts.
  */
 public final class RecordingFacts {
   /** Size limit of an attached file. */

@@ -16,15 +16,18 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import org.u2sa.recorder.mcap.McapAttachment;
-import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapAttachment;
+import org.u2sa.recorder.mcap.record.McapMetadata;
 
 /**
- * Files of one recording: starts the next file when the current one is full, and deletes the oldest beyond the configured number. Not thread-safe.
+ * Files of one recording: starts the next file when the current one is full, and deletes the oldest
+ * beyond the configured number. Not thread-safe.
  *
- * <p>Survives a full or missing disk: what cannot be written is counted, and writing is retried with the next chunk. If the current file was deleted or moved away, the next one is started, recreating the folder if necessary.
+ * <p>Survives a full or missing disk: what cannot be written is counted, and writing is retried
+ * with the next chunk. If the current file was deleted or moved away, the next one is started,
+ * recreating the folder if necessary.
  */
 final class RecordingFiles {
   private static final String SUFFIX = ".mcap";
@@ -162,7 +165,10 @@ final class RecordingFiles {
     }
   }
 
-  /** Deletes the oldest file if the limit is reached, but never the only one: it may be what fills the disk. */
+  /**
+   * Deletes the oldest file if the limit is reached, but never the only one: it may be what fills
+   * the disk.
+   */
   private void makeRoom() {
     if (written.size() > 1
         && settings.keptAtMost().isPresent()
@@ -259,7 +265,8 @@ final class RecordingFiles {
   }
 
   /**
-   * Starts the next file if the current one was deleted or moved away, since further writes to it would be lost.
+   * Starts the next file if the current one was deleted or moved away, since further writes to it
+   * would be lost.
    */
   void requirePresent(long nanos) {
     if (writer == null || Files.exists(file())) {

@@ -16,7 +16,8 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 
 /**
- * Attaches the files of a run to its recording: the system file, its configurations, the XML files they name (mission, fence, world, …) and the logs.
+ * Attaches the files of a run to its recording: the system file, its configurations, the XML files
+ * they name (mission, fence, world, …) and the logs.
  */
 public final class RunFiles {
   private static final int FOLDERS_IN_NAME = 3;

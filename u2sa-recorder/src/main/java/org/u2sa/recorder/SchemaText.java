@@ -9,7 +9,8 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * The JSON Schema of a message's CBOR map, with units. The keyword {@code unit} is a U2SA extension; JSON Schema readers ignore unknown keywords.
+ * The JSON Schema of a message's CBOR map, with units. The keyword {@code unit} is a U2SA
+ * extension; JSON Schema readers ignore unknown keywords.
  */
 public final class SchemaText {
   private static final String DIALECT = "https://json-schema.org/draft/2020-12/schema";

@@ -12,7 +12,9 @@ import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapWriter;
 
 /**
- * Writes a message to nowhere, so that classes and schemas are loaded before the first message. Loading takes a tenth of a second of processor time, which a busy machine may stretch to seconds during which nothing would be saved.
+ * Writes a message to nowhere, so that classes and schemas are loaded before the first message.
+ * Loading takes a tenth of a second of processor time, which a busy machine may stretch to seconds
+ * during which nothing would be saved.
  */
 final class WarmUp {
   private static final String SYSTEM = "warm-up";

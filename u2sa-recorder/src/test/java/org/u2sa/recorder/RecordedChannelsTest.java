@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.EmergencyStop;
 
 class RecordedChannelsTest {
   private static final int NUMBERS = 0xFFFF;

@@ -26,18 +26,18 @@ import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
-import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
 import org.u2sa.service.ServiceContext;
 
 class RecorderTest {

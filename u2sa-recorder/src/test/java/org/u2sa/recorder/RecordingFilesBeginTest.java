@@ -19,12 +19,12 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
-import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
 
 /** When the next file of a recording is begun, its name, and what stands in it beside messages. */
 class RecordingFilesBeginTest {

@@ -19,8 +19,8 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapMessage;
 
 /** What fails unexpectedly ends no thread of a recording. */
 @Timeout(120)

@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.recorder.mcap.McapAttachment;
+import org.u2sa.recorder.mcap.record.McapAttachment;
 
 class RunFilesTest {
   @TempDir private Path folder;

@@ -54,7 +54,7 @@ final class HouseRules {
           Map.entry("planning", List.of("messages", "interfaces", "service", "device")),
           Map.entry("control", List.of("messages", "interfaces", "service", "device")),
           Map.entry("drivers", List.of("messages", "interfaces", "service", "device")),
-          Map.entry("vision", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("vision", List.of("messages", "interfaces", "service", "device", "world")),
           Map.entry("sim", List.of("messages", "interfaces", "service", "device")),
           Map.entry("recorder", List.of("messages", "interfaces", "service")),
           Map.entry(
@@ -136,7 +136,7 @@ final class HouseRules {
     rules.put("Moquette", confined("core.communication", "io.moquette.."));
     rules.put("Netty", nettyAtTheEdges());
     rules.put("JmDNS", confined("core.communication", "javax.jmdns.."));
-    rules.put("Paho", confined("interfaces.communication", "org.eclipse.paho.."));
+    rules.put("Paho", confined("interfaces.mqtt", "org.eclipse.paho.."));
     rules.put(
         "one XML reader", // it takes neither DOCTYPE nor entities
         confined(

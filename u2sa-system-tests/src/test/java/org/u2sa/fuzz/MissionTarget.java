@@ -1,7 +1,7 @@
 package org.u2sa.fuzz;
 
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.mission.Mission;
 

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Set;
 import org.awaitility.core.ConditionTimeoutException;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /** One flight over three hosts, during which the network suffers, and what was measured. */
 final class NetworkFlight implements AutoCloseable {

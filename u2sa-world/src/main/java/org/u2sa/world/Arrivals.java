@@ -8,7 +8,8 @@ import java.util.List;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Bounded queue of measurements waiting for the vehicle state of their time. Drops the oldest when full, so that a fast scanner cannot exhaust the memory.
+ * Bounded queue of measurements waiting for the vehicle state of their time. Drops the oldest when
+ * full, so that a fast scanner cannot exhaust the memory.
  */
 final class Arrivals {
   private static final int MOST = 20_000;

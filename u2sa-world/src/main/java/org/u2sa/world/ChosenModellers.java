@@ -9,25 +9,30 @@ import java.util.ServiceLoader;
 import java.util.TreeSet;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.service.HandOver;
+import org.u2sa.world.grid.GridModeller;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.Modeller;
+import org.u2sa.world.modeller.ModellerProvider;
+import org.u2sa.world.modeller.Sighting;
+import org.u2sa.world.object.ObjectMapModeller;
 
 /** The modellers currently selected by MODELLERS, out of all available ones. */
 final class ChosenModellers {
   static final String REACTIVE = "REACTIVE";
   static final String OBJECTS = "OBJECTS";
   static final String GRID = "GRID";
-  static final String LINES = "LINES";
 
   private final Map<String, Modeller> all = new LinkedHashMap<>();
   private Map<String, Modeller> chosen = new LinkedHashMap<>();
 
   /**
-   * @param configuration configuration of the World Modeler, in which all modellers declare their variables
+   * @param configuration configuration of the World Modeler, in which all modellers declare their
+   *     variables
    */
   ChosenModellers(Configurator configuration) {
     all.put(REACTIVE, new ReactiveModeller(configuration));
     all.put(OBJECTS, new ObjectMapModeller(configuration));
     all.put(GRID, new GridModeller(configuration));
-    all.put(LINES, new LineModeller(configuration));
     for (ModellerProvider provider : ServiceLoader.load(ModellerProvider.class)) {
       all.putIfAbsent(provider.name(), provider.modeller(configuration));
     }

@@ -15,9 +15,13 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.service.HandOver;
+import org.u2sa.world.modeller.Modeller;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.Sighting;
 
 /**
- * Publishes the latest detections of each sensor, in their original frames (thesis 4.1.1.2), with scans as point clouds, together with the a priori objects.
+ * Publishes the latest detections of each sensor, in their original frames (thesis 4.1.1.2), with
+ * scans as point clouds, together with the a priori objects.
  */
 final class ReactiveModeller implements Modeller {
   private record Tuning(

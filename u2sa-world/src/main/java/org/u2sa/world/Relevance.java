@@ -6,14 +6,17 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.FieldValue;
 
 /**
- * Selects the objects relevant to the current task (thesis 3.2.3.3, 4.3.2). A goal of any class can name what it looks for in a field objectType or objectTypes. While every current goal does so, passable objects of other types are omitted. Everything else is always published: a vehicle on its way to a buoy must not run into the gate.
+ * Selects the objects relevant to the current task (thesis 3.2.3.3, 4.3.2). A goal of any class can
+ * name what it looks for in a field objectType or objectTypes. While every current goal does so,
+ * passable objects of other types are omitted. Everything else is always published: a vehicle on
+ * its way to a buoy must not run into the gate.
  */
 final class Relevance {
   private static final String ONE = "objectType";

@@ -12,25 +12,33 @@ import org.u2sa.interfaces.configuration.ConfigurationException;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.Modeller;
+import org.u2sa.world.modeller.PoseHistory;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.Sighting;
 import org.u2sa.world.xml.WorldFile;
 
 /**
- * Maintains the world model (thesis 3.2.3.3): passes each sighting and scan, with the vehicle's state at its measurement time, to the {@link Modeller}s selected by MODELLERS, and publishes their results at RATE. In: sensed-objects, scans, state, goals. Out: objects, grid.
+ * Maintains the world model (thesis 3.2.3.3): passes each sighting and scan, with the vehicle's
+ * state at its measurement time, to the {@link Modeller}s selected by MODELLERS, and publishes
+ * their results at RATE. In: sensed-objects, scans, state, goals. Out: objects, grid.
  *
- * <p>Without a vehicle state it works in BODY (thesis 4.3.2) and switches frames when a state arrives.
+ * <p>Without a vehicle state it works in BODY (thesis 4.3.2) and switches frames when a state
+ * arrives.
  */
 public final class WorldModeler extends PeriodicService {
   private static final double RATE_HZ = 10.0;
@@ -114,7 +122,10 @@ public final class WorldModeler extends PeriodicService {
         .forEach(modeller -> modeller.known(placed(), known(now())));
   }
 
-  /** A priori objects count as known from the time the file was loaded, whichever modeller asks later. */
+  /**
+   * A priori objects count as known from the time the file was loaded, whichever modeller asks
+   * later.
+   */
   private Sighting known(Sighting now) {
     return new Sighting(knownMicros, now.frame(), now.vehicle());
   }

@@ -95,7 +95,7 @@ class KnownWorldTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"OBJECTS", "REACTIVE", "GRID", "LINES", "GRID, LINES"})
+  @ValueSource(strings = {"OBJECTS", "REACTIVE", "GRID"})
   void world_whicheverModellersWork_isPublished(String modellers) throws IOException {
     world.kit.with("MODELLERS", modellers).with("WORLD", mastAndCart().toString());
     world.kit.start(WorldModeler::new);

@@ -6,6 +6,9 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.world.modeller.Modeller;
+import org.u2sa.world.modeller.ModellerProvider;
+import org.u2sa.world.modeller.Sighting;
 
 /** An extension's modeller, found as one of another jar would be: it knows one lighthouse. */
 public final class LighthouseProvider implements ModellerProvider {

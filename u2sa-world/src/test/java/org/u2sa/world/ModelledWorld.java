@@ -14,15 +14,15 @@ import org.u2sa.messages.shape.Circle;
 import org.u2sa.testkit.ServiceKit;
 
 /** A World Modeler in the test kit, what it is shown and what it publishes. */
-final class ModelledWorld implements AutoCloseable {
-  final ServiceKit kit = new ServiceKit();
+public final class ModelledWorld implements AutoCloseable {
+  public final ServiceKit kit = new ServiceKit();
 
   @Override
   public void close() {
     kit.close();
   }
 
-  static StateInformation local(double x, double y, double psi) {
+  public static StateInformation local(double x, double y, double psi) {
     return new StateInformation()
         .sensorName("StateEstimator")
         .referenceFrame(ReferenceFrame.LOCAL_NED)
@@ -42,7 +42,7 @@ final class ModelledWorld implements AutoCloseable {
         .sensorName("Camera");
   }
 
-  static RangeScan wallAhead(double range) {
+  public static RangeScan wallAhead(double range) {
     List<OptionalDouble> ranges = new ArrayList<>();
     for (int i = 0; i < 21; i++) {
       ranges.add(OptionalDouble.of(range));
@@ -50,7 +50,7 @@ final class ModelledWorld implements AutoCloseable {
     return new RangeScan().sensorName("Lidar").maxRange(10.0).beams(-0.1, 0.01, ranges);
   }
 
-  List<ObjectDescription> objects() {
+  public List<ObjectDescription> objects() {
     return kit.latest(Channels.OBJECTS).orElseThrow().objects();
   }
 

@@ -5,8 +5,8 @@ import org.u2sa.android.board.BoardCondition
 import org.u2sa.interfaces.communication.Channels
 import org.u2sa.interfaces.log.LogLevelEnum
 import org.u2sa.messages.BatteryState
-import org.u2sa.messages.contract.ArmCommand
-import org.u2sa.messages.contract.EmergencyStop
+import org.u2sa.messages.safety.ArmCommand
+import org.u2sa.messages.safety.EmergencyStop
 import org.u2sa.messages.schema.U2SAData
 import org.u2sa.service.EmergencyLatch
 import org.u2sa.service.PeriodicService

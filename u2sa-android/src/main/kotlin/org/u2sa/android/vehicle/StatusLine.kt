@@ -2,7 +2,7 @@ package org.u2sa.android.vehicle
 
 import android.content.Context
 import org.u2sa.android.text.Text
-import org.u2sa.messages.contract.FailsafeAction
+import org.u2sa.messages.safety.FailsafeAction
 
 /** One-sentence vehicle status for the notification and the top of the screen. */
 internal class StatusLine(val words: String, val level: Level) {

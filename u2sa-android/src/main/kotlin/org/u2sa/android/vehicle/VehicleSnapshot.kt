@@ -1,6 +1,6 @@
 package org.u2sa.android.vehicle
 
-import org.u2sa.messages.contract.FailsafeAction
+import org.u2sa.messages.safety.FailsafeAction
 import org.u2sa.messages.frame.Geodetic
 
 /**

@@ -1,6 +1,6 @@
 package org.u2sa.android.vehicle
 
-import org.u2sa.messages.contract.FailsafeAction
+import org.u2sa.messages.safety.FailsafeAction
 
 /** Detects new faults so that each is announced once. Not thread-safe. */
 internal class Warnings {

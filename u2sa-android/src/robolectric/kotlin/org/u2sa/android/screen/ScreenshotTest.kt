@@ -20,7 +20,7 @@ import org.u2sa.android.MainActivity
 import org.u2sa.android.OnPhone
 import org.u2sa.android.vehicle.VehicleHost
 import org.u2sa.android.vehicle.VehicleSnapshot
-import org.u2sa.messages.contract.FailsafeAction
+import org.u2sa.messages.safety.FailsafeAction
 import org.u2sa.messages.frame.Geodetic
 import org.u2sa.messages.frame.Point
 

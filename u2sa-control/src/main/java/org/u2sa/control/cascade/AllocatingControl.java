@@ -19,11 +19,11 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.ForceCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.command.ForceCommand;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 

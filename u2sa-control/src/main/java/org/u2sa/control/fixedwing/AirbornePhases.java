@@ -1,6 +1,13 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.Optional;
+import org.u2sa.control.fixedwing.law.EnergyLaw;
+import org.u2sa.control.fixedwing.law.FlightState;
+import org.u2sa.control.fixedwing.law.GroundSteering;
+import org.u2sa.control.fixedwing.law.GuidanceParameters;
+import org.u2sa.control.fixedwing.law.LateralGuidance;
+import org.u2sa.control.fixedwing.law.Limit;
+import org.u2sa.control.fixedwing.law.StallGuard;
 import org.u2sa.service.HandOver;
 
 /** The airborne phases: climb-out, cruise, holding and go-around. */

@@ -30,7 +30,7 @@ public enum AircraftActuator {
     this.share = share;
   }
 
-  /** As in {@link org.u2sa.messages.ActuatorCommand#actuatorName()}. */
+  /** As in {@link org.u2sa.messages.command.ActuatorCommand#actuatorName()}. */
   String actuatorName() {
     return actuatorName;
   }

@@ -1,13 +1,16 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.Optional;
+import org.u2sa.control.fixedwing.law.FlightState;
+import org.u2sa.control.fixedwing.law.GroundSteering;
+import org.u2sa.control.fixedwing.law.Limit;
 import org.u2sa.service.HandOver;
 
 /**
  * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure
  * computation: time comes with the state. Not thread-safe.
  */
-final class Autopilot {
+public final class Autopilot {
   private static final double LONGEST_STEP_S = 0.2; // a longer gap is a lost link, not a step
   private static final double SHORTEST_STEP_S = 1e-3;
   private static final double GLIDE_SINK_MPS = 3.0; // above this sink rate the flare starts earlier

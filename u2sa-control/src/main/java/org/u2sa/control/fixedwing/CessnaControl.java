@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.control.allocation.ActuatorRoster;
+import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;

@@ -1,5 +1,6 @@
 package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.service.HandOver;
 
 /**

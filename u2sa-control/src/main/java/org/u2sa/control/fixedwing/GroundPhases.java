@@ -1,5 +1,10 @@
 package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.fixedwing.law.FlightState;
+import org.u2sa.control.fixedwing.law.GroundSteering;
+import org.u2sa.control.fixedwing.law.Limit;
+import org.u2sa.control.fixedwing.law.StallGuard;
+
 /** Ground phases before flight: run-up and take-off run. */
 final class GroundPhases {
   private final Tuning tuning;

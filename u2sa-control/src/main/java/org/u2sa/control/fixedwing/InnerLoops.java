@@ -1,5 +1,10 @@
 package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.fixedwing.law.FlightState;
+import org.u2sa.control.fixedwing.law.Limit;
+import org.u2sa.control.fixedwing.law.PitchLaw;
+import org.u2sa.control.fixedwing.law.RollLaw;
+import org.u2sa.control.fixedwing.law.YawLaw;
 import org.u2sa.service.HandOver;
 
 /**

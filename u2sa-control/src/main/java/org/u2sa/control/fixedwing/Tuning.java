@@ -1,6 +1,13 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.function.Supplier;
+import org.u2sa.control.fixedwing.law.EnergyParameters;
+import org.u2sa.control.fixedwing.law.FlareLaw;
+import org.u2sa.control.fixedwing.law.GroundSteering;
+import org.u2sa.control.fixedwing.law.GuidanceParameters;
+import org.u2sa.control.fixedwing.law.PitchLaw;
+import org.u2sa.control.fixedwing.law.RollLaw;
+import org.u2sa.control.fixedwing.law.YawLaw;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;

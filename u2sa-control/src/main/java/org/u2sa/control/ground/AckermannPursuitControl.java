@@ -9,9 +9,9 @@ import java.util.Set;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.messages.AngleCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.command.AngleCommand;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 

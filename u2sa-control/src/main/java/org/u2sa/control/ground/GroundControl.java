@@ -11,9 +11,9 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.ArmingState;
 
 /**
  * Common part of ground control systems: the navigation point relative to the vehicle now, the

@@ -3,6 +3,8 @@ package org.u2sa.control.fixedwing;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.control.fixedwing.law.RateLoop;
+import org.u2sa.control.fixedwing.law.YawLaw;
 import org.u2sa.service.HandOver;
 
 class SwitchedOffIntegralTest {

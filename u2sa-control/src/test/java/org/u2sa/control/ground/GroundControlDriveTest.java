@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.AngleCommand;
+import org.u2sa.messages.command.AngleCommand;
 import org.u2sa.service.ServiceContext;
 
 /** The controls of ground vehicles behind the real planner, over corners of 90 and 135 degrees. */

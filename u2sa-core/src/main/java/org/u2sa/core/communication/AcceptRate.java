@@ -4,7 +4,9 @@ import java.net.InetAddress;
 import java.util.Map;
 
 /**
- * Limits the accepted connections per second, for each network and for all networks without a successful login together, so that known networks keep their own rate. Confined to the accepting thread.
+ * Limits the accepted connections per second, for each network and for all networks without a
+ * successful login together, so that known networks keep their own rate. Confined to the accepting
+ * thread.
  */
 final class AcceptRate {
   private static final double BURST_S = 1.0; // a system's clients may connect simultaneously
@@ -15,7 +17,8 @@ final class AcceptRate {
   private final Map<String, Allowance> byNetwork = new RecentlyUsed<>(NETWORKS_REMEMBERED);
 
   /**
-   * @param perS connections per second from all networks without a successful login; half of it for a single network
+   * @param perS connections per second from all networks without a successful login; half of it for
+   *     a single network
    */
   AcceptRate(double perS, long nowMicros) {
     perNetworkPerS = perS / 2.0;

@@ -3,7 +3,10 @@ package org.u2sa.core.communication;
 import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
-/** Token bucket: a rate limit with bursts, by default a quarter of a second's worth. Not thread-safe. */
+/**
+ * Token bucket: a rate limit with bursts, by default a quarter of a second's worth. Not
+ * thread-safe.
+ */
 final class Allowance {
   private static final double BURST_S = 0.25;
   private static final double LEAST_BURST = 1.0; // even at low rates
@@ -45,9 +48,7 @@ final class Allowance {
     take(amount);
   }
 
-  /**
-   * One {@link Allowance} per user, shared by all of the user's connections. Thread-safe.
-   */
+  /** One {@link Allowance} per user, shared by all of the user's connections. Thread-safe. */
   static final class PerUser {
     private static final int USERS_REMEMBERED = 1_024;
 

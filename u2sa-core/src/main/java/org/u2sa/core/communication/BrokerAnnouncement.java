@@ -11,7 +11,8 @@ import javax.jmdns.JmDNS;
 import javax.jmdns.ServiceInfo;
 
 /**
- * Tells the local network by multicast DNS where this system's broker listens. Announcing and withdrawing take seconds and run on a separate thread.
+ * Tells the local network by multicast DNS where this system's broker listens. Announcing and
+ * withdrawing take seconds and run on a separate thread.
  */
 final class BrokerAnnouncement implements AutoCloseable {
   /** DNS-SD service type registered for MQTT. */

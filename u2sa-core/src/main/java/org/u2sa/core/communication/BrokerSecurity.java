@@ -12,8 +12,8 @@ import java.util.function.Supplier;
 import javax.net.ssl.SSLException;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
 
 /** Security of the embedded broker: users and encryption, or listening on this host only. */
 final class BrokerSecurity {

@@ -114,9 +114,11 @@ final class ConnectRequest {
   }
 
   /**
-   * The packet as passed to Moquette: with the connection filter's pass as password, without the will (published by the session), and without a persistent session.
+   * The packet as passed to Moquette: with the connection filter's pass as password, without the
+   * will (published by the session), and without a persistent session.
    *
-   * @param connection unique connection ID that replaces the client ID: Moquette confuses two connections of one client, and closes the newer together with the older
+   * @param connection unique connection ID that replaces the client ID: Moquette confuses two
+   *     connections of one client, and closes the newer together with the older
    */
   MqttConnectMessage forMoquette(String connection, String name) {
     MqttConnectVariableHeader said = packet.variableHeader();

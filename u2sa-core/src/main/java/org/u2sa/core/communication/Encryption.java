@@ -10,7 +10,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * TLS of the broker's connections. Handshakes are computed on a separate thread (key exchange and signature take milliseconds), so that the network thread keeps serving others. Networks with a successful login have priority.
+ * TLS of the broker's connections. Handshakes are computed on a separate thread (key exchange and
+ * signature take milliseconds), so that the network thread keeps serving others. Networks with a
+ * successful login have priority.
  */
 final class Encryption implements AutoCloseable {
   private final SslContext context;
@@ -44,7 +46,8 @@ final class Encryption implements AutoCloseable {
   }
 
   /**
-   * A handshake computation. Bounded by the number of accepted connections, each of which waits for at most one.
+   * A handshake computation. Bounded by the number of accepted connections, each of which waits for
+   * at most one.
    */
   private record Step(Channel channel, Runnable computation, boolean isKnown, long number)
       implements Runnable, Comparable<Step> {

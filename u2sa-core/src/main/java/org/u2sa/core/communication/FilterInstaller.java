@@ -18,7 +18,10 @@ import java.util.concurrent.ExecutionException;
 import org.u2sa.interfaces.communication.CommunicationException;
 
 /**
- * Installs the connection filter before Moquette's listening socket. Moquette has no API for that, so a private field is read; if a later version moves it, the broker refuses to start. Connections made before the filter is installed have no pass, are not admitted, and are closed, because nothing would limit what Moquette decodes for them.
+ * Installs the connection filter before Moquette's listening socket. Moquette has no API for that,
+ * so a private field is read; if a later version moves it, the broker refuses to start. Connections
+ * made before the filter is installed have no pass, are not admitted, and are closed, because
+ * nothing would limit what Moquette decodes for them.
  */
 final class FilterInstaller {
   private static final long END_WITHIN_S = 5;
@@ -48,7 +51,8 @@ final class FilterInstaller {
   }
 
   /**
-   * Ends the network threads. Moquette would do it too, but would wait idly for two seconds, although everything was sent before.
+   * Ends the network threads. Moquette would do it too, but would wait idly for two seconds,
+   * although everything was sent before.
    */
   static void takeDown(Server server) {
     try {
@@ -68,7 +72,8 @@ final class FilterInstaller {
   }
 
   /**
-   * Serves all connections on one thread, so that messages between them never change threads: waking another thread takes longer than routing a message. Netty would use several.
+   * Serves all connections on one thread, so that messages between them never change threads:
+   * waking another thread takes longer than routing a message. Netty would use several.
    */
   private static EventLoop putOnOneThread(Channel listening) throws ReflectiveOperationException {
     ChannelHandler acceptor = listening.pipeline().last();

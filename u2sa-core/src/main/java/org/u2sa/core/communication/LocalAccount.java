@@ -13,10 +13,11 @@ import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.SecretFile;
 import org.u2sa.core.security.User;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.communication.LocalToken;
+import org.u2sa.interfaces.mqtt.LocalToken;
 
 /**
- * Access to a broker that only this host can reach: programs that can read the token file, i.e. run under the same account, have full access; all others may only listen and query.
+ * Access to a broker that only this host can reach: programs that can read the token file, i.e. run
+ * under the same account, have full access; all others may only listen and query.
  */
 final class LocalAccount implements AutoCloseable {
   private final Path file;
@@ -32,7 +33,8 @@ final class LocalAccount implements AutoCloseable {
   }
 
   /**
-   * Creates a new token for the broker that is to listen at this address, and writes it to the file, unless another broker listens there, whose token would be overwritten.
+   * Creates a new token for the broker that is to listen at this address, and writes it to the
+   * file, unless another broker listens there, whose token would be overwritten.
    *
    * @param log notified if the file cannot be written, with the consequence
    */

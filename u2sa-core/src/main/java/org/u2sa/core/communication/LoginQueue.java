@@ -8,7 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Login requests waiting for their password check, in order of arrival; addresses without wrong passwords have priority. Thread-safe.
+ * Login requests waiting for their password check, in order of arrival; addresses without wrong
+ * passwords have priority. Thread-safe.
  */
 final class LoginQueue {
   private static final int AT_MOST = 256;
@@ -22,7 +23,8 @@ final class LoginQueue {
   }
 
   /**
-   * Adds a request. Returns the displaced one, possibly itself: from the address with the most wrong passwords, then with the most waiting requests.
+   * Adds a request. Returns the displaced one, possibly itself: from the address with the most
+   * wrong passwords, then with the most waiting requests.
    */
   synchronized Optional<LoginApplication> add(LoginApplication application) {
     long same = waiting.stream().filter(other -> other.from().equals(application.from())).count();

@@ -7,7 +7,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * Limits one kind of memory that the broker holds for its connections, such as incomplete packets. Beyond the total limit, closes the largest connection of the user with the most, so that nobody can exhaust memory. Not thread-safe.
+ * Limits one kind of memory that the broker holds for its connections, such as incomplete packets.
+ * Beyond the total limit, closes the largest connection of the user with the most, so that nobody
+ * can exhaust memory. Not thread-safe.
  *
  * @param <C> a connection
  */
@@ -31,7 +33,8 @@ final class MemoryBudget<C> {
   /**
    * Creates a budget for clients.
    *
-   * @param part divisor of the heap size, such as 8 for an eighth; direct memory has the same size by default
+   * @param part divisor of the heap size, such as 8 for an eighth; direct memory has the same size
+   *     by default
    * @param maxBytes upper limit for any heap size [B]
    * @param why reason for the log
    */

@@ -8,8 +8,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.LocalBus;
-import org.u2sa.interfaces.communication.OriginNumbers;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.interfaces.mqtt.OriginNumbers;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.Origin;
 import org.u2sa.messages.schema.U2SAData;
@@ -125,8 +125,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     Semaphore place = onTheWay;
     try {
       publish(copy, place::release);
-    } catch (
-        RuntimeException e) { // only this message cannot be sent, e.g. too long
+    } catch (RuntimeException e) { // only this message cannot be sent, e.g. too long
       place.release();
       drop("publishing on \"" + copy.topic + "\" failed: " + e.getMessage());
     }

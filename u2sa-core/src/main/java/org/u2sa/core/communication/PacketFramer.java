@@ -6,7 +6,10 @@ import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.util.ReferenceCountUtil;
 
 /**
- * Passes complete MQTT packets to the decoder, so that it reads each byte once, however the packets were fragmented. Rejects packets that are too long for their type as soon as their length is known (MQTT 3.1.1, section 2.2), and packets whose contents exceed their length, for which the decoder would wait and start over with each further byte. Confined to its connection's thread.
+ * Passes complete MQTT packets to the decoder, so that it reads each byte once, however the packets
+ * were fragmented. Rejects packets that are too long for their type as soon as their length is
+ * known (MQTT 3.1.1, section 2.2), and packets whose contents exceed their length, for which the
+ * decoder would wait and start over with each further byte. Confined to its connection's thread.
  */
 final class PacketFramer extends ChannelInboundHandlerAdapter {
   private static final int CONNECT = 1;

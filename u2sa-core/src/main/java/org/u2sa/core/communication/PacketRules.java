@@ -8,7 +8,7 @@ import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.User;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.U2SAData;
 

@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Connections that have not identified themselves yet, limited in number. A new one displaces the oldest of the network with the most pending connections, preferring networks without a successful login, so that a flood displaces its own connections even if it uses many addresses. Legitimate clients need only milliseconds. Thread-safe.
+ * Connections that have not identified themselves yet, limited in number. A new one displaces the
+ * oldest of the network with the most pending connections, preferring networks without a successful
+ * login, so that a flood displaces its own connections even if it uses many addresses. Legitimate
+ * clients need only milliseconds. Thread-safe.
  *
  * @param <C> a connection
  */

@@ -9,7 +9,8 @@ import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;
 
 /**
- * A user with a generated password that is valid for one run of the broker: for the services of its process and programs of the same account.
+ * A user with a generated password that is valid for one run of the broker: for the services of its
+ * process and programs of the same account.
  */
 record ProcessAccount(User user, String password) {
   private static final int PASSWORD_BYTES = 32;

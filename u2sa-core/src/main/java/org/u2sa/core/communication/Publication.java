@@ -5,7 +5,8 @@ import io.netty.buffer.ByteBufAllocator;
 import io.netty.buffer.Unpooled;
 
 /**
- * A message sent to several clients as MQTT packets. Common parts are encoded once, and long payloads are not copied. Not thread-safe.
+ * A message sent to several clients as MQTT packets. Common parts are encoded once, and long
+ * payloads are not copied. Not thread-safe.
  */
 final class Publication {
   private static final int PUBLISH = 0x30;

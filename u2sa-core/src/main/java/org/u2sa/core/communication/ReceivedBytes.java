@@ -6,7 +6,8 @@ import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.util.ReferenceCountUtil;
 
 /**
- * Counts every byte a client sends, including TLS overhead, before decryption and decoding, and limits the bytes before its first complete packet. Confined to its connection's thread.
+ * Counts every byte a client sends, including TLS overhead, before decryption and decoding, and
+ * limits the bytes before its first complete packet. Confined to its connection's thread.
  */
 final class ReceivedBytes extends ChannelInboundHandlerAdapter {
   private final ClientSession session;

@@ -3,9 +3,7 @@ package org.u2sa.core.communication;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/**
- * A bounded map that evicts the least recently used entry (LRU). Not thread-safe.
- */
+/** A bounded map that evicts the least recently used entry (LRU). Not thread-safe. */
 final class RecentlyUsed<V> extends LinkedHashMap<String, V> {
   private static final long serialVersionUID = 1L;
 

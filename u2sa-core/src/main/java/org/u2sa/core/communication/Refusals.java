@@ -7,7 +7,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.OneLine;
 
 /**
- * Counts what the broker refuses or drops, and logs the 1st, 2nd, 4th, 8th … of each kind, so that a flood does not fill the log. Thread-safe.
+ * Counts what the broker refuses or drops, and logs the 1st, 2nd, 4th, 8th … of each kind, so that
+ * a flood does not fill the log. Thread-safe.
  */
 final class Refusals {
   private static final int KINDS_AT_MOST = 512;

@@ -5,11 +5,12 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.interfaces.communication.OriginNumbers;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.interfaces.mqtt.OriginNumbers;
 
 /**
- * Topics of local services' messages at the broker, and whether any remote client subscribes to them. Thread-safe; called for every message.
+ * Topics of local services' messages at the broker, and whether any remote client subscribes to
+ * them. Thread-safe; called for every message.
  */
 final class RemoteInterest {
   private final String systemId;

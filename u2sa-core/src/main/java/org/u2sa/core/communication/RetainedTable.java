@@ -35,8 +35,7 @@ final class RetainedTable {
   private final long bytesAtMost;
   private final long bytesOfOneAtMost;
   private final Map<String, Entry> entries = new ConcurrentHashMap<>(); // written under this
-  private final Map<String, Sum> byOwner =
-      new HashMap<>(); // guarded by this, like those below
+  private final Map<String, Sum> byOwner = new HashMap<>(); // guarded by this, like those below
   private final Sum ordinary = new Sum();
   private final Sum urgent = new Sum();
 

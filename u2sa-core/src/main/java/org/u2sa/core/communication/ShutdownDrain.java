@@ -8,7 +8,9 @@ import java.util.concurrent.TimeoutException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * On broker shutdown, waits until clients have received what was sent to them, such as neutral commands. QoS 1 messages are acknowledged; for others it waits some time, because clients discard unprocessed messages when the connection closes.
+ * On broker shutdown, waits until clients have received what was sent to them, such as neutral
+ * commands. QoS 1 messages are acknowledged; for others it waits some time, because clients discard
+ * unprocessed messages when the connection closes.
  */
 final class ShutdownDrain {
   private static final long QUIET_MICROS = 500_000;

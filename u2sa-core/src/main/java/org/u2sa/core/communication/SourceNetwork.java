@@ -5,7 +5,8 @@ import java.net.InetAddress;
 import java.util.Arrays;
 
 /**
- * Key for counting by address: the IPv4 address, or the /64 of an IPv6 address, since a single host owns all of it.
+ * Key for counting by address: the IPv4 address, or the /64 of an IPv6 address, since a single host
+ * owns all of it.
  */
 final class SourceNetwork {
   private static final int NETWORK_BYTES = 8;

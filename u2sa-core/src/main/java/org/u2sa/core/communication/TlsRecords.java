@@ -9,7 +9,10 @@ import io.netty.handler.ssl.SslHandshakeCompletionEvent;
 import java.util.List;
 
 /**
- * Passes TLS records to the decryption one by one and limits those without data, which are disproportionately expensive: a TLS 1.3 KeyUpdate (RFC 8446, section 4.6.3) has 27 bytes and derives new keys on the network thread. Rejects renegotiation, which TLS 1.2 allows. Confined to its connection's thread.
+ * Passes TLS records to the decryption one by one and limits those without data, which are
+ * disproportionately expensive: a TLS 1.3 KeyUpdate (RFC 8446, section 4.6.3) has 27 bytes and
+ * derives new keys on the network thread. Rejects renegotiation, which TLS 1.2 allows. Confined to
+ * its connection's thread.
  */
 final class TlsRecords extends ByteToMessageDecoder {
   /** Burst of records without data; a handshake needs about five. */

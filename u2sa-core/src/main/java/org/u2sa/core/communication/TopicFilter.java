@@ -5,7 +5,8 @@ final class TopicFilter {
   private TopicFilter() {}
 
   /**
-   * Whether a text is a valid filter. Moquette would also reject it, but log a line each time, so that a client could flood the log.
+   * Whether a text is a valid filter. Moquette would also reject it, but log a line each time, so
+   * that a client could flood the log.
    */
   static boolean isValid(String text) {
     if (text.isEmpty() || text.indexOf('\0') >= 0) {

@@ -14,7 +14,8 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * What one client may publish, judged by topic alone: by channel and by the type a reader will resolve the whole type chain to. Not thread-safe.
+ * What one client may publish, judged by topic alone: by channel and by the type a reader will
+ * resolve the whole type chain to. Not thread-safe.
  */
 final class TopicPermissions {
   private static final int TOPICS_REMEMBERED = 256;

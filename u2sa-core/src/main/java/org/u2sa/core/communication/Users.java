@@ -14,7 +14,8 @@ import org.u2sa.core.security.UserFile;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Users of a running broker: those of the file, which is reloaded when it changes, and temporary ones of this run. Thread-safe.
+ * Users of a running broker: those of the file, which is reloaded when it changes, and temporary
+ * ones of this run. Thread-safe.
  */
 final class Users {
   private final Path file; // null if none
@@ -45,13 +46,16 @@ final class Users {
     add(account.anybody());
   }
 
-  /** Whether users have passwords, which take time to check; otherwise the account's token is used. */
+  /**
+   * Whether users have passwords, which take time to check; otherwise the account's token is used.
+   */
   boolean havePasswords() {
     return account == null;
   }
 
   /**
-   * User for a name and an account's token. The token is long and random, so guessing needs no rate limit.
+   * User for a name and an account's token. The token is long and random, so guessing needs no rate
+   * limit.
    *
    * @param name empty if none was given
    * @return empty if the token is wrong
@@ -74,7 +78,9 @@ final class Users {
     ofThisRun.put(user.name(), user);
   }
 
-  /** Reloads the file if it has changed; an invalid one is reported and the previous users are kept. */
+  /**
+   * Reloads the file if it has changed; an invalid one is reported and the previous users are kept.
+   */
   synchronized void refresh() {
     if (file == null) {
       return;

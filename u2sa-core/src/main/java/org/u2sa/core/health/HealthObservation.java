@@ -72,7 +72,8 @@ final class HealthObservation {
   }
 
   /**
-   * Handles a broken connection (reported by the broker) or an ended process (reported by a supervisor).
+   * Handles a broken connection (reported by the broker) or an ended process (reported by a
+   * supervisor).
    */
   private void lose(String of, HealthReport word) {
     if (of.equals(instance) && !hasStopped()) {
@@ -110,7 +111,8 @@ final class HealthObservation {
   }
 
   /**
-   * Excuses a silence during which the monitor itself could not receive; silence counts from the given time.
+   * Excuses a silence during which the monitor itself could not receive; silence counts from the
+   * given time.
    */
   void excuse(double untilS) {
     heardS = untilS;

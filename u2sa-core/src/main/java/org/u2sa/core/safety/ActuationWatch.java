@@ -5,13 +5,14 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Checks that actuators obey, by the counts of obeyed and refused commands in their services'
- * health reports. A service that has only refused for some time is reported. Refusals while disarmed are ignored.
+ * health reports. A service that has only refused for some time is reported. Refusals while
+ * disarmed are ignored.
  */
 final class ActuationWatch implements Watch {
   /** Last report of a service. */

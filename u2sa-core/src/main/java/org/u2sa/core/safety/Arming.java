@@ -3,7 +3,7 @@ package org.u2sa.core.safety;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.interfaces.log.LogLevelEnum;
-import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**

@@ -9,9 +9,9 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EmergencyLatch;
 

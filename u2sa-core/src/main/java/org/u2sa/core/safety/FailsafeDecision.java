@@ -9,7 +9,7 @@ import java.util.function.BinaryOperator;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /**
  * Selects the failsafe action: the most severe one in the matrix of the active hazards. A cause

@@ -91,7 +91,8 @@ final class Fence {
   }
 
   /**
-   * Position of a state in the fence's plane: x east, y north, z altitude [m]; 0 if it has no altitude.
+   * Position of a state in the fence's plane: x east, y north, z altitude [m]; 0 if it has no
+   * altitude.
    *
    * @throws IllegalArgumentException if one is global and the other in a local frame
    */

@@ -5,8 +5,8 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -46,7 +46,8 @@ final class FenceWatch implements Watch {
   /**
    * Reloads the configured fence.
    *
-   * @throws org.u2sa.interfaces.BadInputException if its file is invalid; the current fence is then kept
+   * @throws org.u2sa.interfaces.BadInputException if its file is invalid; the current fence is then
+   *     kept
    */
   void load() {
     fence = file.load(settings.get()).orElse(null);

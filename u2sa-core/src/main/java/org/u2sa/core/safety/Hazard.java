@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /** Hazards of a moving vehicle, each with an entry in the failsafe matrix. */
 final class Hazard {

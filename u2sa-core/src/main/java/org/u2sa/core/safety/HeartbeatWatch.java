@@ -5,8 +5,8 @@ import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.schema.U2SAData;
 
 /** Checks that a periodic sender is still heard. */

@@ -6,16 +6,17 @@ import org.locationtech.jts.algorithm.ConvexHull;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
-import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /**
  * Room a vehicle needs to stop or turn round: its stopping distance, or the region it may cover
  * while turning.
  *
  * @param turns whether it turns; otherwise it brakes
- * @param reactionS delay from the failsafe until it brakes or turns [s]; until then it goes straight
+ * @param reactionS delay from the failsafe until it brakes or turns [s]; until then it goes
+ *     straight
  * @param brakingMps2 deceleration [m/s²]
  * @param bankRad bank angle in turns [rad]
  * @param leastRadiusM minimum turn radius [m], if it holds on a wide circle
@@ -34,7 +35,10 @@ record Manoeuvre(
   private static final int ARC_CORNERS = 12;
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
 
-  /** Creates the configured manoeuvre; room for the holding circle is needed only if the fence action is to hold. */
+  /**
+   * Creates the configured manoeuvre; room for the holding circle is needed only if the fence
+   * action is to hold.
+   */
   static Manoeuvre of(SafetySettings settings, FailsafeAction onFence) {
     return new Manoeuvre(
         settings.fenceManoeuvre().equals("TURN"),
@@ -90,7 +94,8 @@ record Manoeuvre(
   }
 
   /**
-   * Region it may cover until it has stopped or turned round to either side: for a turn, the hull of both half circles ahead, extended by the wind drift.
+   * Region it may cover until it has stopped or turned round to either side: for a turn, the hull
+   * of both half circles ahead, extended by the wind drift.
    *
    * @param place east and north [m]
    * @param velocity east and north [m/s]

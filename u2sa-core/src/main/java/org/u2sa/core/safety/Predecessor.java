@@ -2,9 +2,9 @@ package org.u2sa.core.safety;
 
 import java.util.List;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**

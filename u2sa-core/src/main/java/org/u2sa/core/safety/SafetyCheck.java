@@ -3,15 +3,18 @@ package org.u2sa.core.safety;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A custom check in the Safety Manager, such as for water in the hull: it prevents arming, and in motion it is a cause in the failsafe matrix. All methods are called on the Safety Manager's thread and must not block. A check that throws counts as trouble.
+ * A custom check in the Safety Manager, such as for water in the hull: it prevents arming, and in
+ * motion it is a cause in the failsafe matrix. All methods are called on the Safety Manager's
+ * thread and must not block. A check that throws counts as trouble.
  */
 public interface SafetyCheck {
   /**
-   * Name of the hazard, in lower case, such as {@code leak}: used in causes and reasons, and in its variable in the failsafe matrix (ON LEAK). Unique.
+   * Name of the hazard, in lower case, such as {@code leak}: used in causes and reasons, and in its
+   * variable in the failsafe matrix (ON LEAK). Unique.
    */
   String name();
 
@@ -19,7 +22,8 @@ public interface SafetyCheck {
   FailsafeAction defaultAction();
 
   /**
-   * Channels it receives; any except arming and emergency-stop, which are reserved for the Safety Manager.
+   * Channels it receives; any except arming and emergency-stop, which are reserved for the Safety
+   * Manager.
    */
   Set<Channel<?>> channels();
 

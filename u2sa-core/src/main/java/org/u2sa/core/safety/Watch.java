@@ -9,7 +9,8 @@ import org.u2sa.messages.schema.U2SAData;
 /** Watches for one hazard, on the Safety Manager's thread. */
 interface Watch {
   /**
-   * Channels of the standard watches. Arming state and failsafe are those of the previous Safety Manager.
+   * Channels of the standard watches. Arming state and failsafe are those of the previous Safety
+   * Manager.
    */
   List<Channel<?>> STANDARD =
       List.of(

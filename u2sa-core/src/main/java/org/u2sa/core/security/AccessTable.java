@@ -32,12 +32,12 @@ import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
-import org.u2sa.messages.contract.MissionOrder;
-import org.u2sa.messages.contract.MissionOrderResult;
-import org.u2sa.messages.contract.MissionReport;
-import org.u2sa.messages.contract.MissionRequest;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
+import org.u2sa.messages.mission.MissionReport;
+import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.schema.MessageType;
 
 /**

@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
-import org.u2sa.messages.GoalList;
+import org.u2sa.interfaces.mqtt.MqttTransport;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.testkit.FreePort;
 
 /** What remote services do while there is no broker: before it comes, and after it went. */

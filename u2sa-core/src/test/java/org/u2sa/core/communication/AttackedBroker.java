@@ -13,7 +13,7 @@ import org.awaitility.core.ConditionFactory;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 
 /** An embedded broker of system cessna on a free port, for clients that mean harm. */
 final class AttackedBroker implements AutoCloseable {

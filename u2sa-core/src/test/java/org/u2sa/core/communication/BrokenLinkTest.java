@@ -11,9 +11,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.goal.GoalList;
 
 /** What remote services notice of a link that goes and comes back. */
 @Timeout(90)

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 
 /** Packets and connections that no honest client makes, and those who use the broker well. */
 @Timeout(120)

@@ -18,7 +18,7 @@ import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.FunctionalityResponse;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /** Clients that send too much, or take too little. */

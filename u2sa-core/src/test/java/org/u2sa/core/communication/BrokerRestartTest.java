@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.GoalList;
+import org.u2sa.messages.goal.GoalList;
 
 /** The embedded broker's end and its successor in the same process. */
 @Timeout(90)

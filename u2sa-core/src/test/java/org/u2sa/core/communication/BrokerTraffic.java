@@ -7,7 +7,7 @@ import org.awaitility.core.ConditionFactory;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /** Messages of system cessna that go from one connection to another. */

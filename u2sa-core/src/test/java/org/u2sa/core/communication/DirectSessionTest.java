@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttClient;
+import org.u2sa.interfaces.mqtt.MqttClient;
 
 /** Our own client with brokers that are slow, or none. */
 @Timeout(60)

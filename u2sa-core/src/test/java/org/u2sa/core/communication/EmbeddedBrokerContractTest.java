@@ -1,9 +1,9 @@
 package org.u2sa.core.communication;
 
 import java.util.Map;
-import org.u2sa.interfaces.communication.MqttClient;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.mqtt.MqttClient;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.testkit.FreePort;
 

@@ -23,10 +23,10 @@ import org.junit.jupiter.api.condition.OS;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.LocalToken;
-import org.u2sa.interfaces.communication.MqttTransport;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.interfaces.mqtt.LocalToken;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.MessageCodec;
 
 /** Who of a shared machine may command a vehicle that has no users. */

@@ -16,9 +16,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.safety.StopCommand;
 
 /** Messages that go past Moquette, beside those that do not. */
 @Timeout(60)

@@ -12,12 +12,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.DiscoveryRequest;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /** What one who may only look tries on a vehicle. */

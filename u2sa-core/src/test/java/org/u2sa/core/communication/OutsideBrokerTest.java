@@ -17,10 +17,10 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.contract.ArmCommand;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.testkit.FreePort;
 
 /** What a service takes from a broker that lets everything through and retains everything. */

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /**
  * An observer that sends long packets, whole and byte by byte, each byte in a TLS record of its

@@ -17,7 +17,7 @@ import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /** What a client may publish and have retained. */
 class PublishRulesTest {

@@ -12,11 +12,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.safety.ArmCommand;
 
 /** Clients that ask or order without end. */
 @Timeout(120)

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.communication.OriginNumbers;
+import org.u2sa.interfaces.mqtt.OriginNumbers;
 
 /** Where copies of messages go, and whether anybody wants them. */
 class RemoteInterestTest {

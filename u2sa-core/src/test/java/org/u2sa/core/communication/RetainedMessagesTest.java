@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
 
 /** What is retained comes with the flag to who asks later, and without it to who was there. */

@@ -20,9 +20,9 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /** What a user of the embedded broker may do, and what a broker needs to ask for users at all. */
 @Timeout(120)

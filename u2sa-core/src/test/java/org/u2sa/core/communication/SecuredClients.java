@@ -11,11 +11,11 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.security.SecurityDirectory;
-import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageCodec;
 

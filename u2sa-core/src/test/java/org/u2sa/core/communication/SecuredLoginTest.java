@@ -15,15 +15,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.security.SecurityDirectory;
-import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
+import org.u2sa.interfaces.mqtt.MqttTransport;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.MessageCodec;
 
 /** Whom the embedded broker lets in, and which broker a client trusts. */

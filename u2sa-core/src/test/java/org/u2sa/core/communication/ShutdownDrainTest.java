@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /** What is published just before the embedded broker ends. */

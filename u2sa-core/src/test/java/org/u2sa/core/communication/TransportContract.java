@@ -14,11 +14,11 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.command.ActuatorCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
 
 /**

@@ -11,7 +11,7 @@ import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.safety.StopCommand;
 
 /** What the monitor concludes from what is reported. */
 @Timeout(120)

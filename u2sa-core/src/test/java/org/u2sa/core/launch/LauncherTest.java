@@ -22,7 +22,7 @@ import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;

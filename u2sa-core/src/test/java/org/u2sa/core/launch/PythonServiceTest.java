@@ -22,7 +22,7 @@ import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
 

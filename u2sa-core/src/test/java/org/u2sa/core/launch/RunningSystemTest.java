@@ -17,7 +17,7 @@ import org.u2sa.interfaces.configuration.ConfigurationException;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
 

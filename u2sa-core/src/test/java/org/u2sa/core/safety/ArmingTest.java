@@ -12,10 +12,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.Condition;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /** What must be there before the vehicle is armed. */
 @Timeout(120)

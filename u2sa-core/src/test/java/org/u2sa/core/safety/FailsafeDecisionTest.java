@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /** Which of several causes decides, how long a cause counts, and what stays though it is gone. */
 class FailsafeDecisionTest {

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.ArmingState;
 
 /**
  * When a vehicle is too near to a fence of 200 m by 200 m around the origin, from 50 m to 150 m of

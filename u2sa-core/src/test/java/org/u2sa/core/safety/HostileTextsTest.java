@@ -9,9 +9,9 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.Condition;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /** Texts in messages, as long as they may be, keep no failsafe from acting. */
 @Timeout(120)

@@ -11,8 +11,8 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.util.AffineTransformation;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /** Distances worked out by hand, and what a region covers. */
 class ManoeuvreTest {

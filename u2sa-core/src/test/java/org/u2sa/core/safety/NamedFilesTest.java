@@ -13,11 +13,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ConfigurationChange;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.mission.MissionManager;
 import org.u2sa.service.ServiceContext;
 

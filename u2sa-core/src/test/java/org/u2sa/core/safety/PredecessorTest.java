@@ -6,9 +6,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 
 /** Whose words a Safety Manager that starts takes for those of the one before it. */
 class PredecessorTest {

@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.examples.LeakCheck;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /** An extension's check among the Safety Manager's own. */
 @Timeout(120)

@@ -6,8 +6,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.OperatorHeartbeat;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.OperatorHeartbeat;
 
 /** What somebody reads afterwards of arming and failsafes: each change once, and why. */
 @Timeout(120)

@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.OperatorHeartbeat;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.OperatorHeartbeat;
 
 /** What a SafetyManager takes over from the one before it. */
 @Timeout(120)

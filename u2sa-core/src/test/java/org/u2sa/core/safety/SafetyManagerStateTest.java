@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.contract.ArmCommand;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.ConfigurationChange;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 
 /** From its start, through stops and disarming, what a SafetyManager says and keeps. */
 @Timeout(120)

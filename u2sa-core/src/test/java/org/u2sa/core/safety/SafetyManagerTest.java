@@ -6,11 +6,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.Condition;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.OperatorHeartbeat;
 
 /** Which failsafe follows from what is lost, and when it is over. */
 @Timeout(120)

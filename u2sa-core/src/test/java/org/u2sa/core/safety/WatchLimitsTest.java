@@ -10,11 +10,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.OperatorHeartbeat;
 
 /** What each watch says at exactly its limit and one microsecond, or one step, beyond. */
 class WatchLimitsTest {

@@ -7,16 +7,16 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.contract.ArmCommand;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.Condition;
-import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.testkit.ServiceKit;
 
 /**

@@ -17,9 +17,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.ConnectionLost;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.OpaqueMessage;
 

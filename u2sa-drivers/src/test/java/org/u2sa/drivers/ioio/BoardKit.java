@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.sim.ioio.IoioInProcess;
 import org.u2sa.testkit.ServiceKit;

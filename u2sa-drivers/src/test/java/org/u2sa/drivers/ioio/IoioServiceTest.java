@@ -7,12 +7,12 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.AngleCommand;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.AngleCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.sim.ioio.PulseTrain;
 
 /** When the motors get which pulses: with the unmodified library and a simulated board. */

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.ground.MiniMolle;

@@ -8,8 +8,8 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.Size;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.sim.ioio.PulseTrain;
 
 /**

@@ -30,12 +30,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
 
 /** An autopilot in simulated time; {@link PymavlinkTest} is the outside judge of the bytes. */

@@ -19,7 +19,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.testkit.NeedsProgram;
 
 /** The outside judge: pymavlink plays the vehicle, over TCP and UDP, in real time. */

@@ -11,7 +11,7 @@ import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.sim.device.SimulatedMotors;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;

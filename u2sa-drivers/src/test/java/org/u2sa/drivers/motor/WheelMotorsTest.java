@@ -16,11 +16,11 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.SpeedCommand;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.command.SpeedCommand;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
 
 /** Two wheels at a RoboClaw that is simulated byte for byte, in simulated time. */

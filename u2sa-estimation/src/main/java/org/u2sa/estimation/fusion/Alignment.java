@@ -1,6 +1,9 @@
 package org.u2sa.estimation.fusion;
 
-/** Initialises or resets parts of the state that were unknown or proved wrong, with their uncertainty. */
+/**
+ * Initialises or resets parts of the state that were unknown or proved wrong, with their
+ * uncertainty.
+ */
 final class Alignment {
   private Alignment() {}
 

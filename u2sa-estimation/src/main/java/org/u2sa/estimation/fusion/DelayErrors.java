@@ -1,11 +1,18 @@
 package org.u2sa.estimation.fusion;
 
 import java.util.Arrays;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
- * Residual delays of the first {@link #SLOTS} position sources, estimated as filter states (online temporal calibration; Li and Mourikis, IJRR 33(7), 2014): a position fused at time t was measured at t - τ and lags by v τ. Velocity measurements do not help to estimate τ: on a vibrating vehicle, no sample tells how much they changed in that time.
+ * Residual delays of the first {@link #SLOTS} position sources, estimated as filter states (online
+ * temporal calibration; Li and Mourikis, IJRR 33(7), 2014): a position fused at time t was measured
+ * at t - τ and lags by v τ. Velocity measurements do not help to estimate τ: on a vibrating
+ * vehicle, no sample tells how much they changed in that time.
  *
- * <p>While τ is unobservable, as on a straight at constant speed, the position stays uncertain along track in proportion to the uncertainty of τ; turns and speed changes make it observable if other sensors measure them.
+ * <p>While τ is unobservable, as on a straight at constant speed, the position stays uncertain
+ * along track in proportion to the uncertainty of τ; turns and speed changes make it observable if
+ * other sensors measure them.
  */
 final class DelayErrors {
   static final int NONE = -1;
@@ -37,7 +44,8 @@ final class DelayErrors {
   /**
    * Slot of the source's delay; assigns a free one at its first position.
    *
-   * @return NONE if the quantity is not a position, delays are not estimated, or all slots are taken
+   * @return NONE if the quantity is not a position, delays are not estimated, or all slots are
+   *     taken
    */
   int slot(FilterState s, SensedQuantity quantity, int source) {
     if (sigmaS <= 0.0 || !isPosition(quantity)) {
@@ -100,7 +108,9 @@ final class DelayErrors {
     }
   }
 
-  /** Clamps a delay to its valid range: estimates outside stem from other errors, such as multipath. */
+  /**
+   * Clamps a delay to its valid range: estimates outside stem from other errors, such as multipath.
+   */
   static double possible(double seconds) {
     return Math.min(MAX_S, Math.max(0.0, seconds));
   }

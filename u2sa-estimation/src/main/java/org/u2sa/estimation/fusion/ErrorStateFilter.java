@@ -1,7 +1,12 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+
 /**
- * Error-state extended Kalman filter (Solà 2017, arXiv 1711.02508) that accepts any sources; each is identified by name, from its first measurement on. Measurements may arrive late and out of order: they are inserted at their time, and all later ones are fused again, lazily at the next query, so that several late arrivals cost only one replay.
+ * Error-state extended Kalman filter (Solà 2017, arXiv 1711.02508) that accepts any sources; each
+ * is identified by name, from its first measurement on. Measurements may arrive late and out of
+ * order: they are inserted at their time, and all later ones are fused again, lazily at the next
+ * query, so that several late arrivals cost only one replay.
  *
  * <p>Not thread-safe. Does not allocate once all sources are known.
  */

@@ -1,7 +1,8 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * The filter's estimate at one time: a view that is valid until the next query. The has… methods tell which quantities are known.
+ * The filter's estimate at one time: a view that is valid until the next query. The has… methods
+ * tell which quantities are known.
  */
 public final class Estimate {
   private static final double VERTICAL = 0.02; // cos θ below which the heading's rate is undefined
@@ -31,7 +32,9 @@ public final class Estimate {
   }
 
   /**
-   * Whether the horizontal position, geodetic or from a local origin, is known well enough. For a ground vehicle it is not once no source measures its speed any more, however small the sigma still is: such a vehicle can stop and wait.
+   * Whether the horizontal position, geodetic or from a local origin, is known well enough. For a
+   * ground vehicle it is not once no source measures its speed any more, however small the sigma
+   * still is: such a vehicle can stop and wait.
    */
   public boolean hasPosition() {
     boolean isSure = Math.max(positionSigmaM(0), positionSigmaM(1)) <= tuning.lostSigmaM();
@@ -142,7 +145,7 @@ public final class Estimate {
   }
 
   /** Rate of the heading [rad/s] (Stevens and Lewis, 2nd ed., section 1.3). */
-  double headingRate() {
+  public double headingRate() {
     double cos = Math.sqrt(r[7] * r[7] + r[8] * r[8]);
     double[] x = s.x;
     double turn = r[7] * x[FilterState.W + 1] + r[8] * x[FilterState.W + 2];

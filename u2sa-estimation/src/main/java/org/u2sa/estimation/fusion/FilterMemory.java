@@ -6,7 +6,9 @@ import java.util.function.BiConsumer;
 import java.util.function.Function;
 
 /**
- * Serialises a filter's state as text and restores it, so that another filter of the same version resumes where it left off. Numbers are exact (hexadecimal doubles); only half of the symmetric covariance is stored. Source statistics are not stored but learned again.
+ * Serialises a filter's state as text and restores it, so that another filter of the same version
+ * resumes where it left off. Numbers are exact (hexadecimal doubles); only half of the symmetric
+ * covariance is stored. Source statistics are not stored but learned again.
  */
 public final class FilterMemory {
   private static final String NOMINAL = "FILTER NOMINAL 3";

@@ -3,7 +3,8 @@ package org.u2sa.estimation.fusion;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * Nominal state, error covariance and source statistics at one time. Flat arrays, so that a state is saved and restored by copying them.
+ * Nominal state, error covariance and source statistics at one time. Flat arrays, so that a state
+ * is saved and restored by copying them.
  *
  * <p>Error state, 33 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
  * attitude (a small rotation about north, east and down [rad]: Solà 2017, section 7, global angular
@@ -12,7 +13,9 @@ import org.ejml.data.DMatrixRMaj;
  * sources (positions, north and east [m]; headings [rad]), {@link DelayErrors} of position sources
  * [s].
  *
- * <p>The nominal position is geodetic, in double precision, as soon as a source provides one. Error vectors are along north, east and down at the vehicle itself, so there is no tangent plane with a limited range. The position relative to the start (north, east, down) is kept as well.
+ * <p>The nominal position is geodetic, in double precision, as soon as a source provides one. Error
+ * vectors are along north, east and down at the vehicle itself, so there is no tangent plane with a
+ * limited range. The position relative to the start (north, east, down) is kept as well.
  */
 final class FilterState {
   static final int N = 21 + PersistentErrors.STATES + DelayErrors.SLOTS;

@@ -4,7 +4,8 @@ package org.u2sa.estimation.fusion;
  * Filter parameters of vehicle and sensors.
  *
  * @param domain provides the motion defaults
- * @param accelerationNoise random walk of the horizontal velocity without an accelerometer [m/s per √s]
+ * @param accelerationNoise random walk of the horizontal velocity without an accelerometer [m/s per
+ *     √s]
  * @param verticalNoise random walk of the vertical velocity without an accelerometer [m/s per √s]
  * @param turnSigma turn rate if none is measured, 1 σ [rad/s]
  * @param sideSlipSigma sideslip velocity, 1 σ [m/s]

@@ -1,7 +1,11 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
- * Fuses one measurement into a state: predicts the state, initialises unknown quantities, and updates with each vector that passes the gate and comes from a trusted source.
+ * Fuses one measurement into a state: predicts the state, initialises unknown quantities, and
+ * updates with each vector that passes the gate and comes from a trusted source.
  */
 final class Fuser {
   private static final double MICROS = 1e6;
@@ -48,7 +52,8 @@ final class Fuser {
   }
 
   /**
-   * χ² threshold for that many degrees of freedom, equivalent to z standard deviations (Wilson, Hilferty 1931).
+   * χ² threshold for that many degrees of freedom, equivalent to z standard deviations (Wilson,
+   * Hilferty 1931).
    */
   static double threshold(int rows, double z) {
     double spread = 2.0 / (9.0 * rows);
@@ -194,7 +199,8 @@ final class Fuser {
   }
 
   /**
-   * Whether an airspeed is usable. A pitot tube reads about zero in slow air from any direction, so near its noise floor it carries no information about the wind.
+   * Whether an airspeed is usable. A pitot tube reads about zero in slow air from any direction, so
+   * near its noise floor it carries no information about the wind.
    */
   private boolean isReadable(Measurement m) {
     return tuning.domain() != MotionDomain.AIR
@@ -246,7 +252,8 @@ final class Fuser {
   }
 
   /**
-   * Uses the course of a moving vehicle as its heading if nothing measures that. If its velocity follows from positions only and the wheels turn, {@link HeadingSearch} is more accurate.
+   * Uses the course of a moving vehicle as its heading if nothing measures that. If its velocity
+   * follows from positions only and the wheels turn, {@link HeadingSearch} is more accurate.
    */
   private void headingOfMotion(FilterState s) {
     double vn = s.x[FilterState.V];

@@ -1,9 +1,19 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
- * Estimates the heading if no source measures it. Speed and turn rate of the wheels give the displacement in the vehicle's axes, positions give it on the earth: the angle between the two is the heading, whether driving forward or in reverse. The wheel displacement is integrated along the nominal heading, whose initial value is arbitrary until the heading is known.
+ * Estimates the heading if no source measures it. Speed and turn rate of the wheels give the
+ * displacement in the vehicle's axes, positions give it on the earth: the angle between the two is
+ * the heading, whether driving forward or in reverse. The wheel displacement is integrated along
+ * the nominal heading, whose initial value is arbitrary until the heading is known.
  *
- * <p>A fix is z = c + h w + e, as complex numbers (north, i east): h rotates the wheel displacement w by the unknown heading, e is white noise, and c drifts like the receiver's correlated error (multipath lasts for half a minute or more). The model is linear, so a Kalman filter of c and h is exact however uncertain the heading. The split of the claimed variance into white and correlated noise is unknown, so each is assumed to have all of it.
+ * <p>A fix is z = c + h w + e, as complex numbers (north, i east): h rotates the wheel displacement
+ * w by the unknown heading, e is white noise, and c drifts like the receiver's correlated error
+ * (multipath lasts for half a minute or more). The model is linear, so a Kalman filter of c and h
+ * is exact however uncertain the heading. The split of the claimed variance into white and
+ * correlated noise is unknown, so each is assumed to have all of it.
  */
 final class HeadingSearch {
   private static final int FORWARD = 0; // newest speed along the vehicle [m/s]
@@ -70,7 +80,8 @@ final class HeadingSearch {
   }
 
   /**
-   * Processes a position while the heading is unknown, and sets the heading once the positions of this source determine it.
+   * Processes a position while the heading is unknown, and sets the heading once the positions of
+   * this source determine it.
    *
    * @param north north coordinate of the position [m]
    * @param variance variance of the position per axis [m²]

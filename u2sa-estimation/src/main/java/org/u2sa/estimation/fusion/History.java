@@ -2,9 +2,13 @@ package org.u2sa.estimation.fusion;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import org.u2sa.estimation.measurement.Measurement;
 
 /**
- * Time-ordered buffer of recent measurements with snapshots of the state after them, from which fusion can resume. The newest entries all keep a snapshot, because late measurements are mostly late by a few entries; of older ones, every eighth does, so a later one causes a few more to be fused again. States are large, and the fewer there are, the more of them fit into the CPU caches.
+ * Time-ordered buffer of recent measurements with snapshots of the state after them, from which
+ * fusion can resume. The newest entries all keep a snapshot, because late measurements are mostly
+ * late by a few entries; of older ones, every eighth does, so a later one causes a few more to be
+ * fused again. States are large, and the fewer there are, the more of them fit into the CPU caches.
  */
 final class History {
   private static final int RECENT = 32; // newest measurements, which all keep the state after them
@@ -43,7 +47,10 @@ final class History {
     return ring[(first + index) % ring.length];
   }
 
-  /** State before an entry; requires that all earlier entries are fused and the previous one keeps its state. */
+  /**
+   * State before an entry; requires that all earlier entries are fused and the previous one keeps
+   * its state.
+   */
   FilterState before(int index) {
     return index == 0 ? base : at(index - 1).after;
   }
@@ -89,7 +96,8 @@ final class History {
   }
 
   /**
-   * Whether a state less than a stride before an entry is kept; the one before the oldest always is.
+   * Whether a state less than a stride before an entry is kept; the one before the oldest always
+   * is.
    */
   private boolean isNearKept(int index) {
     for (int i = index - 1; i > index - STRIDE; i--) {
@@ -116,7 +124,8 @@ final class History {
   }
 
   /**
-   * Inserts a measurement in order of time, then source name. If the history is full, the oldest entry must be fused.
+   * Inserts a measurement in order of time, then source name. If the history is full, the oldest
+   * entry must be fused.
    *
    * @return its index, from which on entries must be fused; -1 if it is older than the history
    */
@@ -149,7 +158,8 @@ final class History {
   }
 
   /**
-   * Removes fused entries older than the given time, up to the last one with a snapshot, which becomes the base.
+   * Removes fused entries older than the given time, up to the last one with a snapshot, which
+   * becomes the base.
    */
   void forget(long micros) {
     int end = endOfOldest();
@@ -181,7 +191,10 @@ final class History {
     thinned = Math.max(0, thinned - entries);
   }
 
-  /** Recycles the oldest entry for the next insertion, so that a short history stays in the CPU caches. */
+  /**
+   * Recycles the oldest entry for the next insertion, so that a short history stays in the CPU
+   * caches.
+   */
   private void recycleOldest() {
     Entry oldest = at(0);
     int next = (first + count) % ring.length;

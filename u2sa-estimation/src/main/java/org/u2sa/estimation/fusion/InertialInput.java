@@ -1,7 +1,11 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
- * Uses the newest angular rates and specific force of one inertial sensor to drive the prediction while they are fresh, and initialises the tilt that the specific force requires.
+ * Uses the newest angular rates and specific force of one inertial sensor to drive the prediction
+ * while they are fresh, and initialises the tilt that the specific force requires.
  */
 final class InertialInput {
   private static final double SHORTEST_SAMPLE_S = 1e-3;
@@ -55,7 +59,8 @@ final class InertialInput {
   }
 
   /**
-   * Predicts the state to the measurement's time using the mean of this input and the previous one, then holds this one.
+   * Predicts the state to the measurement's time using the mean of this input and the previous one,
+   * then holds this one.
    */
   void take(FilterState s, Measurement m, int source, ProcessModel model) {
     boolean hasForce = m.isWhole(SensedQuantity.SPECIFIC_FORCE);
@@ -118,7 +123,9 @@ final class InertialInput {
   }
 
   /**
-   * Sets the noise densities: a sample's noise lasts for its interval, and the change between samples bounds how far the motion between them differs from their mean (uniform distribution: variance 1/12).
+   * Sets the noise densities: a sample's noise lasts for its interval, and the change between
+   * samples bounds how far the motion between them differs from their mean (uniform distribution:
+   * variance 1/12).
    */
   private static void density(FilterState s, Measurement m, double gyroJump, double forceJump) {
     double[] x = s.x;
@@ -139,7 +146,10 @@ final class InertialInput {
     }
   }
 
-  /** Initialises roll and pitch from the direction of specific force, which is that of gravity while its magnitude is close to g. */
+  /**
+   * Initialises roll and pitch from the direction of specific force, which is that of gravity while
+   * its magnitude is close to g.
+   */
   private static void level(FilterState s) {
     if (s.hasTilt) {
       return;

@@ -1,9 +1,19 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
- * Compares the inertial sensor that drives the prediction with those on standby. Any that differs from it by more than biases and noise allow is excluded and reported. The driving sensor itself is excluded and replaced if no other agrees with it and either two others agree with each other against it for some time, or one differs while other kinds of sensors contradict the estimate. If three all differ from each other, the faulty one cannot be identified: the driving one is kept until other sensors contradict it.
+ * Compares the inertial sensor that drives the prediction with those on standby. Any that differs
+ * from it by more than biases and noise allow is excluded and reported. The driving sensor itself
+ * is excluded and replaced if no other agrees with it and either two others agree with each other
+ * against it for some time, or one differs while other kinds of sensors contradict the estimate. If
+ * three all differ from each other, the faulty one cannot be identified: the driving one is kept
+ * until other sensors contradict it.
  *
- * <p>Sensors are not averaged: another sensor's sample is up to an interval old, and on a turning vehicle that error exceeds the noise averaging would remove. The comparison uses means over about ten samples, which average out the delay.
+ * <p>Sensors are not averaged: another sensor's sample is up to an interval old, and on a turning
+ * vehicle that error exceeds the noise averaging would remove. The comparison uses means over about
+ * ten samples, which average out the delay.
  */
 final class InertialVote {
   private static final int AXES = 6; // angular rates, then specific forces
@@ -40,7 +50,8 @@ final class InertialVote {
   }
 
   /**
-   * Removes lever-arm effects: while the vehicle turns, sensors at different places correctly measure different specific forces.
+   * Removes lever-arm effects: while the vehicle turns, sensors at different places correctly
+   * measure different specific forces.
    */
   private void release(FilterState s, Measurement m, int own) {
     double[] t = s.trust;
@@ -153,7 +164,10 @@ final class InertialVote {
     return true;
   }
 
-  /** Whether enough time has passed since the last exclusion. The estimate needs time to recover; before that, two sensors would be excluded in turn. */
+  /**
+   * Whether enough time has passed since the last exclusion. The estimate needs time to recover;
+   * before that, two sensors would be excluded in turn.
+   */
   private static boolean mayAccuse(FilterState s) {
     return s.accusedMicros == 0 || (s.micros - s.accusedMicros) * 1e-6 > LEFT_OUT_S;
   }

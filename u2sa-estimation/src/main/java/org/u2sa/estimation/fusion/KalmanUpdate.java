@@ -5,7 +5,10 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * Updates state and covariance with one measurement vector. The covariance update is in Joseph form, written for a gain K and G = P Hᵀ: P - K Gᵀ - G Kᵀ + K S Kᵀ, which stays positive definite despite rounding of K (Bucy and Joseph 1968). Only nonzero columns of H and rows of G are processed, and only the lower half of the symmetric covariance.
+ * Updates state and covariance with one measurement vector. The covariance update is in Joseph
+ * form, written for a gain K and G = P Hᵀ: P - K Gᵀ - G Kᵀ + K S Kᵀ, which stays positive definite
+ * despite rounding of K (Bucy and Joseph 1968). Only nonzero columns of H and rows of G are
+ * processed, and only the lower half of the symmetric covariance.
  */
 final class KalmanUpdate {
   private static final int N = FilterState.N;
@@ -134,7 +137,8 @@ final class KalmanUpdate {
   }
 
   /**
-   * Projects the correction onto valid delays along the covariance (estimate projection, Simon 2010): clamping only the delay would leave its share of the innovation to other states.
+   * Projects the correction onto valid delays along the covariance (estimate projection, Simon
+   * 2010): clamping only the delay would leave its share of the innovation to other states.
    */
   private void constrain(FilterState state) {
     for (int slot = 0; slot < DelayErrors.SLOTS; slot++) {

@@ -1,8 +1,13 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+
 /**
- * Lever-arm corrections for a sensor that is not at the vehicle's reference point. With its offset l along BODY_FRD it is at p + R l, moves with v + R (ω × l) and is accelerated by ω̇ × l + ω × (ω × l) more than the reference point (Groves, Principles of GNSS, Inertial, and Multisensor Integrated Navigation
- * Systems, 2nd ed., section 14.3; Titterton and Weston, 2nd ed., section 12.3).
+ * Lever-arm corrections for a sensor that is not at the vehicle's reference point. With its offset
+ * l along BODY_FRD it is at p + R l, moves with v + R (ω × l) and is accelerated by ω̇ × l + ω × (ω
+ * × l) more than the reference point (Groves, Principles of GNSS, Inertial, and Multisensor
+ * Integrated Navigation Systems, 2nd ed., section 14.3; Titterton and Weston, 2nd ed., section
+ * 12.3).
  */
 final class LeverArm {
   private final double[] l = new double[3];

@@ -1,9 +1,12 @@
 package org.u2sa.estimation.fusion;
 
 import org.ejml.data.DMatrixRMaj;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
- * Measurement model of each quantity: innovation, Jacobian with respect to the error state, and claimed variance of each present component (Solà 2017, section 6.1, with global angular errors).
+ * Measurement model of each quantity: innovation, Jacobian with respect to the error state, and
+ * claimed variance of each present component (Solà 2017, section 6.1, with global angular errors).
  */
 final class MeasurementModel {
   private static final int N = FilterState.N;
@@ -73,7 +76,9 @@ final class MeasurementModel {
     }
   }
 
-  /** Evaluates the no-slip constraint: no sideways motion and, on the ground, no vertical motion. */
+  /**
+   * Evaluates the no-slip constraint: no sideways motion and, on the ground, no vertical motion.
+   */
   void noSlip(FilterState s, double sigma, boolean throughFluid, boolean hasVertical) {
     h.reshape(3, N);
     h.zero();
@@ -323,7 +328,10 @@ final class MeasurementModel {
     return rows > 0;
   }
 
-  /** Model of body rates that do not drive the prediction: fewer than three, or from a second inertial sensor. */
+  /**
+   * Model of body rates that do not drive the prediction: fewer than three, or from a second
+   * inertial sensor.
+   */
   private void bodyRates(FilterState s, Measurement m) {
     for (int i = 0; i < 3; i++) {
       if (m.has(SensedQuantity.BODY_RATES, i) && (s.hasTilt || i == 2) && !s.isInertial) {
@@ -354,7 +362,8 @@ final class MeasurementModel {
   }
 
   /**
-   * Model of range and bearing to a landmark. Both are strongly nonlinear at short range, so second-order terms are added to the variances (Jazwinski 1970, section 9.3).
+   * Model of range and bearing to a landmark. Both are strongly nonlinear at short range, so
+   * second-order terms are added to the variances (Jazwinski 1970, section 9.3).
    */
   private boolean landmark(FilterState s, Measurement m) {
     boolean isOnEarth = m.isLandmarkOnEarth();

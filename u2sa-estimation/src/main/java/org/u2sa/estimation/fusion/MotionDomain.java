@@ -2,10 +2,13 @@ package org.u2sa.estimation.fusion;
 
 /** Domain in which a vehicle moves, with the filter's assumptions about unmeasured motion. */
 public enum MotionDomain {
-  /** Wheeled or tracked vehicles: level unless an inertial sensor measures tilt, no sideways motion. */
+  /**
+   * Wheeled or tracked vehicles: level unless an inertial sensor measures tilt, no sideways motion.
+   */
   GROUND(2.0, 0.7, 0.1, 0.5, 0.1, 1.0, 0.05),
   /**
-   * Aircraft of any kind. Gusts are about 1 m/s with correlation times of 1 to 10 s at their speed (light turbulence of MIL-F-8785C), modelled by σ √(2/τ).
+   * Aircraft of any kind. Gusts are about 1 m/s with correlation times of 1 to 10 s at their speed
+   * (light turbulence of MIL-F-8785C), modelled by σ √(2/τ).
    */
   AIR(30.0, 2.0, 1.0, 0.3, 2.0, 5.0, 0.7),
   /** Surface vessels. */

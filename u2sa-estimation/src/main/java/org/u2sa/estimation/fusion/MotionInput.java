@@ -1,7 +1,15 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
- * Uses measured forward speed and turn rate as inputs of the prediction if no inertial sensor drives it (velocity motion model, Thrun, Burgard and Fox 2005, section 5.3): the newest values are held until the next arrive, their errors are independent between samples and along the vehicle's axes, and on the ground the vehicle moves where its wheels point. Values that arrive too rarely, or are noisier than the filter's assumptions without them, are fused as measurements instead.
+ * Uses measured forward speed and turn rate as inputs of the prediction if no inertial sensor
+ * drives it (velocity motion model, Thrun, Burgard and Fox 2005, section 5.3): the newest values
+ * are held until the next arrive, their errors are independent between samples and along the
+ * vehicle's axes, and on the ground the vehicle moves where its wheels point. Values that arrive
+ * too rarely, or are noisier than the filter's assumptions without them, are fused as measurements
+ * instead.
  */
 final class MotionInput {
   private static final double SHORTEST_S = 0.15; // minimum hold time of an input
@@ -44,7 +52,9 @@ final class MotionInput {
   }
 
   /**
-   * Uses the mean of two speed samples between them: sets it for the prediction to m and corrects the displacement so far. Turn rates need no such correction: the lag at the start of a turn cancels at its end.
+   * Uses the mean of two speed samples between them: sets it for the prediction to m and corrects
+   * the displacement so far. Turn rates need no such correction: the lag at the start of a turn
+   * cancels at its end.
    */
   void meet(FilterState s, Measurement m, int source) {
     boolean isNext = drivesSpeed(s) && s.speedSource == source;
@@ -185,7 +195,8 @@ final class MotionInput {
   }
 
   /**
-   * Sets the velocity to v = R u, with δv = -[v]× δθ + R δu, where δu includes the wheel scale error (Solà 2017, section 7).
+   * Sets the velocity to v = R u, with δv = -[v]× δθ + R δu, where δu includes the wheel scale
+   * error (Solà 2017, section 7).
    */
   private void speed(
       FilterState s, Measurement m, MeasurementModel model, double factor, boolean isRenewed) {

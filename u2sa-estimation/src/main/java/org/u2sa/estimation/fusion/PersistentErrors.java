@@ -1,13 +1,25 @@
 package org.u2sa.estimation.fusion;
 
 import java.util.Arrays;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
- * Time-correlated measurement errors as filter states: first-order Gauss-Markov processes (Brown and Hwang, 3rd ed., section 5.3), two for each of the first {@link #POSITION_SOURCES} position sources, because a receiver's error drifts over minutes, and one for each of the first {@link #HEADING_SOURCES} heading sources, because a compass's deviation is constant while the vehicle keeps its direction.
+ * Time-correlated measurement errors as filter states: first-order Gauss-Markov processes (Brown
+ * and Hwang, 3rd ed., section 5.3), two for each of the first {@link #POSITION_SOURCES} position
+ * sources, because a receiver's error drifts over minutes, and one for each of the first {@link
+ * #HEADING_SOURCES} heading sources, because a compass's deviation is constant while the vehicle
+ * keeps its direction.
  *
- * <p>A single source cannot distinguish its error from the vehicle's motion, so both keep its claimed uncertainty however often it repeats a measurement. But if other sensors measure how the vehicle moved and turned, a drifting error cannot drag the estimate along, and earlier, more accurate knowledge is retained.
+ * <p>A single source cannot distinguish its error from the vehicle's motion, so both keep its
+ * claimed uncertainty however often it repeats a measurement. But if other sensors measure how the
+ * vehicle moved and turned, a drifting error cannot drag the estimate along, and earlier, more
+ * accurate knowledge is retained.
  *
- * <p>If wheels measure the motion, they also reveal how much a position source drifts, and its variance is learned by expectation maximisation: the mean of b² + P, estimated error and its variance (Shumway and Stoffer 1982). The learned variance is never below the claim. With multipath, a receiver's error is several times what it claims.
+ * <p>If wheels measure the motion, they also reveal how much a position source drifts, and its
+ * variance is learned by expectation maximisation: the mean of b² + P, estimated error and its
+ * variance (Shumway and Stoffer 1982). The learned variance is never below the claim. With
+ * multipath, a receiver's error is several times what it claims.
  */
 final class PersistentErrors {
   static final int NONE = -1;
@@ -110,7 +122,9 @@ final class PersistentErrors {
   }
 
   /**
-   * Handles positions that persistently contradict the wheels at a constant offset: either the source's error has jumped by this amount or the estimate is off by it. Increases the uncertainty of both accordingly.
+   * Handles positions that persistently contradict the wheels at a constant offset: either the
+   * source's error has jumped by this amount or the estimate is off by it. Increases the
+   * uncertainty of both accordingly.
    */
   static void jumped(FilterState s, MeasurementModel model, int slot, int at) {
     double[] n = model.innovation;
@@ -148,7 +162,10 @@ final class PersistentErrors {
     }
   }
 
-  /** Correlates the state with the source's error after the quantity was initialised from this source. */
+  /**
+   * Correlates the state with the source's error after the quantity was initialised from this
+   * source.
+   */
   static void share(FilterState s, int slot) {
     if (slot == NONE) {
       return;

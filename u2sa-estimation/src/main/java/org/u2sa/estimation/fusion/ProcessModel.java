@@ -1,7 +1,11 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Predicts state and covariance (Solà 2017, section 7.2). With inertial input this is a strapdown integration; without, the vehicle keeps its speed and turns at its last rate, which decays (coordinated turn: the velocity turns with the vehicle), and process noise covers unmeasured motion. Earth rate and transport rate (73 and, at 250 m/s, 40 µrad/s) are absorbed by the gyroscope biases.
+ * Predicts state and covariance (Solà 2017, section 7.2). With inertial input this is a strapdown
+ * integration; without, the vehicle keeps its speed and turns at its last rate, which decays
+ * (coordinated turn: the velocity turns with the vehicle), and process noise covers unmeasured
+ * motion. Earth rate and transport rate (73 and, at 250 m/s, 40 µrad/s) are absorbed by the
+ * gyroscope biases.
  */
 final class ProcessModel {
   private static final int N = FilterState.N;
@@ -69,7 +73,10 @@ final class ProcessModel {
     addNoise(s, dt);
   }
 
-  /** Integrates v̇ = R (f - b) + g, with δv̇ = -[R (f - b)]× δθ - R δb (Solà 2017, equations 272 and 283). */
+  /**
+   * Integrates v̇ = R (f - b) + g, with δv̇ = -[R (f - b)]× δθ - R δb (Solà 2017, equations 272 and
+   * 283).
+   */
   private void accelerate(FilterState s, double dt) {
     double[] x = s.x;
     double fx = x[FilterState.FORCE] - x[FilterState.BF];

@@ -1,7 +1,11 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
- * Initialises a quantity from its first measurement, and resets it from one that proves right against the estimate.
+ * Initialises a quantity from its first measurement, and resets it from one that proves right
+ * against the estimate.
  */
 final class QuantityStart {
   private static final double AGAIN_S = 30.0;
@@ -52,7 +56,9 @@ final class QuantityStart {
   }
 
   /**
-   * Called before a reset from this source. If resets recur within a short time, source and estimate are inconsistent: a heading that nothing measures is discarded; otherwise the source is distrusted, because dead reckoning shows that it claims too small a sigma.
+   * Called before a reset from this source. If resets recur within a short time, source and
+   * estimate are inconsistent: a heading that nothing measures is discarded; otherwise the source
+   * is distrusted, because dead reckoning shows that it claims too small a sigma.
    */
   static void doubt(FilterState s, SensedQuantity quantity, int at) {
     double[] t = s.trust;
@@ -153,7 +159,9 @@ final class QuantityStart {
     }
   }
 
-  /** Aligns a local frame whose origin differs from the filter's so that its first position fits. */
+  /**
+   * Aligns a local frame whose origin differs from the filter's so that its first position fits.
+   */
   static void shift(FilterState s, MeasurementModel model, SensedQuantity quantity, int at) {
     double[] t = s.trust;
     if (t[at + SourceTrust.HAS_OFFSET] == 0.0) {

@@ -2,7 +2,8 @@ package org.u2sa.estimation.fusion;
 
 /**
  * Unit quaternions w, x, y, z in arrays, which rotate BODY_FRD vectors to north, east, down (Solà
- * 2017, arXiv 1711.02508, sections 2 and 4). Uses StrictMath, so that runs are reproducible on every machine.
+ * 2017, arXiv 1711.02508, sections 2 and 4). Uses StrictMath, so that runs are reproducible on
+ * every machine.
  */
 final class Quaternions {
   private static final double SMALL = 1e-8; // rad, where sin(a/2)/a is 1/2 to rounding

@@ -1,9 +1,13 @@
 package org.u2sa.estimation.fusion;
 
 /**
- * Estimates a source's noise from the scatter of its rejected positions. Positions at an offset from the estimate, or drifting steadily away from it, contradict it. Positions that scatter by more than they claim only show the source's own noise: its claimed sigma is wrong in any case.
+ * Estimates a source's noise from the scatter of its rejected positions. Positions at an offset
+ * from the estimate, or drifting steadily away from it, contradict it. Positions that scatter by
+ * more than they claim only show the source's own noise: its claimed sigma is wrong in any case.
  *
- * <p>Differences between consecutive rejected positions have twice the noise variance (von Neumann 1941). Their mean is removed, so that a steady drift does not count as scatter, and so is the largest one, which may be a jump.
+ * <p>Differences between consecutive rejected positions have twice the noise variance (von Neumann
+ * 1941). Their mean is removed, so that a steady drift does not count as scatter, and so is the
+ * largest one, which may be a jump.
  */
 final class RefusedScatter {
   private static final int MIN_STEPS = 4;
@@ -53,7 +57,9 @@ final class RefusedScatter {
   }
 
   /**
-   * Uses the scatter instead of the claimed variance if it is much larger, and resets the streak. If this is the only source, the position becomes uncertain by the same amount, and the wheel scale, which may have been learned from it, is reset.
+   * Uses the scatter instead of the claimed variance if it is much larger, and resets the streak.
+   * If this is the only source, the position becomes uncertain by the same amount, and the wheel
+   * scale, which may have been learned from it, is reset.
    *
    * @param isAlone whether no other source supports the position
    */

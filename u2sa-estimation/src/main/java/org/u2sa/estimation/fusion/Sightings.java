@@ -1,8 +1,13 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.Measurement;
+
 /**
- * Remembers when landmarks were last seen. Repeated sightings of a landmark from nearly the same position have nearly the same range and bearing error: such errors carry as much information as independent ones every two correlation times (Brown and Hwang, 3rd ed., section 5.3). On the ten robots of UTIAS
- * MRCLAM 6 and 7, 83 % of the errors lie within 3 standard deviations if sightings are treated as independent, and 96 % with a correlation time of half a second.
+ * Remembers when landmarks were last seen. Repeated sightings of a landmark from nearly the same
+ * position have nearly the same range and bearing error: such errors carry as much information as
+ * independent ones every two correlation times (Brown and Hwang, 3rd ed., section 5.3). On the ten
+ * robots of UTIAS MRCLAM 6 and 7, 83 % of the errors lie within 3 standard deviations if sightings
+ * are treated as independent, and 96 % with a correlation time of half a second.
  */
 final class Sightings {
   private static final double CORRELATION_S = 0.5;
@@ -13,7 +18,9 @@ final class Sightings {
 
   private Sightings() {}
 
-  /** Records a sighting and returns the factor on its variances that accounts for correlated errors. */
+  /**
+   * Records a sighting and returns the factor on its variances that accounts for correlated errors.
+   */
   static double repeats(FilterState s, Measurement m) {
     double[] seen = s.sightings;
     int oldest = 0;

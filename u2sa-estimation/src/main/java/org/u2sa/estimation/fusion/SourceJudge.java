@@ -1,7 +1,11 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
- * Decides which sources are trusted: detects sources that repeat a value while the vehicle moves (frozen), sources that contradict others in one direction (biased), and when the estimate itself must be reset.
+ * Decides which sources are trusted: detects sources that repeat a value while the vehicle moves
+ * (frozen), sources that contradict others in one direction (biased), and when the estimate itself
+ * must be reset.
  */
 final class SourceJudge {
   private static final double MICROS = 1e6;
@@ -20,7 +24,10 @@ final class SourceJudge {
     this.trust = trust;
   }
 
-  /** Whether an inertial sensor is stuck: its values, noise included, repeat, and other sources contradict the estimate. */
+  /**
+   * Whether an inertial sensor is stuck: its values, noise included, repeat, and other sources
+   * contradict the estimate.
+   */
   boolean isStuck(FilterState s, int source) {
     double[] t = s.trust;
     int at = trust.of(s, source);
@@ -55,7 +62,7 @@ final class SourceJudge {
         moved = Math.IEEEremainder(moved, 2.0 * Math.PI);
       }
       // Positions never repeat on the move. Speeds and angles may for a while: the estimate must
-    // have changed by more than its uncertainty.
+      // have changed by more than its uncertainty.
       double limit2 =
           quantity == SensedQuantity.PLACE
               ? model.variance[i]
@@ -89,7 +96,8 @@ final class SourceJudge {
   /**
    * Records a vector beyond the gate.
    *
-   * @return whether the estimate must be reset from it, because no other source supports the estimate
+   * @return whether the estimate must be reset from it, because no other source supports the
+   *     estimate
    */
   boolean gated(
       FilterState s, MeasurementModel model, int source, SensedQuantity quantity, int at) {
@@ -119,7 +127,9 @@ final class SourceJudge {
   }
 
   /**
-   * Whether measurements of another source are being rejected repeatedly. Sources that have gone silent do not count. Nor do turn rates: they often come from the same gyroscopes as the rates in question.
+   * Whether measurements of another source are being rejected repeatedly. Sources that have gone
+   * silent do not count. Nor do turn rates: they often come from the same gyroscopes as the rates
+   * in question.
    */
   boolean isContradicted(FilterState s, int source) {
     for (int other = 0; other < trust.sources(); other++) {

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /** Reports on each source of the filter, for operators and health reports. */
 public final class SourceReports {
@@ -28,7 +29,8 @@ public final class SourceReports {
     SILENT
   }
 
-  /** * Report on one source.
+  /**
+   * * Report on one source.
    *
    * @param used number of vectors fused
    * @param gated number of vectors rejected

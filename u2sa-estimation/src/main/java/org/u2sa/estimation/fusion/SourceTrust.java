@@ -3,11 +3,18 @@ package org.u2sa.estimation.fusion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
- * Statistics of the sources: a block of numbers for each source and for each quantity it measures. Names and offsets are kept here, the numbers in the {@link FilterState}, so that a replay reproduces them.
+ * Statistics of the sources: a block of numbers for each source and for each quantity it measures.
+ * Names and offsets are kept here, the numbers in the {@link FilterState}, so that a replay
+ * reproduces them.
  *
- * <p>The actual variance of a source is learned from innovations: the squared difference of consecutive ones is 2 (H P Hᵀ + R) on average and is insensitive to constant errors, which are handled separately (innovation-based adaptive estimation, Mehra 1970; difference as in von Neumann 1941). The variance used is never below the claimed one.
+ * <p>The actual variance of a source is learned from innovations: the squared difference of
+ * consecutive ones is 2 (H P Hᵀ + R) on average and is insensitive to constant errors, which are
+ * handled separately (innovation-based adaptive estimation, Mehra 1970; difference as in von
+ * Neumann 1941). The variance used is never below the claimed one.
  */
 final class SourceTrust {
   // Numbers of a source.

@@ -1,12 +1,16 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.SensedQuantity;
+
 /**
- * Interprets positions that drift away from the estimate rather than keep a constant offset. A receiver whose error jumped differs by the same amount each time; a difference that grows at half the speed or more means that the speed is wrong (spinning wheels, dead encoder) or, if nothing measures the heading, that the heading is wrong.
+ * Interprets positions that drift away from the estimate rather than keep a constant offset. A
+ * receiver whose error jumped differs by the same amount each time; a difference that grows at half
+ * the speed or more means that the speed is wrong (spinning wheels, dead encoder) or, if nothing
+ * measures the heading, that the heading is wrong.
  */
 final class SpeedDoubt {
   private static final double SHORTEST_S = 1.0; // minimum duration of a drift
-  private static final double UNLIKELY =
-      2.5; // standard deviations, after several rejections
+  private static final double UNLIKELY = 2.5; // standard deviations, after several rejections
   private static final double MIN_MPS = 0.5; // a receiver's error drifts more slowly
   private static final double MIN_SHARE = 0.5; // fraction of the speed
   private static final double JUMP_SHARE = 0.7; // of a difference: a drift has no such step
@@ -111,7 +115,8 @@ final class SpeedDoubt {
   }
 
   /**
-   * Whether a speed is still doubted. The doubt ends when its mean difference from the estimate is small, or when no more positions contradict it.
+   * Whether a speed is still doubted. The doubt ends when its mean difference from the estimate is
+   * small, or when no more positions contradict it.
    */
   boolean holds(FilterState s, MeasurementModel model, int source, int at) {
     double[] t = s.trust;

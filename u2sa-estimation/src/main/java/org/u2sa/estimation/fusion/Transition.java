@@ -3,7 +3,9 @@ package org.u2sa.estimation.fusion;
 import java.util.Arrays;
 
 /**
- * Sparse transition matrix F of the error state over a step: the identity except for a few elements (4 % are nonzero). P ← F P Fᵀ processes only these and exploits the symmetry of P. Diagonal-only rows of states that are not estimated, and so have no variance, are skipped.
+ * Sparse transition matrix F of the error state over a step: the identity except for a few elements
+ * (4 % are nonzero). P ← F P Fᵀ processes only these and exploits the symmetry of P. Diagonal-only
+ * rows of states that are not estimated, and so have no variance, are skipped.
  */
 final class Transition {
   private static final int N = FilterState.N;

@@ -1,4 +1,5 @@
 /**
- * Error-state Kalman filter of the fusing State Estimator: models, update, history, trust in sources. Services do not belong here; the code is independent of channels and clocks.
+ * Error-state Kalman filter of the fusing State Estimator: models, update, history, trust in
+ * sources. Services do not belong here; the code is independent of channels and clocks.
  */
 package org.u2sa.estimation.fusion;

@@ -12,6 +12,8 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.ejml.dense.row.mult.VectorVectorMult_DDRM;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
  * Whether the errors are as large as the filter says, over many seeded runs: the normalised squared

@@ -6,6 +6,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import org.junit.jupiter.api.Test;
+import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.estimation.measurement.Measurement;
 
 /** Whatever comes late is fused where it belongs, as if it had come in time. */
 class HistoryTest {

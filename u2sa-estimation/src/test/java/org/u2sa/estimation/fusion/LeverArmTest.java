@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 

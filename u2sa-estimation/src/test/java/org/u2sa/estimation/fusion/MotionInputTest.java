@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.u2sa.estimation.measurement.Measurement;
 
 /** Measured speed and turn rate drive the prediction where there is no inertial sensor. */
 class MotionInputTest {

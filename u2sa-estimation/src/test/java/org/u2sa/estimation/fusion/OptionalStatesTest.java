@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.estimation.measurement.Measurement;
 
 /** Wind, wheel-speed scale, inertial sensors that come and go, and the start without a compass. */
 class OptionalStatesTest {

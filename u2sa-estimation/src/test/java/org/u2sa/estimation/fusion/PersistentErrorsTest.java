@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 

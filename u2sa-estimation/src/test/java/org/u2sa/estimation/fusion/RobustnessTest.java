@@ -9,6 +9,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.u2sa.estimation.fusion.SourceReports.Report;
 import org.u2sa.estimation.fusion.SourceReports.Standing;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /** What happens to the estimate when sources fail, lie, come late, or join. */
 class RobustnessTest {

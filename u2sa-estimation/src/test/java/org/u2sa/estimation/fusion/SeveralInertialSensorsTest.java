@@ -6,6 +6,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.estimation.fusion.SourceReports.Standing;
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 

@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /** Who may speak against an inertial sensor. */
 class SourceJudgeTest {

@@ -2,7 +2,7 @@ package org.u2sa.gcs.configuration;
 
 import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.NumberWithUnit;
+import org.u2sa.interfaces.units.NumberWithUnit;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**

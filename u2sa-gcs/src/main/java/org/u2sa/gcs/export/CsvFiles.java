@@ -13,7 +13,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Text files written alternately, with only some open at a time: a recording may have more topics than the system's limit of open files. Not thread-safe.
+ * Text files written alternately, with only some open at a time: a recording may have more topics
+ * than the system's limit of open files. Not thread-safe.
  */
 final class CsvFiles implements AutoCloseable {
   private static final int MAX_OPEN = 256;

@@ -11,7 +11,7 @@ import org.u2sa.gcs.record.RecordedMessages;
 import org.u2sa.gcs.record.RecordedSpan;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.recorder.mcap.McapChannel;
+import org.u2sa.recorder.mcap.record.McapChannel;
 
 /**
  * Exports one table per topic of a recording (RFC 4180, UTF-8). Reads the recording twice: first to

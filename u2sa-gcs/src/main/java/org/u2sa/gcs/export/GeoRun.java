@@ -13,13 +13,13 @@ import org.u2sa.gcs.record.RecordedSpan;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.recorder.mcap.McapChannel;
+import org.u2sa.recorder.mcap.record.McapChannel;
 
 /** Geographic content of a recording: tracks and goals. */
 final class GeoRun {

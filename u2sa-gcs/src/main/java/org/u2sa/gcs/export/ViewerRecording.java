@@ -17,13 +17,13 @@ import org.u2sa.gcs.record.RecordedSpan;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.ChunkCompression;
-import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapReader;
-import org.u2sa.recorder.mcap.McapSchema;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapSchema;
 
 /**
  * Converts a recording for viewers without CBOR support, such as Foxglove and Lichtblick: same

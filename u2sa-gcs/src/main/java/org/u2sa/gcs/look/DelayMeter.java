@@ -6,7 +6,8 @@ import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Measures the age of messages on arrival, from the timestamp of their measurement. Requires synchronised clocks; not meaningful in simulated time, which has its own clock.
+ * Measures the age of messages on arrival, from the timestamp of their measurement. Requires
+ * synchronised clocks; not meaningful in simulated time, which has its own clock.
  */
 final class DelayMeter implements Meter {
   static final List<String> COLUMNS =

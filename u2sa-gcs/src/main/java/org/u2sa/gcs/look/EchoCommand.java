@@ -166,7 +166,10 @@ public final class EchoCommand implements Callable<Integer> {
     return ExitCode.DONE;
   }
 
-  /** Whether to stop. With a message count, the wait for the first message is limited to the answer timeout. */
+  /**
+   * Whether to stop. With a message count, the wait for the first message is limited to the answer
+   * timeout.
+   */
   private boolean isOver(RemoteLink link, long beganMicros, long printed) {
     long now = link.clock().micros();
     boolean waitedEnough =

@@ -59,7 +59,10 @@ final class LogFolder {
     }
   }
 
-  /** Reads complete lines only; an incomplete one is read later. A file that has shrunk was restarted. */
+  /**
+   * Reads complete lines only; an incomplete one is read later. A file that has shrunk was
+   * restarted.
+   */
   private String grown(Path file) throws IOException {
     try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
       long from = readUpTo.getOrDefault(file, 0L);

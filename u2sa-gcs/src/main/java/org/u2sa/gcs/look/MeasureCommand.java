@@ -22,7 +22,8 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /**
- * {@code u2sa hz}, {@code delay} and {@code bw}: measures the messages of channels, one row per source.
+ * {@code u2sa hz}, {@code delay} and {@code bw}: measures the messages of channels, one row per
+ * source.
  */
 public abstract sealed class MeasureCommand implements Callable<Integer> {
   private static final double EVERY_S = 1.0;

@@ -13,7 +13,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Rows of a measuring command, one per channel, source and message type, with the measurements and the time since the last message. Not thread-safe.
+ * Rows of a measuring command, one per channel, source and message type, with the measurements and
+ * the time since the last message. Not thread-safe.
  */
 final class MeasuredSources {
   private static final double MICROS = 1e6;

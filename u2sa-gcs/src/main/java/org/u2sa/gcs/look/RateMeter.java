@@ -30,7 +30,8 @@ final class RateMeter implements Meter {
   }
 
   /**
-   * Mean rate [Hz]; 0 before the second message, and for a source silent for much longer than usual.
+   * Mean rate [Hz]; 0 before the second message, and for a source silent for much longer than
+   * usual.
    */
   private double rate(long nowMicros) {
     double silenceS = (nowMicros - lastMicros) / MICROS;

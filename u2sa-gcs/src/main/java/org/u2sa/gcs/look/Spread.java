@@ -2,9 +2,7 @@ package org.u2sa.gcs.look;
 
 import java.util.Arrays;
 
-/**
- * Statistics of the latest values of a quantity, at most 10,000. Not thread-safe.
- */
+/** Statistics of the latest values of a quantity, at most 10,000. Not thread-safe. */
 final class Spread {
   private static final int MOST = 10_000;
 

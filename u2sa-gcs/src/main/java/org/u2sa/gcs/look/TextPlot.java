@@ -5,7 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Draws series of one unit with Braille characters of two by four dots. Where lines overlap, the later series determines the colour.
+ * Draws series of one unit with Braille characters of two by four dots. Where lines overlap, the
+ * later series determines the colour.
  */
 final class TextPlot {
   private static final char EMPTY = '\u2800';

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.u2sa.interfaces.configuration.NumberWithUnit;
+import org.u2sa.interfaces.units.NumberWithUnit;
 import org.u2sa.messages.schema.U2SAData;
 
 /**

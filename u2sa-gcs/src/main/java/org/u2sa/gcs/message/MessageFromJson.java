@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.NumberWithUnit;
+import org.u2sa.interfaces.units.NumberWithUnit;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.Kind;

@@ -9,8 +9,8 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.mission.MissionReport;
 
 /** Formats a mission as JSON. Unknown values are omitted. */
 final class MissionJson {

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.gcs.terminal.TextTable;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.mission.MissionReport;
 
 /** Formats a mission as a table, one goal per line. */
 final class MissionTable {

@@ -8,13 +8,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
-import org.u2sa.messages.contract.MissionReport;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionReport;
 
 /** A mission as shown to operators. */
 final class MissionView {

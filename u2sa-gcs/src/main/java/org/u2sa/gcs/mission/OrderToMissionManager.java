@@ -13,9 +13,9 @@ import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.messages.contract.MissionAction;
-import org.u2sa.messages.contract.MissionOrder;
-import org.u2sa.messages.contract.MissionOrderResult;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
 
 /** Sends an order to the Mission Manager and prints the result. */
 final class OrderToMissionManager {

@@ -2,8 +2,8 @@ package org.u2sa.gcs.mission;
 
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.remote.RemoteSystem;
-import org.u2sa.messages.contract.MissionAction;
-import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;

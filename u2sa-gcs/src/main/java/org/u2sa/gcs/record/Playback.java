@@ -7,13 +7,14 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
 
 /**
- * Plays a recording in real time or at a multiple of it. {@link #play} runs on one thread; pause, step, seek, rate and end may be called from any, and take effect within 50 ms.
+ * Plays a recording in real time or at a multiple of it. {@link #play} runs on one thread; pause,
+ * step, seek, rate and end may be called from any, and take effect within 50 ms.
  *
  * <p>If the machine cannot keep up, messages are late; none is skipped.
  */

@@ -6,11 +6,9 @@ import java.io.PrintWriter;
 import java.util.Locale;
 import org.u2sa.gcs.terminal.RawTerminal;
 import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.recorder.mcap.McapStatistics;
+import org.u2sa.recorder.mcap.record.McapStatistics;
 
-/**
- * Keyboard control of a playback, with a status line. Does nothing without a terminal.
- */
+/** Keyboard control of a playback, with a status line. Does nothing without a terminal. */
 final class PlaybackKeys implements AutoCloseable {
   private static final double SEEK_S = 5.0;
   private static final double RATE_FACTOR = 2.0;

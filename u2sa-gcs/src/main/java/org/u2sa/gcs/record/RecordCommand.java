@@ -8,7 +8,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteSystem;
-import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.recorder.Recorder;
@@ -90,7 +90,10 @@ public final class RecordCommand implements Callable<Integer> {
     }
   }
 
-  /** Called when the time is over and when the program is interrupted; only the first call has an effect. */
+  /**
+   * Called when the time is over and when the program is interrupted; only the first call has an
+   * effect.
+   */
   private void end(Recorder recorder, PrintWriter printer) {
     recorder.finish();
     if (ended.getAndSet(true)) {

@@ -17,14 +17,12 @@ import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
 
-/**
- * Reads a recording's native messages, by topic and decoded. Not thread-safe.
- */
+/** Reads a recording's native messages, by topic and decoded. Not thread-safe. */
 public final class RecordedMessages implements AutoCloseable {
   private static final String ENCODING = "cbor";
 
@@ -100,6 +98,7 @@ public final class RecordedMessages implements AutoCloseable {
 
   /**
    * Rejects a recording without native messages.
+   *
    * @return this
    * @throws BadInputException saying how to record them
    */
@@ -134,7 +133,8 @@ public final class RecordedMessages implements AutoCloseable {
   }
 
   /**
-   * Decodes a message; empty if that fails, which {@link #undecodable} reports. A single malformed message, e.g. from an attacker, must not make a recording unusable.
+   * Decodes a message; empty if that fails, which {@link #undecodable} reports. A single malformed
+   * message, e.g. from an attacker, must not make a recording unusable.
    */
   public Optional<U2SAData> decode(Topic topic, McapMessage recorded) {
     try {

@@ -10,8 +10,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapMetadata;
 
 /** Files of a split recording. */
 final class RecordingParts {
@@ -20,7 +20,8 @@ final class RecordingParts {
   private RecordingParts() {}
 
   /**
-   * A file and the consecutively numbered files of the same recording: they have the same run and host facts, and each starts after the previous one ended.
+   * A file and the consecutively numbered files of the same recording: they have the same run and
+   * host facts, and each starts after the previous one ended.
    *
    * @throws BadInputException if there is no such file
    * @throws IOException if one cannot be read

@@ -11,11 +11,11 @@ import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.recorder.mcap.McapChannel;
-import org.u2sa.recorder.mcap.McapMessage;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -24,9 +24,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/**
- * {@code u2sa replay FILE}: republishes a recording's messages, or re-executes its services.
- */
+/** {@code u2sa replay FILE}: republishes a recording's messages, or re-executes its services. */
 @Command(
     name = "replay",
     description = {

@@ -11,7 +11,8 @@ import org.u2sa.recorder.RecordingFacts;
 import org.u2sa.recorder.RunFiles;
 
 /**
- * Facts about a run for its recording: versions, host, the system file, its configurations, and the files they name, such as mission, fence and world.
+ * Facts about a run for its recording: versions, host, the system file, its configurations, and the
+ * files they name, such as mission, fence and world.
  */
 public final class RunFacts {
   private final RecordingFacts facts = new RecordingFacts();

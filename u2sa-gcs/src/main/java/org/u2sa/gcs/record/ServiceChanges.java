@@ -79,7 +79,10 @@ final class ServiceChanges {
                         + starts.stream().map(ExecutionStart::service).toList()));
   }
 
-  /** Applies a configuration or system file; a system file changes services whose configuration in it has the same name. */
+  /**
+   * Applies a configuration or system file; a system file changes services whose configuration in
+   * it has the same name.
+   */
   private void addFile(Path file, Collection<ExecutionStart> starts) {
     String fileName = file.getFileName().toString();
     boolean isSystem =

@@ -1,4 +1,5 @@
 /**
- * Commands for recordings: making, recovering and playing them. The recorder and the file format belong to u2sa-recorder.
+ * Commands for recordings: making, recovering and playing them. The recorder and the file format
+ * belong to u2sa-recorder.
  */
 package org.u2sa.gcs.record;

@@ -19,16 +19,16 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapMetadata;
 
 /** Content of a report on one recording, read in one pass. */
 final class RunContent {

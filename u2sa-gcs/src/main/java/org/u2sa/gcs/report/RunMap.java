@@ -9,16 +9,16 @@ import java.util.OptionalDouble;
 import org.u2sa.gcs.message.FieldPath;
 import org.u2sa.gcs.page.Trace;
 import org.u2sa.interfaces.JsonText;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 
 /**
  * Content of the map, in metres east and north of the first state: estimated and true track, goals,

@@ -9,15 +9,15 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.gcs.page.Trace;
 import org.u2sa.interfaces.JsonText;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
 
 /** Timeline of a run: events, and the condition of each service. */

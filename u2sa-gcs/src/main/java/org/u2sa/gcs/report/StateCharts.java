@@ -7,11 +7,11 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.gcs.page.Chart;
 import org.u2sa.gcs.page.Trace;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
 
 /** Charts of the estimated state over time, compared with ground truth if known. */
 final class StateCharts {

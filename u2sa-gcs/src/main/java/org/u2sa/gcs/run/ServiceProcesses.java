@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.ObjIntConsumer;
 import org.u2sa.gcs.Main;
 import org.u2sa.gcs.command.ExitCode;
-import org.u2sa.interfaces.communication.MqttClient;
+import org.u2sa.interfaces.mqtt.MqttClient;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**

@@ -10,7 +10,7 @@ import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.EmergencyStop;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;

@@ -10,10 +10,10 @@ import java.util.function.Consumer;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /**
  * Tracks which services confirm an emergency stop. A stop is confirmed once every service that

@@ -14,7 +14,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.safety.StopCommand;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;

@@ -13,7 +13,9 @@ import java.net.URI;
 import java.util.Set;
 
 /**
- * Rejects web pages other than viewers: a browser lets any page connect to this host, and identifies it in the Origin header (RFC 6455, section 10.2). Programs other than browsers send none.
+ * Rejects web pages other than viewers: a browser lets any page connect to this host, and
+ * identifies it in the Origin header (RFC 6455, section 10.2). Programs other than browsers send
+ * none.
  */
 final class OriginCheck extends ChannelInboundHandlerAdapter {
   private static final Set<String> USUAL = Set.of("https://app.foxglove.dev", "file://");

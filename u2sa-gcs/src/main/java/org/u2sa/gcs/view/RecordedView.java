@@ -11,10 +11,10 @@ import org.u2sa.gcs.record.RecordedSpan;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.recorder.mcap.McapChannel;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
-import org.u2sa.recorder.mcap.McapSchema;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapSchema;
 
 /** Plays a recording to viewers as soon as one is connected. */
 final class RecordedView {

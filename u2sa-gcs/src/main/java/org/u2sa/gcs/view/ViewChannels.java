@@ -25,7 +25,8 @@ final class ViewChannels {
   }
 
   /**
-   * @param maxKeptBytes limit of the messages kept for late viewers [B]; beyond it, the oldest are dropped
+   * @param maxKeptBytes limit of the messages kept for late viewers [B]; beyond it, the oldest are
+   *     dropped
    */
   ViewChannels(long maxKeptBytes) {
     this.maxKeptBytes = maxKeptBytes;

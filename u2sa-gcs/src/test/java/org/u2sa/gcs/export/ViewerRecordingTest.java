@@ -27,13 +27,13 @@ import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.recorder.SchemaText;
 import org.u2sa.recorder.mcap.ChunkCompression;
-import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapReader;
-import org.u2sa.recorder.mcap.McapSchema;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapSchema;
 
 /** A recording of one planned path, its view, and an execution. */
 class ViewerRecordingTest {

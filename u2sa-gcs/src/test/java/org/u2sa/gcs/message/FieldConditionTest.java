@@ -8,9 +8,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 
 class FieldConditionTest {
   private final StateInformation state =

@@ -20,12 +20,12 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.recorder.mcap.ChunkCompression;
-import org.u2sa.recorder.mcap.McapChannel;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapReader;
-import org.u2sa.recorder.mcap.McapSchema;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapSchema;
 
 /** A recording of 100 s, a message each second, on a clock that goes on only where one waits. */
 @Timeout(60)

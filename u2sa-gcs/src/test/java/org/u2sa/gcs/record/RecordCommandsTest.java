@@ -28,14 +28,14 @@ import org.u2sa.gcs.remote.ForeignSystem;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapMessage;
 
 /** {@code u2sa record}, {@code recover} and {@code replay} beside a system of another process. */
 @Timeout(180)

@@ -12,11 +12,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.recorder.mcap.ChunkCompression;
-import org.u2sa.recorder.mcap.McapChannel;
-import org.u2sa.recorder.mcap.McapMessage;
-import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
 
 class RecordingPartsTest {
   private static final long SECOND = 1_000_000_000L;

@@ -22,28 +22,28 @@ import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.recorder.mcap.ChunkCompression;
-import org.u2sa.recorder.mcap.McapChannel;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
 
 /** A vehicle goes north at 1 m/s, one metre east of a line between two goals. */
 class ReportTest {

@@ -30,11 +30,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalList;
 
 @Timeout(120)
 class ViewServerTest {

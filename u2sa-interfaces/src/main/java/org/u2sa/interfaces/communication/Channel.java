@@ -91,7 +91,8 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * {@link #every(String, MessageType)} with distinguishable sources, for subscribers that keep state per source.
+   * {@link #every(String, MessageType)} with distinguishable sources, for subscribers that keep
+   * state per source.
    *
    * @param source identifies the source of a message, for example by sensor name
    * @throws IllegalArgumentException if the name is not of that form

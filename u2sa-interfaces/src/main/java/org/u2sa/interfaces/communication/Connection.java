@@ -23,7 +23,8 @@ public interface Connection extends AutoCloseable {
   /**
    * Starts receiving messages published on the channel by services of the same system.
    *
-   * @return whether the Communication Manager accepted the subscription, or will be asked again after an interruption
+   * @return whether the Communication Manager accepted the subscription, or will be asked again
+   *     after an interruption
    */
   boolean subscribe(Channel<?> channel);
 
@@ -31,19 +32,22 @@ public interface Connection extends AutoCloseable {
   boolean unsubscribe(Channel<?> channel);
 
   /**
-   * Names of subscribed channels that the broker does not permit this connection to receive. Retried on each reconnection.
+   * Names of subscribed channels that the broker does not permit this connection to receive.
+   * Retried on each reconnection.
    */
   default Set<String> refusedSubscriptions() {
     return Collections.emptySet();
   }
 
   /**
-   * Number of messages that could not be delivered, or were received but could not be decoded, since the connection was created.
+   * Number of messages that could not be delivered, or were received but could not be decoded,
+   * since the connection was created.
    */
   long refused();
 
   /**
-   * Number of messages on subscribed channels lost over MQTT since the connection was created, as detected from sequence numbers.
+   * Number of messages on subscribed channels lost over MQTT since the connection was created, as
+   * detected from sequence numbers.
    */
   long missed();
 

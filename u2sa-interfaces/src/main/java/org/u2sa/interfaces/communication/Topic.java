@@ -8,7 +8,8 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Broker topic of a message: {@code u2sa/<systemId>/<channel>/<TypeChain…>}, for example {@code
- * u2sa/cessna/actuation/ActuatorCommand/PercentageCommand}. Thesis 8.2.5: the chain lets a reader treat an unknown subclass as its nearest known ancestor.
+ * u2sa/cessna/actuation/ActuatorCommand/PercentageCommand}. Thesis 8.2.5: the chain lets a reader
+ * treat an unknown subclass as its nearest known ancestor.
  *
  * <p>On channels retained per source, the source follows the types, because a broker retains one
  * message per topic: {@code u2sa/cessna/actuators/ActuatorAnnouncement/=RUDDER}.

@@ -5,7 +5,7 @@ package org.u2sa.interfaces.communication;
  * upper-case hexadecimal digits. Reserved are '/', '+', '#' and control characters in MQTT, and
  * space, '.', '*' and '&gt;' in NATS subjects.
  */
-final class TopicLevel {
+public final class TopicLevel {
   private static final String BEFORE_FORMAT_3 = "/+#%";
   private static final String SINCE_FORMAT_3 = BEFORE_FORMAT_3 + " .*>";
   private static final int HEX_DIGITS = 4;
@@ -14,7 +14,7 @@ final class TopicLevel {
   private TopicLevel() {}
 
   /** Encodes a name; the encoding is unique. */
-  static String of(String name) {
+  public static String of(String name) {
     return written(name, SINCE_FORMAT_3);
   }
 

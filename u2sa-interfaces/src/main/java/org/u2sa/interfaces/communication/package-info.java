@@ -1,5 +1,6 @@
 /**
- * Communication of services (thesis 3.2.1.2–3.2.1.4): channels, topics, and the two transports,
- * in-process and MQTT. Message content belongs to the messages module, the broker to core.
+ * Communication of services (thesis 3.2.1.2–3.2.1.4): channels, topics, and the in-process
+ * transport; the other one is {@code mqtt}. Message content belongs to the messages module, the
+ * broker to core.
  */
 package org.u2sa.interfaces.communication;

@@ -3,6 +3,8 @@ package org.u2sa.interfaces.configuration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.interfaces.units.NumberText;
+import org.u2sa.interfaces.units.Units;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**

@@ -18,7 +18,8 @@ import java.util.stream.Collectors;
  * follows when the {@link WrittenChange} takes effect. If power fails between log and file, the
  * next change detects and logs it.
  *
- * <p>One thread at a time writes. Values in memory belong to {@link LiveValues}, which is never locked during disk access.
+ * <p>One thread at a time writes. Values in memory belong to {@link LiveValues}, which is never
+ * locked during disk access.
  */
 final class ConfigurationChanges {
   private final LiveValues live;
@@ -29,7 +30,8 @@ final class ConfigurationChanges {
 
   /**
    * @param file file that was read; empty if changes stay in memory
-   * @param copy copy changed instead of the file, created on the first change; empty to change the file itself
+   * @param copy copy changed instead of the file, created on the first change; empty to change the
+   *     file itself
    */
   ConfigurationChanges(LiveValues live, Optional<Path> file, Optional<Path> copy) {
     this(live, copy.isPresent() ? file : Optional.empty(), copy.isPresent() ? copy : file, 0);

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.u2sa.interfaces.units.NumberText;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.ConfigurationVariable;
 

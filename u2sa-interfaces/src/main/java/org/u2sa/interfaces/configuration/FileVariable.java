@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.u2sa.interfaces.units.NumberWithUnit;
 import org.u2sa.interfaces.xml.XmlElement;
 
 /**

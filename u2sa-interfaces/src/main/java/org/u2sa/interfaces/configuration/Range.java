@@ -1,5 +1,7 @@
 package org.u2sa.interfaces.configuration;
 
+import org.u2sa.interfaces.units.NumberText;
+
 /**
  * Allowed range of a variable, inclusive unless stated otherwise.
  *

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.u2sa.interfaces.units.NumberText;
 
 /**
  * Declaration of a configuration variable: name, type, unit, range, default and description. A

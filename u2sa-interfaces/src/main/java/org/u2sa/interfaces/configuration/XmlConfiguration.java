@@ -69,7 +69,8 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Reads a configuration file that must not be modified: changes go to a copy, created on the first change. An existing copy is read instead of the file.
+   * Reads a configuration file that must not be modified: changes go to a copy, created on the
+   * first change. An existing copy is read instead of the file.
    *
    * @throws ConfigurationException like {@link #load(Path)}
    */

@@ -6,10 +6,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 
 /** What a channel promises of delivery, and which standard ones there are. */

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
 
 /** What the local bus answers: to bridges that come late, closed connections, faulty receivers. */

@@ -7,9 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
 
 class LocalBusTest {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.units.NumberText;
 
 /** What a declaration says, and when two declarations or two ranges are the same. */
 class VariableDeclarationTest {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;

@@ -11,12 +11,12 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
-import org.u2sa.messages.Waypoint;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.safety.StopCommand;
 
 /** What is just within what a reader takes, and just outside. */
 class CodecEdgesTest {

@@ -8,12 +8,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
-import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.shape.Circle;
 
@@ -172,7 +172,7 @@ class EvolutionTest {
 
     U2SAData read = old.decode(List.of("GoalCommand"), HexFormat.of().parseHex(hex));
 
-    assertThat(read).isEqualTo(new org.u2sa.messages.contract.GoalCommand().uid("7"));
+    assertThat(read).isEqualTo(new org.u2sa.messages.mission.GoalCommand().uid("7"));
   }
 
   @Test

@@ -14,8 +14,8 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.registry.StandardTypes;
 
 /** Numbers instead of names: which they are, and what becomes of those that a reader lacks. */

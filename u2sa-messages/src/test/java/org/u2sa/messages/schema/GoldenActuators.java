@@ -1,9 +1,9 @@
 package org.u2sa.messages.schema;
 
 import java.util.List;
-import org.u2sa.messages.AngleCommand;
-import org.u2sa.messages.ForceCommand;
-import org.u2sa.messages.SpeedCommand;
+import org.u2sa.messages.command.AngleCommand;
+import org.u2sa.messages.command.ForceCommand;
+import org.u2sa.messages.command.SpeedCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 

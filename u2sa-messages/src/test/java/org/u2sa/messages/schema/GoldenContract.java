@@ -11,10 +11,10 @@ import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
-import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.mission.GoalCommand;
+import org.u2sa.messages.safety.StopCommand;
 
 /** Messages of the service contract as the first format had it. */
 final class GoldenContract {

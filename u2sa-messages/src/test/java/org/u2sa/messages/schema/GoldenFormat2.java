@@ -2,8 +2,6 @@ package org.u2sa.messages.schema;
 
 import java.util.List;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.contract.ArmCommand;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationResponse;
@@ -13,16 +11,18 @@ import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.DiscoveryResponse;
-import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.OperatorHeartbeat;
 
 /** What the second format brought: messages, and fields of older ones. */
 final class GoldenFormat2 {

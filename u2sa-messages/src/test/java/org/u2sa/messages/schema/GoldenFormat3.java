@@ -2,23 +2,23 @@ package org.u2sa.messages.schema;
 
 import java.util.List;
 import java.util.OptionalDouble;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.RangeScan;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConnectionLost;
-import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.contract.MissionAction;
-import org.u2sa.messages.contract.MissionOrder;
-import org.u2sa.messages.contract.MissionOrderResult;
-import org.u2sa.messages.contract.MissionReport;
-import org.u2sa.messages.contract.MissionRequest;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
+import org.u2sa.messages.mission.MissionReport;
+import org.u2sa.messages.mission.MissionRequest;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /** What the third format brought: scans, and fields of older messages. */
 final class GoldenFormat3 {

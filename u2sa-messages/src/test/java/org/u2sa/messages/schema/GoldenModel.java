@@ -1,18 +1,18 @@
 package org.u2sa.messages.schema;
 
 import java.util.List;
-import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.ObjectList;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.command.ActuatorCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;

@@ -2,11 +2,11 @@ package org.u2sa.messages.schema;
 
 import java.util.List;
 import org.u2sa.messages.NavigationPoint;
-import org.u2sa.messages.ObjectGoal;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.ObjectGoal;
 
 /** What the planners that see brought. */
 final class GoldenPlans {

@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.PointCloud;

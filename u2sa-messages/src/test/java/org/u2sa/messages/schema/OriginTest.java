@@ -7,9 +7,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.Waypoint;
-import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.safety.StopCommand;
 
 class OriginTest {
   private static final Origin ORIGIN = new Origin("1f0c", 17);

@@ -14,11 +14,11 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.ArmingState;
-import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /** Texts of any length and content, set and read: names are refused, notes shortened. */
 class TextBoundsProperties {

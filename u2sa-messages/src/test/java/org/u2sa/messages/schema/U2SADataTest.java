@@ -13,14 +13,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.OccupancyGrid;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.command.ActuatorCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Sphere;
 

@@ -12,10 +12,11 @@ import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.seen.PlanarShape;
 
 /**
- * Finds the shortest path around shapes for an aircraft with a turning circle: arcs around the shapes, none tighter than the turning circle, and the tangents between them (a visibility graph of circles: Chang, Choi, Kwon,
- * Park, Yap: Shortest Path Amidst Disc Obstacles Is Computable, SoCG 2005; the first and the last
- * circle as in Dubins 1957). Obstacles smaller than the turning circle are passed on a turning
- * circle.
+ * Finds the shortest path around shapes for an aircraft with a turning circle: arcs around the
+ * shapes, none tighter than the turning circle, and the tangents between them (a visibility graph
+ * of circles: Chang, Choi, Kwon, Park, Yap: Shortest Path Amidst Disc Obstacles Is Computable, SoCG
+ * 2005; the first and the last circle as in Dubins 1957). Obstacles smaller than the turning circle
+ * are passed on a turning circle.
  *
  * <p>Searched by A*; tangents and arcs are created and checked lazily. Immutable.
  */
@@ -84,7 +85,9 @@ public final class TangentGraph {
   }
 
   /**
-   * Adds circles flown in the opposite direction that touch the first and the last circle from outside: the middle circles of paths with three turns (Dubins 1957), or with two to a point without a heading.
+   * Adds circles flown in the opposite direction that touch the first and the last circle from
+   * outside: the middle circles of paths with three turns (Dubins 1957), or with two to a point
+   * without a heading.
    */
   private void addBetween(Ring first, Ring last) {
     double north = last.northM() - first.northM();

@@ -28,7 +28,8 @@ public final class ReedsShepp {
   }
 
   /**
-   * Length of the shortest path between two poses [m]; once a path of at most {@code enoughM} is found, its length is returned without searching further.
+   * Length of the shortest path between two poses [m]; once a path of at most {@code enoughM} is
+   * found, its length is returned without searching further.
    */
   public static double lengthM(Pose from, Pose to, double radiusM, double enoughM) {
     return search(from, to, radiusM, enoughM).lengthM();

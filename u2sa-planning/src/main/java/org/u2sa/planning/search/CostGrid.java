@@ -84,7 +84,8 @@ public final class CostGrid {
   }
 
   /**
-   * Like {@link #update(IntPredicate, IntPredicate)}, with the state of every cell: {@link #OCCUPIED}, {@link #UNKNOWN}, both or neither.
+   * Like {@link #update(IntPredicate, IntPredicate)}, with the state of every cell: {@link
+   * #OCCUPIED}, {@link #UNKNOWN}, both or neither.
    */
   public Area update(byte[] newStates) {
     Changes changes = new Changes();
@@ -224,7 +225,9 @@ public final class CostGrid {
     return Math.max(0.0, cells - 0.5) * frame.cellM();
   }
 
-  /** Distance of a point to the nearest occupied cell [m]; the inflation's reach outside the grid. */
+  /**
+   * Distance of a point to the nearest occupied cell [m]; the inflation's reach outside the grid.
+   */
   public double distanceM(double northM, double eastM) {
     int index = frame.indexAt(northM, eastM);
     return index < 0 ? inflation.reachM() : distanceM(index);

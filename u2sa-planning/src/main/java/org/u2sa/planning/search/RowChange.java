@@ -3,7 +3,8 @@ package org.u2sa.planning.search;
 import java.nio.ByteBuffer;
 
 /**
- * Finds the range in which a row of bytes has changed. Compares blockwise from both ends, because most bytes are equal.
+ * Finds the range in which a row of bytes has changed. Compares blockwise from both ends, because
+ * most bytes are equal.
  */
 public final class RowChange {
   private static final int BLOCK = 64; // bytes compared at a time

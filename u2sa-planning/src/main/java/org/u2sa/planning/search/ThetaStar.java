@@ -47,7 +47,8 @@ public final class ThetaStar {
    *
    * @param start index of a free cell
    * @param goalNorthM the goal, in a free cell or outside the grid
-   * @return corners of the path from the start cell's centre to the goal cell's, or to the edge where the path leaves the grid, and its cost; empty if none
+   * @return corners of the path from the start cell's centre to the goal cell's, or to the edge
+   *     where the path leaves the grid, and its cost; empty if none
    */
   public Optional<GridPath> plan(CostGrid grid, int start, double goalNorthM, double goalEastM) {
     begin(grid.frame().cells());
@@ -184,7 +185,10 @@ public final class ThetaStar {
             a / frame.columns() - b / frame.columns(), a % frame.columns() - b % frame.columns());
   }
 
-  /** Length of a vector. Math.hypot guards against overflow, which is unnecessary here, and is many times slower. */
+  /**
+   * Length of a vector. Math.hypot guards against overflow, which is unnecessary here, and is many
+   * times slower.
+   */
   private static double length(double north, double east) {
     return Math.sqrt(north * north + east * east);
   }
@@ -198,7 +202,9 @@ public final class ThetaStar {
     return row == 0 || column == 0 || row == frame.rows() - 1 || column == frame.columns() - 1;
   }
 
-  /** Cost from a cell to its neighbour: the mean of both costs times the distance of their centres. */
+  /**
+   * Cost from a cell to its neighbour: the mean of both costs times the distance of their centres.
+   */
   static double step(CostGrid grid, int from, int to) {
     int columns = grid.frame().columns();
     boolean diagonal = from / columns != to / columns && from % columns != to % columns;

@@ -189,7 +189,8 @@ public final class SeenWorld {
    * @param northM north coordinate of the vehicle on the plane [m]
    * @param eastM east coordinate of the vehicle on the plane [m]
    * @param downM down coordinate of the vehicle [m]
-   * @param goalDownM down coordinate of the goal [m]; obstacles at heights between both are relevant
+   * @param goalDownM down coordinate of the goal [m]; obstacles at heights between both are
+   *     relevant
    */
   public void update(
       StateInformation state, double northM, double eastM, double downM, double goalDownM) {

@@ -5,7 +5,8 @@ import java.util.function.DoubleToIntFunction;
 import java.util.function.IntToDoubleFunction;
 
 /**
- * Maps each row (or column) of the World Modeler's grid to the rows (or columns) of a plan that it covers from end to end, and back. Immutable.
+ * Maps each row (or column) of the World Modeler's grid to the rows (or columns) of a plan that it
+ * covers from end to end, and back. Immutable.
  */
 final class Spans {
   private final int[] first;

@@ -19,7 +19,10 @@ final class TrafficMemory {
       return Math.hypot(northMps, eastMps);
     }
 
-    /** Updates with the current observation; the velocity is replaced only if it is faster or the old one has expired. */
+    /**
+     * Updates with the current observation; the velocity is replaced only if it is faster or the
+     * old one has expired.
+     */
     Motion and(Motion now) {
       boolean isOld = now.micros - micros > PARKED_AFTER_MICROS;
       return isOld || now.mps() >= mps()

@@ -10,7 +10,7 @@ import java.util.Set;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.recorder.mcap.record.McapException;
 
 /** Compares a service's output on one channel between the recording and the re-execution. */
 public final class ChannelComparison {

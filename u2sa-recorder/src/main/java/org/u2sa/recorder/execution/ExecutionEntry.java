@@ -1,13 +1,14 @@
 package org.u2sa.recorder.execution;
 
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.recorder.mcap.record.McapException;
 
 /**
  * One interaction between a service and its environment.
  *
  * @param kind kind of interaction
- * @param micros clock reading, deadline of a wait or arrival of a message [µs of the run's clock]; 0 for other kinds
+ * @param micros clock reading, deadline of a wait or arrival of a message [µs of the run's clock];
+ *     0 for other kinds
  * @param times number of equal readings; 1 for other kinds
  */
 record ExecutionEntry(Kind kind, long micros, long times) {

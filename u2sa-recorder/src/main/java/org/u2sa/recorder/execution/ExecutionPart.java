@@ -39,7 +39,8 @@ public record ExecutionPart(
    * Encodes the part.
    *
    * @param systemId system ID of messages that have none
-   * @param places positions of recently recorded messages; returns null for others, which are then stored inline
+   * @param places positions of recently recorded messages; returns null for others, which are then
+   *     stored inline
    */
   public byte[] bytes(String systemId, Function<U2SAData, Place> places) {
     PackedWriter out = new PackedWriter().number(number).bytes(entries);

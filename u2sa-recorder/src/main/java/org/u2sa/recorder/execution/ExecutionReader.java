@@ -11,14 +11,16 @@ import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.MessageCodec;
-import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapException;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.McapMessage;
 
 /**
- * Reads one execution, entry by entry with its messages, from a recording of one or several consecutive files. Holds some ten thousand messages at a time, limited to a quarter of the heap. Not thread-safe.
+ * Reads one execution, entry by entry with its messages, from a recording of one or several
+ * consecutive files. Holds some ten thousand messages at a time, limited to a quarter of the heap.
+ * Not thread-safe.
  */
 final class ExecutionReader implements AutoCloseable {
   /** Read-ahead, because with concurrent threads a part may precede messages it refers to. */

@@ -13,19 +13,22 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.recorder.mcap.McapAttachment;
-import org.u2sa.recorder.mcap.McapException;
-import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapAttachment;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.McapMetadata;
 import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Everything a service was given on construction, including the files it then read: enough to recreate it elsewhere.
+ * Everything a service was given on construction, including the files it then read: enough to
+ * recreate it elsewhere.
  *
  * @param texts named values
- * @param files contents by name: {@link #CONFIGURATION}, {@code variables/NAME} for the file that a variable names, {@code state/NAME} for state left by an earlier instance, {@link #HANDED_OVER} for the state written by the service it replaced
+ * @param files contents by name: {@link #CONFIGURATION}, {@code variables/NAME} for the file that a
+ *     variable names, {@code state/NAME} for state left by an earlier instance, {@link
+ *     #HANDED_OVER} for the state written by the service it replaced
  */
 public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> files) {
   /** Name prefix of metadata and attachments, followed by the execution's name. */
@@ -114,7 +117,8 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   }
 
   /**
-   * Copy with what is known once the service is constructed: its name and the XML files its variables name. Other files are left out, because they may be passwords or keys.
+   * Copy with what is known once the service is constructed: its name and the XML files its
+   * variables name. Other files are left out, because they may be passwords or keys.
    *
    * @throws IOException if a file cannot be read
    */

@@ -63,9 +63,7 @@ public record FieldDifference(String field, String recorded, String now) {
     return Optional.of(new FieldDifference(path, a.toString(), b.toString()));
   }
 
-  /**
-   * First differing byte; the lengths if one is a prefix of the other.
-   */
+  /** First differing byte; the lengths if one is a prefix of the other. */
   private static FieldDifference betweenBytes(String path, ByteString a, ByteString b) {
     ByteBuffer ofA = a.view();
     ByteBuffer ofB = b.view();

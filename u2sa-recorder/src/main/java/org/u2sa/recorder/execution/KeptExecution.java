@@ -17,7 +17,8 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
- * Records the interactions of a service and passes them on in parts, without altering them. Except for its clock and {@link #publishes}, use only on the thread that executes the service.
+ * Records the interactions of a service and passes them on in parts, without altering them. Except
+ * for its clock and {@link #publishes}, use only on the thread that executes the service.
  */
 public final class KeptExecution implements Execution {
   private final Clock clock;
@@ -38,7 +39,8 @@ public final class KeptExecution implements Execution {
    *
    * @param clock of the run
    * @param awaitsPlace whether the service is to replace another, which may be refused
-   * @param onBegin called when it is certain that the service will run; may call {@link #keepAs} to keep the execution
+   * @param onBegin called when it is certain that the service will run; may call {@link #keepAs} to
+   *     keep the execution
    * @param parts receives the parts, on the service's thread
    */
   KeptExecution(
@@ -75,7 +77,9 @@ public final class KeptExecution implements Execution {
   }
 
   /**
-   * Whether a service depends only on messages, time and its configuration, as far as can be determined: services with a custom loop do not qualify, because it runs beside message handling.
+   * Whether a service depends only on messages, time and its configuration, as far as can be
+   * determined: services with a custom loop do not qualify, because it runs beside message
+   * handling.
    */
   static boolean isRepeatable(U2SAService service) {
     return (service instanceof EventDrivenService || service instanceof PeriodicService)

@@ -18,13 +18,14 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.recorder.mcap.record.McapException;
 import org.u2sa.service.Execution;
 import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Restores a service's inputs in a folder, so that it can be recreated. Nothing outside the folder is written, whatever the recording contains.
+ * Restores a service's inputs in a folder, so that it can be recreated. Nothing outside the folder
+ * is written, whatever the recording contains.
  */
 final class MadeAgain {
   /** Nesting that lets a configuration use paths up to this many folders up. */
@@ -126,7 +127,10 @@ final class MadeAgain {
     return configuration;
   }
 
-  /** Writes a file to the path its variable gives if inside the folder; otherwise changes the variable. */
+  /**
+   * Writes a file to the path its variable gives if inside the folder; otherwise changes the
+   * variable.
+   */
   private void layOut(XmlConfiguration configuration, String key, byte[] content)
       throws IOException {
     String value = start.text(key);

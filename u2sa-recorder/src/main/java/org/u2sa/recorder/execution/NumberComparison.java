@@ -3,7 +3,8 @@ package org.u2sa.recorder.execution;
 import java.util.Arrays;
 
 /**
- * Compares one number of one source's messages on a channel between the recording and the re-execution, starting with the first message in which they differ.
+ * Compares one number of one source's messages on a channel between the recording and the
+ * re-execution, starting with the first message in which they differ.
  */
 public final class NumberComparison {
   private static final int VALUES = 3; // per message: time, recorded, now

@@ -2,7 +2,7 @@ package org.u2sa.recorder.execution;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.recorder.mcap.record.McapException;
 
 /** Reads the encoding of {@link PackedWriter}. */
 final class PackedReader {

@@ -3,7 +3,9 @@ package org.u2sa.recorder.execution;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Growable byte buffer with variable-length integers (LEB128): seven bits per byte, lowest first. */
+/**
+ * Growable byte buffer with variable-length integers (LEB128): seven bits per byte, lowest first.
+ */
 final class PackedWriter {
   private static final int FIRST_CAPACITY = 256;
   private static final int BITS = 7;

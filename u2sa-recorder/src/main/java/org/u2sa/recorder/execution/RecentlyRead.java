@@ -4,11 +4,9 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.Map;
-import org.u2sa.recorder.mcap.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMessage;
 
-/**
- * Cache of the recorded messages read last, by channel and sequence number. Not thread-safe.
- */
+/** Cache of the recorded messages read last, by channel and sequence number. Not thread-safe. */
 final class RecentlyRead {
   private final int maxMessages;
   private final long maxBytes;
@@ -24,9 +22,7 @@ final class RecentlyRead {
     this.maxBytes = maxBytes;
   }
 
-  /**
-   * Adds a message and evicts the oldest ones beyond the count or size limit.
-   */
+  /** Adds a message and evicts the oldest ones beyond the count or size limit. */
   void add(McapMessage message) {
     long key = key(message.channelId(), message.sequence());
     bytes += message.data().length - length(messages.put(key, message));

@@ -12,9 +12,12 @@ import org.u2sa.recorder.execution.ExecutionEntry.Kind;
 import org.u2sa.recorder.execution.ExecutionReader.Next;
 
 /**
- * Replay position of a re-executed service in its recorded execution: its next inputs and expected outputs.
+ * Replay position of a re-executed service in its recorded execution: its next inputs and expected
+ * outputs.
  *
- * <p>An unchanged service makes the same requests in the same order. A changed one may diverge ("stray"). Messages then still arrive where they did in the recording, with recorded times in between; a wait that ends earlier than the recorded one ends at its own deadline.
+ * <p>An unchanged service makes the same requests in the same order. A changed one may diverge
+ * ("stray"). Messages then still arrive where they did in the recording, with recorded times in
+ * between; a wait that ends earlier than the recorded one ends at its own deadline.
  */
 final class RecordedCourse {
   private static final int VAIN_WAITS = 3;

@@ -6,7 +6,7 @@ import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.recorder.mcap.record.McapException;
 
 /** A recorded message, decoded lazily. */
 final class RecordedMessage {

@@ -12,7 +12,8 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
- * Replays a recorded execution to a service: clock readings, messages and the end. Its messages go to the course's outputs.
+ * Replays a recorded execution to a service: clock readings, messages and the end. Its messages go
+ * to the course's outputs.
  */
 final class RepeatedExecution implements Execution {
   private static final long WRITES_WITHIN_MICROS = 10 * Clock.MICROS_PER_SECOND;

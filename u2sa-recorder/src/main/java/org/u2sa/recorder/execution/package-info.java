@@ -1,4 +1,5 @@
 /**
- * Executions of services: recording all interactions of a service, and re-executing it from them. Contains no commands and no launching of systems.
+ * Executions of services: recording all interactions of a service, and re-executing it from them.
+ * Contains no commands and no launching of systems.
  */
 package org.u2sa.recorder.execution;

@@ -15,16 +15,17 @@ import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.Condition;
-import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Converts a vehicle's messages for viewers: pose and track, detections, scans and maps, planned path, faults. Not thread-safe. The first global state becomes the map's origin.
+ * Converts a vehicle's messages for viewers: pose and track, detections, scans and maps, planned
+ * path, faults. Not thread-safe. The first global state becomes the map's origin.
  */
 public final class FoxgloveMessages {
   private static final int INFO = 2;

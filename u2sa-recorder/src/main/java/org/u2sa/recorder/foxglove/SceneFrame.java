@@ -7,7 +7,9 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * Frames of the views, all right-handed and metric: {@code map} is east-north-up at the vehicle's first position, {@code body} is the vehicle's forward-left-up, {@code local} is east-north-up in local frames.
+ * Frames of the views, all right-handed and metric: {@code map} is east-north-up at the vehicle's
+ * first position, {@code body} is the vehicle's forward-left-up, {@code local} is east-north-up in
+ * local frames.
  */
 final class SceneFrame {
   static final String MAP = "map";
@@ -27,7 +29,9 @@ final class SceneFrame {
     return origin.enuOf(place);
   }
 
-  /** Converts a point of a message's frame; empty for global positions before the map has an origin. */
+  /**
+   * Converts a point of a message's frame; empty for global positions before the map has an origin.
+   */
   Optional<Placed> place(ReferenceFrame frame, Point point) {
     if (frame.equals(ReferenceFrame.GLOBAL)) {
       return origin == null

@@ -9,10 +9,10 @@ import net.jpountz.lz4.LZ4Exception;
 import net.jpountz.lz4.LZ4Factory;
 import net.jpountz.lz4.LZ4FrameInputStream;
 import net.jpountz.xxhash.XXHashFactory;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.RecordBuffer;
 
-/**
- * Compression of chunks. Pure Java, so that output is byte-identical on every platform.
- */
+/** Compression of chunks. Pure Java, so that output is byte-identical on every platform. */
 public enum ChunkCompression {
   /** No compression. */
   NONE("") {

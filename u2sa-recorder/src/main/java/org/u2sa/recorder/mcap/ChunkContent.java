@@ -2,6 +2,8 @@ package org.u2sa.recorder.mcap;
 
 import java.io.IOException;
 import java.util.zip.CRC32;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
 /**
  * Content of a chunk record in the file.

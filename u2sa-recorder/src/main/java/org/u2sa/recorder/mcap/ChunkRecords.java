@@ -3,9 +3,12 @@ package org.u2sa.recorder.mcap;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.NoSuchElementException;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
 /**
- * Records of a decompressed chunk, up to the first error. Iterates in place and creates each record on demand, since a chunk can hold millions.
+ * Records of a decompressed chunk, up to the first error. Iterates in place and creates each record
+ * on demand, since a chunk can hold millions.
  */
 final class ChunkRecords implements Iterable<RecordStream.Entry> {
   private final byte[] bytes;

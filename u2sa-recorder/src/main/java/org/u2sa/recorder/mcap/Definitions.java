@@ -6,8 +6,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.McapSchema;
+import org.u2sa.recorder.mcap.record.Opcode;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
-/** Schemas and channels of a damaged file, collected from several places, preferring the most reliable. */
+/**
+ * Schemas and channels of a damaged file, collected from several places, preferring the most
+ * reliable.
+ */
 final class Definitions {
   /** Where a definition was found. */
   enum Source {

@@ -4,6 +4,10 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.util.OptionalLong;
 import java.util.function.Consumer;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.McapStatistics;
+import org.u2sa.recorder.mcap.record.Opcode;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
 /** Outline of a possibly damaged file, from the records outside chunks. */
 final class FileOutline {
@@ -56,7 +60,9 @@ final class FileOutline {
     return new FileOutline(search.file(), messages, summary.dataEnd, summary.dataCrc);
   }
 
-  /** Start of the summary, whether its checksum is correct, end and checksum of the data section. */
+  /**
+   * Start of the summary, whether its checksum is correct, end and checksum of the data section.
+   */
   private record Summary(long begin, boolean isIntact, long dataEnd, long dataCrc) {}
 
   private static Summary findSummary(FileChannel channel, Consumer<String> trouble)

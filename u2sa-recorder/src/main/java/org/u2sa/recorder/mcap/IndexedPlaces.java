@@ -3,9 +3,12 @@ package org.u2sa.recorder.mcap;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.Opcode;
 
 /**
- * Positions listed in a file's summary. They must not overlap: otherwise a small file could list one record thousands of times and exhaust memory with copies.
+ * Positions listed in a file's summary. They must not overlap: otherwise a small file could list
+ * one record thousands of times and exhaust memory with copies.
  */
 final class IndexedPlaces {
   private record Place(long offset, long length) {}

@@ -10,7 +10,8 @@ import net.jpountz.lz4.LZ4SafeDecompressor;
 
 /**
  * LZ4 frames of independent blocks of 64 KiB, without checksums, written and read from array to
- * array (lz4_Frame_format.md 1.6.4). The compressor is pure Java, so it runs on phones and output is byte-identical on every platform.
+ * array (lz4_Frame_format.md 1.6.4). The compressor is pure Java, so it runs on phones and output
+ * is byte-identical on every platform.
  */
 final class Lz4Frame {
   private static final byte[] HEADER = {0x04, 0x22, 0x4D, 0x18, 0x60, 0x40, (byte) 0x82};
@@ -66,7 +67,8 @@ final class Lz4Frame {
    * Decodes a frame in the format of {@link #write}.
    *
    * @param size size of the content [B]
-   * @return null if it has another format, a different content size, or is damaged; a general reader can tell which
+   * @return null if it has another format, a different content size, or is damaged; a general
+   *     reader can tell which
    */
   static byte[] read(byte[] frame, long size) {
     boolean isOurs =

@@ -10,6 +10,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.stream.Collectors;
+import org.u2sa.recorder.mcap.record.ChunkIndex;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.Opcode;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
 /** Iterates over the messages of a file in log-time order. */
 public final class McapCursor {
@@ -81,7 +86,8 @@ public final class McapCursor {
   /**
    * Next message; empty after the last.
    *
-   * @throws McapException if its chunk is damaged, or more chunks overlap in time than fit into memory
+   * @throws McapException if its chunk is damaged, or more chunks overlap in time than fit into
+   *     memory
    */
   public Optional<McapMessage> next() throws IOException {
     while (!chunks.isEmpty()
@@ -121,8 +127,7 @@ public final class McapCursor {
     }
     for (int i = 1; i < messages.size(); i++) {
       if (messages.get(i).logTimeNanos() < messages.get(i - 1).logTimeNanos()) {
-        messages.sort(
-            Comparator.comparingLong(McapMessage::logTimeNanos)); // stable sort
+        messages.sort(Comparator.comparingLong(McapMessage::logTimeNanos)); // stable sort
         break;
       }
     }

@@ -13,9 +13,21 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.u2sa.recorder.mcap.record.AttachmentIndex;
+import org.u2sa.recorder.mcap.record.ChunkIndex;
+import org.u2sa.recorder.mcap.record.McapAttachment;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.McapMetadata;
+import org.u2sa.recorder.mcap.record.McapSchema;
+import org.u2sa.recorder.mcap.record.McapStatistics;
+import org.u2sa.recorder.mcap.record.MetadataIndex;
+import org.u2sa.recorder.mcap.record.Opcode;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
 /**
- * Reads a complete MCAP file with a summary: its contents are known on opening, messages are read on demand. Not thread-safe.
+ * Reads a complete MCAP file with a summary: its contents are known on opening, messages are read
+ * on demand. Not thread-safe.
  */
 public final class McapReader implements AutoCloseable {
   private static final int FOOTER_LENGTH = Opcode.PREFIX + 8 + 8 + 4;
@@ -37,7 +49,8 @@ public final class McapReader implements AutoCloseable {
   /**
    * Opens a file.
    *
-   * @throws McapException if it is not an MCAP file, is incomplete or has no summary; such a file may be recoverable
+   * @throws McapException if it is not an MCAP file, is incomplete or has no summary; such a file
+   *     may be recoverable
    * @throws IOException if it cannot be read
    */
   public static McapReader open(Path path) throws IOException {
@@ -161,7 +174,8 @@ public final class McapReader implements AutoCloseable {
   }
 
   /**
-   * Messages in log-time order; equal times in file order. Holds one chunk at a time unless chunks overlap.
+   * Messages in log-time order; equal times in file order. Holds one chunk at a time unless chunks
+   * overlap.
    *
    * @param fromNanos earliest log time wanted [ns]
    * @param wanted selects the channels

@@ -9,9 +9,18 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.u2sa.recorder.mcap.record.McapAttachment;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
+import org.u2sa.recorder.mcap.record.McapSchema;
+import org.u2sa.recorder.mcap.record.Opcode;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
 /**
- * Recovers a truncated or damaged file. Drops chunks with a wrong checksum, since any of their messages may be corrupt; keeps all others. Not thread-safe.
+ * Recovers a truncated or damaged file. Drops chunks with a wrong checksum, since any of their
+ * messages may be corrupt; keeps all others. Not thread-safe.
  */
 public final class McapRecovery {
   private final FileChannel from;

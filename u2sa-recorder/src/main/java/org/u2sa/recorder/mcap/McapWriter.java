@@ -4,11 +4,25 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
 import java.util.zip.CRC32;
+import org.u2sa.recorder.mcap.record.AttachmentIndex;
+import org.u2sa.recorder.mcap.record.ChunkIndex;
+import org.u2sa.recorder.mcap.record.McapAttachment;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
+import org.u2sa.recorder.mcap.record.McapSchema;
+import org.u2sa.recorder.mcap.record.McapStatistics;
+import org.u2sa.recorder.mcap.record.MetadataIndex;
+import org.u2sa.recorder.mcap.record.Opcode;
+import org.u2sa.recorder.mcap.record.RecordBuffer;
 
 /**
  * Writes one MCAP file sequentially. Not thread-safe.
  *
- * <p>At any time the file consists of complete records, as far as the file system preserves writes: a chunk and its indexes are written together, and a partial write, e.g. on a full disk, is truncated again. Its messages are counted in {@link #lost}, and the next chunk repeats its definitions.
+ * <p>At any time the file consists of complete records, as far as the file system preserves writes:
+ * a chunk and its indexes are written together, and a partial write, e.g. on a full disk, is
+ * truncated again. Its messages are counted in {@link #lost}, and the next chunk repeats its
+ * definitions.
  */
 public final class McapWriter implements AutoCloseable {
   private static final int FIRST_CAPACITY = 1 << 12;
@@ -167,7 +181,8 @@ public final class McapWriter implements AutoCloseable {
   /**
    * Completes the file with its summary. Idempotent.
    *
-   * @throws IOException if it cannot be written; the file then ends after its last complete record, without a summary
+   * @throws IOException if it cannot be written; the file then ends after its last complete record,
+   *     without a summary
    */
   @Override
   public void close() throws IOException {

@@ -2,10 +2,12 @@ package org.u2sa.recorder.mcap;
 
 import java.io.IOException;
 import java.util.Map;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.Opcode;
 
 /**
- * Field layout of each record type, as far as it determines a record's length, which is redundant: in the prefix and in the fields' lengths. Source:
- * mcap.dev/spec.
+ * Field layout of each record type, as far as it determines a record's length, which is redundant:
+ * in the prefix and in the fields' lengths. Source: mcap.dev/spec.
  */
 final class RecordLayout {
   private static final int SHORT_LENGTH = -4; // field with a 4-byte length prefix
@@ -37,7 +39,8 @@ final class RecordLayout {
   }
 
   /**
-   * Length of a record's fields according to their own lengths [B]; excludes the payload of a message, whose length is not stored. -1 if the file ends before.
+   * Length of a record's fields according to their own lengths [B]; excludes the payload of a
+   * message, whose length is not stored. -1 if the file ends before.
    *
    * @param at offset of the record's content
    */

@@ -3,9 +3,12 @@ package org.u2sa.recorder.mcap;
 import java.io.IOException;
 import java.nio.channels.SeekableByteChannel;
 import java.util.function.Consumer;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.Opcode;
 
 /**
- * Finds the records of a possibly damaged file. If a record's length is implausible, uses the length that leads to another record, or else searches for the next one. Not thread-safe.
+ * Finds the records of a possibly damaged file. If a record's length is implausible, uses the
+ * length that leads to another record, or else searches for the next one. Not thread-safe.
  */
 final class RecordSearch {
   private static final int FIRST_PRIVATE = 0x80; // first opcode for private use

@@ -6,6 +6,9 @@ import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.SeekableByteChannel;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.Opcode;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
 /** Reads the records of a file sequentially from an offset. */
 final class RecordStream {

@@ -6,9 +6,12 @@ import java.nio.channels.SeekableByteChannel;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Iterator;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.Opcode;
 
 /**
- * Iterates over all records of a complete file, from header to footer. Chunks are replaced by their records; message indexes are skipped.
+ * Iterates over all records of a complete file, from header to footer. Chunks are replaced by their
+ * records; message indexes are skipped.
  */
 final class RecordWalk {
   private final RecordStream stream;

@@ -1,4 +1,5 @@
 /**
- * MCAP files as specified by mcap.dev: writing, reading, and recovery of damaged files. Independent of the messages' content.
+ * MCAP files as specified by mcap.dev: writing, reading, and recovery of damaged files. Independent
+ * of the messages' content.
  */
 package org.u2sa.recorder.mcap;

@@ -20,7 +20,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.recorder.Recorder;
 import org.u2sa.recorder.execution.AmplifierRun.Amplifier;
-import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.recorder.mcap.record.McapException;
 import org.u2sa.service.ServiceContext;
 
 /** What a recording of somebody else says must not reach beyond the folder of its execution. */

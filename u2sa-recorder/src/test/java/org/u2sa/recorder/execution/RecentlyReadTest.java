@@ -3,7 +3,7 @@ package org.u2sa.recorder.execution;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.recorder.mcap.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMessage;
 
 class RecentlyReadTest {
   private static McapMessage message(int channel, long sequence, int bytes) {

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.Opcode;
 
 /** One flipped bit costs the messages of one chunk at most, wherever in the file it is. */
 class DamageTest {

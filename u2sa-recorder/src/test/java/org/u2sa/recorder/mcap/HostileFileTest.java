@@ -23,6 +23,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.recorder.mcap.record.AttachmentIndex;
+import org.u2sa.recorder.mcap.record.ChunkIndex;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
+import org.u2sa.recorder.mcap.record.McapStatistics;
+import org.u2sa.recorder.mcap.record.MetadataIndex;
+import org.u2sa.recorder.mcap.record.Opcode;
+import org.u2sa.recorder.mcap.record.RecordBuffer;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
 /** Files made to fill a reader's memory, or to lead it astray. */
 class HostileFileTest {

@@ -23,6 +23,18 @@ import java.util.TreeMap;
 import java.util.zip.ZipInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.recorder.mcap.record.AttachmentIndex;
+import org.u2sa.recorder.mcap.record.ChunkIndex;
+import org.u2sa.recorder.mcap.record.McapAttachment;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapException;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
+import org.u2sa.recorder.mcap.record.McapSchema;
+import org.u2sa.recorder.mcap.record.McapStatistics;
+import org.u2sa.recorder.mcap.record.MetadataIndex;
+import org.u2sa.recorder.mcap.record.Opcode;
+import org.u2sa.recorder.mcap.record.RecordFields;
 
 /**
  * The conformance data of MCAP's own repository (github.com/foxglove/mcap, tests/conformance/data,

@@ -15,6 +15,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.u2sa.recorder.mcap.record.ChunkIndex;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
+import org.u2sa.recorder.mcap.record.Opcode;
 
 class McapRecoveryTest {
   private static final int CHUNK_BYTES = 250;

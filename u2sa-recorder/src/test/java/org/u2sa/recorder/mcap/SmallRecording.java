@@ -9,6 +9,11 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import org.u2sa.recorder.mcap.record.McapAttachment;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
+import org.u2sa.recorder.mcap.record.McapSchema;
 
 /** Writes recordings of a few channels, the same for the same arguments. */
 final class SmallRecording {

@@ -9,8 +9,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Drives BARN worlds in sequence and prints the table of {@code docs/path-planning.md};
- * {@code scripts/barn/run} starts it.
+ * Drives BARN worlds in sequence and prints the table of {@code docs/path-planning.md}; {@code
+ * scripts/barn/run} starts it.
  */
 final class BarnMain {
   /** Width of the demo's rover [m]. */
@@ -33,7 +33,9 @@ final class BarnMain {
   /**
    * Drives worlds.
    *
-   * @param args folder of the worlds, folder for results, numbers of worlds (such as 7,12, or 0/6 for every sixth from 0), factor on the scale for the vehicle's width (1 gives the same relative width as for the challenge's robot), options of the demo
+   * @param args folder of the worlds, folder for results, numbers of worlds (such as 7,12, or 0/6
+   *     for every sixth from 0), factor on the scale for the vehicle's width (1 gives the same
+   *     relative width as for the challenge's robot), options of the demo
    */
   public static void main(String[] args) throws IOException {
     if (args.length < 4) {

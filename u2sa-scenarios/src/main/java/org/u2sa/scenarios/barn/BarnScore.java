@@ -3,8 +3,9 @@ package org.u2sa.scenarios.barn;
 import java.util.Locale;
 
 /**
- * Score of one world as in the BARN Challenge of 2022: success · OT / clip(AT, 4 OT,
- * 8 OT), with the optimal time OT = length of the shortest path / top speed of the robot, and the actual time AT counted from the first 0.1 m (run.py of the challenge; Xiao et al., IEEE Robotics and
+ * Score of one world as in the BARN Challenge of 2022: success · OT / clip(AT, 4 OT, 8 OT), with
+ * the optimal time OT = length of the shortest path / top speed of the robot, and the actual time
+ * AT counted from the first 0.1 m (run.py of the challenge; Xiao et al., IEEE Robotics and
  * Automation Magazine 29-4, 2022).
  *
  * @param number number of the world

@@ -13,8 +13,8 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A BARN world as published by its authors, in Gazebo's axes: x to the right, y ahead of the
- * start [m]. Immutable.
+ * A BARN world as published by its authors, in Gazebo's axes: x to the right, y ahead of the start
+ * [m]. Immutable.
  *
  * @param number number N of the file {@code world_N.world}
  * @param pillars centres of the upright cylinders [m]
@@ -66,7 +66,9 @@ record BarnWorld(int number, List<Place> pillars, double pathM) {
         number, List.copyOf(pillars), pathM(folder.resolve("path_files/path_" + number + ".npy")));
   }
 
-  /** Length from the start through all cells of the file to the goal, as in the challenge's run.py. */
+  /**
+   * Length from the start through all cells of the file to the goal, as in the challenge's run.py.
+   */
   private static double pathM(Path file) {
     ByteBuffer npy = ByteBuffer.wrap(bytes(file)).order(ByteOrder.LITTLE_ENDIAN);
     int header = npy.limit() < MAGIC_BYTES ? 0 : npy.getShort(MAGIC_BYTES - 2);

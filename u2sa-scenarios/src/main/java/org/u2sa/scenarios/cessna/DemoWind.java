@@ -28,7 +28,8 @@ record DemoWind(double speedMps, double fromRad, boolean shear) {
   }
 
   /**
-   * Parses {@code calm} or {@code SPEED@DIRECTION}, in m/s and degrees true (where the wind blows from).
+   * Parses {@code calm} or {@code SPEED@DIRECTION}, in m/s and degrees true (where the wind blows
+   * from).
    *
    * @throws IllegalArgumentException if it is neither
    */

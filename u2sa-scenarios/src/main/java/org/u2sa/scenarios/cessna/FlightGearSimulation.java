@@ -19,7 +19,8 @@ import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.sim.aircraft.RunwayStart;
 
 /**
- * FlightGear, started headless by {@code scripts/flightgear/start} on this machine and stopped after the flight, or started and stopped by the user according to printed instructions.
+ * FlightGear, started headless by {@code scripts/flightgear/start} on this machine and stopped
+ * after the flight, or started and stopped by the user according to printed instructions.
  */
 final class FlightGearSimulation implements Simulation {
   private static final long LISTENS_WITHIN_S = 300; // 100 s observed on a busy machine
@@ -33,7 +34,8 @@ final class FlightGearSimulation implements Simulation {
   private boolean started;
 
   /**
-   * @param directory output directory of the run, for FlightGear's protocol files and the scripts' output
+   * @param directory output directory of the run, for FlightGear's protocol files and the scripts'
+   *     output
    * @param told receives instructions for starting FlightGear; empty if it is started here
    */
   FlightGearSimulation(

@@ -24,7 +24,9 @@ import org.u2sa.service.U2SAService;
  * control-status. Out: nothing.
  */
 final class FlightObserver extends EventDrivenService implements RunObserver {
-  /** Angle of attack beyond which the wing of the Cessna 172 is stalled; clean, power off about 16°. */
+  /**
+   * Angle of attack beyond which the wing of the Cessna 172 is stalled; clean, power off about 16°.
+   */
   private static final double STALL_ANGLE_RAD = Math.toRadians(17.0);
 
   private static final double STANDS_MPS = 0.5;
@@ -93,7 +95,10 @@ final class FlightObserver extends EventDrivenService implements RunObserver {
     return record;
   }
 
-  /** {@inheritDoc} True if the mission is over, or the aircraft crashed or has stopped after a flight. */
+  /**
+   * {@inheritDoc} True if the mission is over, or the aircraft crashed or has stopped after a
+   * flight.
+   */
   @Override
   public boolean isOver() {
     return record.isMissionOver() || crashed || landed;

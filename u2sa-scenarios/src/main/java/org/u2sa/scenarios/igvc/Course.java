@@ -13,7 +13,12 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.world.Ramp;
 
 /**
- * A course on a lawn: objects of a world XML file, east and north of its origin [m]. Object types are those that {@link Scenery} draws, and invisible ones: {@code lane boundary} (PolyLine: where the judge counts a crossing, including gaps in the paint), {@code course end} (PolyLine: behind the start and beyond the finish, not to be passed), {@code waypoint} (Circle with its radius, in course order), {@code start} (Line: from the vehicle's position to a point ahead), {@code fence} (PolyLine: the edge of the field, known to the vehicle beforehand).
+ * A course on a lawn: objects of a world XML file, east and north of its origin [m]. Object types
+ * are those that {@link Scenery} draws, and invisible ones: {@code lane boundary} (PolyLine: where
+ * the judge counts a crossing, including gaps in the paint), {@code course end} (PolyLine: behind
+ * the start and beyond the finish, not to be passed), {@code waypoint} (Circle with its radius, in
+ * course order), {@code start} (Line: from the vehicle's position to a point ahead), {@code fence}
+ * (PolyLine: the edge of the field, known to the vehicle beforehand).
  *
  * @param origin file or seed, for messages
  */
@@ -44,7 +49,8 @@ record Course(String origin, List<ObjectDescription> objects) {
   record NamedRamp(String uid, Ramp ramp) {}
 
   /**
-   * @throws BadInputException if it has no start or no waypoint, an object is in another frame, or a ramp is invalid
+   * @throws BadInputException if it has no start or no waypoint, an object is in another frame, or
+   *     a ramp is invalid
    */
   Course {
     objects = List.copyOf(objects);

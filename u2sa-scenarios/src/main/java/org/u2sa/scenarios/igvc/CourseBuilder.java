@@ -12,7 +12,9 @@ import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.camera.Scenery;
 
-/** Places the objects of a course, given in the axes of its layout, optionally rotated and mirrored. */
+/**
+ * Places the objects of a course, given in the axes of its layout, optionally rotated and mirrored.
+ */
 final class CourseBuilder {
   static final double BARREL_RADIUS_M = 0.3;
   static final double POTHOLE_RADIUS_M = 0.3048; // 2 ft across

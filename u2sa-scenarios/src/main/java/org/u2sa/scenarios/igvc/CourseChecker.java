@@ -11,7 +11,10 @@ import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.camera.Scenery;
 
 /**
- * Checks a course against the rules by its objects alone, regardless of its source: lanes of 10 to 20 ft, turn radii of at least 5 ft, everything on the field, nothing on the wrong side of a line, and a passage of 5 ft from the start past every waypoint. Distances are computed by the objects' own shapes.
+ * Checks a course against the rules by its objects alone, regardless of its source: lanes of 10 to
+ * 20 ft, turn radii of at least 5 ft, everything on the field, nothing on the wrong side of a line,
+ * and a passage of 5 ft from the start past every waypoint. Distances are computed by the objects'
+ * own shapes.
  */
 final class CourseChecker {
   static final double PASSAGE_M = 1.524; // 5 ft
@@ -155,7 +158,10 @@ final class CourseChecker {
     return Math.hypot(p.x() - a.x() - share * dx, p.y() - a.y() - share * dy);
   }
 
-  /** Checks that a disc of the minimum passage width can move from the start past every waypoint in order. */
+  /**
+   * Checks that a disc of the minimum passage width can move from the start past every waypoint in
+   * order.
+   */
   private void passages() {
     double[] bounds = bounds();
     int columns = (int) Math.ceil((bounds[2] - bounds[0]) / CELL_M);

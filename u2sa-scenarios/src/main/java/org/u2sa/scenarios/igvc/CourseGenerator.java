@@ -7,9 +7,9 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.sensor.NoiseStreams;
 
 /**
- * Generates random courses by the competition's rules until one passes the {@link CourseChecker}: lanes
- * of 10 to 20 ft with curves and switchbacks, dashed and worn paint, barrels, sawhorses, potholes,
- * flags, gaps too narrow to pass beside passable ones, a dead end, and no-man's land with
+ * Generates random courses by the competition's rules until one passes the {@link CourseChecker}:
+ * lanes of 10 to 20 ft with curves and switchbacks, dashed and worn paint, barrels, sawhorses,
+ * potholes, flags, gaps too narrow to pass beside passable ones, a dead end, and no-man's land with
  * waypoints.
  */
 final class CourseGenerator {
@@ -33,7 +33,8 @@ final class CourseGenerator {
   }
 
   /**
-   * Generates the course of a seed. If too many drafts are illegal, redraws from a random stream derived from the seed, which the course's name states.
+   * Generates the course of a seed. If too many drafts are illegal, redraws from a random stream
+   * derived from the seed, which the course's name states.
    *
    * @throws IllegalStateException if no draft is legal
    */
@@ -42,7 +43,8 @@ final class CourseGenerator {
   }
 
   /**
-   * Same with ramps. They use a separate random stream, so that everything else is the same as without.
+   * Same with ramps. They use a separate random stream, so that everything else is the same as
+   * without.
    */
   static Course course(long seed, Ramps ramps) {
     String faults = "";

@@ -3,7 +3,8 @@ package org.u2sa.scenarios.igvc;
 import java.util.Random;
 
 /**
- * Layout of the lanes of a random course: four rows across the field, joined by half circles; one of the inner rows is no-man's land without lines.
+ * Layout of the lanes of a random course: four rows across the field, joined by half circles; one
+ * of the inner rows is no-man's land without lines.
  *
  * @param line centre line of the whole course
  * @param lanesEnd last point of the first lane

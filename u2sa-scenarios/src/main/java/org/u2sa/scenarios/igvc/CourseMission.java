@@ -11,14 +11,19 @@ import org.u2sa.mission.Mission;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Information that a team gets about a course: start, waypoints, the box around the start and the fences around the field.
+ * Information that a team gets about a course: start, waypoints, the box around the start and the
+ * fences around the field.
  */
 final class CourseMission {
-  /** Makes the vehicle aim for the centre of a waypoint, regardless of the size of the judge's circle. */
+  /**
+   * Makes the vehicle aim for the centre of a waypoint, regardless of the size of the judge's
+   * circle.
+   */
   private static final double THRESHOLD_M = 0.9;
 
   /**
-   * Forward and right [m]: from 1 m behind the vehicle to where the camera sees the lines, and half of the narrowest lane to each side. In the body frame, independent of GPS errors.
+   * Forward and right [m]: from 1 m behind the vehicle to where the camera sees the lines, and half
+   * of the narrowest lane to each side. In the body frame, independent of GPS errors.
    */
   private static final String START_BOX = "2.2 -1.5; -1.0 -1.5; -1.0 1.5; 2.2 1.5";
 
@@ -55,7 +60,8 @@ final class CourseMission {
   }
 
   /**
-   * Writes a world with prior knowledge that keeps the vehicle from driving backwards out of the start, through the lines beside it, which the camera cannot see yet, or off the field.
+   * Writes a world with prior knowledge that keeps the vehicle from driving backwards out of the
+   * start, through the lines beside it, which the camera cannot see yet, or off the field.
    */
   static Path writeKnown(Course course, Geodetic origin, Path file) {
     LocalPlane plane = new LocalPlane(origin);

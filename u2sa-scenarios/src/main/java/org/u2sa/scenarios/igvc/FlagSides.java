@@ -8,12 +8,11 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Checks on which side flags are passed: red ones must be to the right of the path, blue ones to its left. The side is taken at the closest approach, once the vehicle moves away again.
+ * Checks on which side flags are passed: red ones must be to the right of the path, blue ones to
+ * its left. The side is taken at the closest approach, once the vehicle moves away again.
  */
 final class FlagSides {
-  /**
-   * Distance beyond which flags are ignored: too far to pass between the flag and a line.
-   */
+  /** Distance beyond which flags are ignored: too far to pass between the flag and a line. */
   private static final double REACH_M = 2.5;
 
   private static final double PASSED_M = 0.1; // beyond the closest approach

@@ -42,9 +42,7 @@ import org.u2sa.sim.world.Surface;
 import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
-/**
- * Simulated world of one run: a vehicle on a course, with its sensors and IOIO board.
- */
+/** Simulated world of one run: a vehicle on a course, with its sensors and IOIO board. */
 final class IgvcWorld {
   private static final int COMPASS_BAUD = 9600;
   private static final double YEAR = 2026.4;

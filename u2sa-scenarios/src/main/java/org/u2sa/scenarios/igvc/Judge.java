@@ -16,7 +16,11 @@ import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /**
- * Judges a run by the competition's rules and ground truth: no part of the vehicle on a line (including gaps in its paint and the ends of the course) or an obstacle; more than 1 mph on average over the first 44 ft, never more than 5 mph; at most a minute at rest; six minutes in all. A continuous touch counts once. Flags passed on the wrong side are counted, but do not fail a run.
+ * Judges a run by the competition's rules and ground truth: no part of the vehicle on a line
+ * (including gaps in its paint and the ends of the course) or an obstacle; more than 1 mph on
+ * average over the first 44 ft, never more than 5 mph; at most a minute at rest; six minutes in
+ * all. A continuous touch counts once. Flags passed on the wrong side are counted, but do not fail
+ * a run.
  */
 final class Judge {
   static final double SLOWEST_MPS = 0.44704; // 1 mph
@@ -53,7 +57,8 @@ final class Judge {
   /**
    * @param frontM distance from the vehicle's reference point to its front [m]
    * @param rearM distance from the reference point to its rear [m]
-   * @param runS time limit of the run [s]: {@link #RUN_S}, unless the course is longer than in the rules
+   * @param runS time limit of the run [s]: {@link #RUN_S}, unless the course is longer than in the
+   *     rules
    */
   Judge(Course course, double frontM, double rearM, double widthM, double runS) {
     this.runS = runS;

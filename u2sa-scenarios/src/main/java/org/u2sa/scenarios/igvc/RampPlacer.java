@@ -8,7 +8,8 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Places a ramp on a finished course, on a straight and empty stretch of a lane with solid lines, where {@link RampRules} allow it. Nothing else on the course changes.
+ * Places a ramp on a finished course, on a straight and empty stretch of a lane with solid lines,
+ * where {@link RampRules} allow it. Nothing else on the course changes.
  */
 final class RampPlacer {
   private static final double LEAST_RISE = 0.10;

@@ -10,7 +10,8 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.world.Ramp;
 
 /**
- * Checks a course's ramps against the rules: at most 15 % steep, at least 8 ft wide, both lines of one lane run straight over it and are solid, and nothing else is on it or just before it.
+ * Checks a course's ramps against the rules: at most 15 % steep, at least 8 ft wide, both lines of
+ * one lane run straight over it and are solid, and nothing else is on it or just before it.
  */
 final class RampRules {
   private static final double STEEPEST = 0.15;

@@ -23,7 +23,8 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Samples the run every second and writes pictures: {@code course.png}, the whole run from above, and {@code run.gif}, an animation. Not thread-safe.
+ * Samples the run every second and writes pictures: {@code course.png}, the whole run from above,
+ * and {@code run.gif}, an animation. Not thread-safe.
  */
 final class RunFilm {
   private static final double EVERY_S = 1.0;

@@ -21,7 +21,9 @@ import org.u2sa.vision.camera.PictureReading;
 import org.u2sa.vision.ground.AttitudeHistory;
 
 /**
- * Periodic pictures of the vehicle's perception in {@code snapshots}: the camera image with detections, its bird's-eye view, and the surroundings with grid, lines and plan. Not thread-safe, except {@link #watch}.
+ * Periodic pictures of the vehicle's perception in {@code snapshots}: the camera image with
+ * detections, its bird's-eye view, and the surroundings with grid, lines and plan. Not thread-safe,
+ * except {@link #watch}.
  */
 final class RunSnapshots {
   private static final double REACH_M = 9.0;

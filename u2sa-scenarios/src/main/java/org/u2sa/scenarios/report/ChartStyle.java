@@ -22,7 +22,8 @@ import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 
 /**
- * Common style of a run's charts: colours, fonts, track and waypoint marks. Accents are from Okabe and Ito's palette, distinguishable with colour vision deficiency.
+ * Common style of a run's charts: colours, fonts, track and waypoint marks. Accents are from Okabe
+ * and Ito's palette, distinguishable with colour vision deficiency.
  */
 final class ChartStyle {
   static final Color PAPER = Color.WHITE;

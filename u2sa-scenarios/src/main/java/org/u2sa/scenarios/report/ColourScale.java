@@ -6,7 +6,8 @@ import org.jfree.chart.renderer.PaintScale;
 
 /**
  * Colours for a quantity, in {@link #STEPS} steps of the lower five sixths of matplotlib's viridis
- * (CC0): perceptually uniform, distinguishable with colour vision deficiency, and dark enough on white.
+ * (CC0): perceptually uniform, distinguishable with colour vision deficiency, and dark enough on
+ * white.
  *
  * @param low lower end of the first step
  * @param high upper end of the last step, more than {@code low}
@@ -36,7 +37,8 @@ record ColourScale(double low, double high) implements PaintScale {
   }
 
   /**
-   * Step (0…STEPS−1) of {@code value} on a scale from {@code from} to {@code to}; values outside are clamped.
+   * Step (0…STEPS−1) of {@code value} on a scale from {@code from} to {@code to}; values outside
+   * are clamped.
    */
   static int step(double value, double from, double to) {
     if (!(to > from)) {

@@ -55,7 +55,8 @@ public final class FigureChart {
   }
 
   /**
-   * Draws a box plot of a metric over a parameter: for each parameter value, quartiles, median and extremes.
+   * Draws a box plot of a metric over a parameter: for each parameter value, quartiles, median and
+   * extremes.
    *
    * @param name name of the metric
    * @param parameter swept parameter

@@ -6,7 +6,8 @@ import java.util.OptionalDouble;
 /**
  * Metrics of aircraft only. Empty if the flight was never in the state to be measured.
  *
- * @param altitudeRmsM RMS over time of the altitude error on level legs [m], i.e. between waypoints of equal altitude
+ * @param altitudeRmsM RMS over time of the altitude error on level legs [m], i.e. between waypoints
+ *     of equal altitude
  * @param altitudeMaxErrorM largest absolute altitude error on level legs [m]
  * @param maxBankRad largest absolute bank in the air [rad]
  * @param minAirspeedMps minimum calibrated airspeed in the air [m/s]

@@ -6,7 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Places labels beside the points they name: each takes the position around its point that overlaps least with what is already there.
+ * Places labels beside the points they name: each takes the position around its point that overlaps
+ * least with what is already there.
  */
 final class LabelPlacer {
 
@@ -50,7 +51,8 @@ final class LabelPlacer {
   }
 
   /**
-   * Best position for a label of {@code width} by {@code height} beside a mark of radius {@code radius} at (x, y); marks it as taken.
+   * Best position for a label of {@code width} by {@code height} beside a mark of radius {@code
+   * radius} at (x, y); marks it as taken.
    */
   Rectangle2D.Double place(double x, double y, double radius, double width, double height) {
     Rectangle2D.Double best = null;

@@ -30,7 +30,8 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 
 /**
- * North-up map of a run with equal axis scales and its origin at home (or the first waypoint or sample): fence, planned line, track, and waypoints with capture circles and names.
+ * North-up map of a run with equal axis scales and its origin at home (or the first waypoint or
+ * sample): fence, planned line, track, and waypoints with capture circles and names.
  */
 final class MapChart {
   private static final double MARGIN = 1.10; // factor on the extent

@@ -18,7 +18,8 @@ import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 
 /**
- * Map layer of the obstacles, below everything else: static ones filled; moving ones at the moment of closest approach, with their path around it and the time.
+ * Map layer of the obstacles, below everything else: static ones filled; moving ones at the moment
+ * of closest approach, with their path around it and the time.
  */
 final class ObstacleLayer {
   private static final Color STANDS = new Color(0x8a, 0x5a, 0x2b, 0x66);
@@ -66,7 +67,9 @@ final class ObstacleLayer {
   /** A name to be drawn beside a point of the chart. */
   record Name(String text, Point2D at, Color colour) {}
 
-  /** Names of all objects, with the time for moving ones; empty if there are too many to be legible. */
+  /**
+   * Names of all objects, with the time for moving ones; empty if there are too many to be legible.
+   */
   List<Name> names() {
     List<Name> names = new ArrayList<>();
     for (int i = 0; i < results.size() && results.size() <= MOST_NAMES; i++) {

@@ -27,7 +27,8 @@ final class PictureFile {
   private PictureFile() {}
 
   /**
-   * Reason why this Java cannot draw, or empty: without fonts or font libraries, it fails at the first text with varying errors.
+   * Reason why this Java cannot draw, or empty: without fonts or font libraries, it fails at the
+   * first text with varying errors.
    */
   static Optional<String> obstacle() {
     try {

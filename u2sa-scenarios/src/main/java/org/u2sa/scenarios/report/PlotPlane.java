@@ -5,7 +5,9 @@ import net.sf.geographiclib.GeodesicData;
 import net.sf.geographiclib.GeodesicMask;
 
 /**
- * Azimuthal equidistant projection about a point of the WGS-84 ellipsoid: distances and bearings from that point are exact, and geodesics through it are straight. The cross-track error 10 km away is d³/6R², less than a centimetre.
+ * Azimuthal equidistant projection about a point of the WGS-84 ellipsoid: distances and bearings
+ * from that point are exact, and geodesics through it are straight. The cross-track error 10 km
+ * away is d³/6R², less than a centimetre.
  */
 record PlotPlane(double longitudeDeg, double latitudeDeg) {
 

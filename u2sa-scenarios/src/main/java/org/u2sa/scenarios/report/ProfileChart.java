@@ -31,7 +31,8 @@ import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 
 /**
- * Chart of a quantity over simulated time: planned and true, with the times of closest approach to waypoints.
+ * Chart of a quantity over simulated time: planned and true, with the times of closest approach to
+ * waypoints.
  */
 final class ProfileChart {
   private static final double MS_PER_S = 1000.0;

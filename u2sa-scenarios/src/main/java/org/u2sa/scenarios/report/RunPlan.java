@@ -118,7 +118,8 @@ public record RunPlan(
    * @param latitudeDeg latitude, WGS-84 [deg]
    * @param altitudeM altitude above mean sea level [m]; empty for any
    * @param captureRadiusM horizontal distance within which it counts as reached [m], more than 0
-   * @param verticalThresholdM vertical distance within which it counts as reached [m]; empty for any
+   * @param verticalThresholdM vertical distance within which it counts as reached [m]; empty for
+   *     any
    */
   public record Waypoint(
       String name,

@@ -13,10 +13,11 @@ import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Results of a finished run, and the files that contain them: {@code track.csv}, {@code
- * track.kml}, {@code track.svg}, {@code track.png} and {@code summary.json}.
+ * Results of a finished run, and the files that contain them: {@code track.csv}, {@code track.kml},
+ * {@code track.svg}, {@code track.png} and {@code summary.json}.
  *
- * <p>Each file is complete or absent, and {@code summary.json} is written last: a directory that contains it is complete.
+ * <p>Each file is complete or absent, and {@code summary.json} is written last: a directory that
+ * contains it is complete.
  *
  * @param facts facts about the run
  * @param plan plan of the run
@@ -39,7 +40,8 @@ public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunS
   }
 
   /**
-   * Creates the directory of a run before it starts, so that an invalid {@code --out} fails early. Deletes an earlier run's summary, since the directory is no longer complete.
+   * Creates the directory of a run before it starts, so that an invalid {@code --out} fails early.
+   * Deletes an earlier run's summary, since the directory is no longer complete.
    *
    * @throws BadInputException if it cannot be created or written to
    */
@@ -56,7 +58,8 @@ public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunS
   /**
    * Writes all files into {@code directory}, creating it if necessary.
    *
-   * @return empty, or the reason why {@code track.svg} and {@code track.png} are missing: a Java without fonts cannot draw, which must not lose the run
+   * @return empty, or the reason why {@code track.svg} and {@code track.png} are missing: a Java
+   *     without fonts cannot draw, which must not lose the run
    * @throws RunFailedException naming the file and the system's reason if one cannot be written;
    *     there is no {@code summary.json} then
    */
@@ -111,7 +114,8 @@ public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunS
    * @param simulator simulator of the vehicle, e.g. {@code embedded} or {@code FlightGear
    *     2020.3.16}
    * @param wallSeconds wall-clock duration of the run [s], more than 0
-   * @param goalsCompleted goals completed according to the Mission Manager's estimates; empty if not queried
+   * @param goalsCompleted goals completed according to the Mission Manager's estimates; empty if
+   *     not queried
    */
   public record Facts(
       String demo, long seed, String simulator, double wallSeconds, OptionalInt goalsCompleted) {}

@@ -5,10 +5,13 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Score of a run by ground truth. A number is empty if the vehicle was never in the state to be measured.
+ * Score of a run by ground truth. A number is empty if the vehicle was never in the state to be
+ * measured.
  *
  * @param waypoints one result for each planned waypoint, in order
- * @param crossTrackRmsM RMS cross-track error over time relative to the straight line between consecutive waypoints [m], without the first {@link Domain#settlingDistanceM} of each leg; the path to the first waypoint is not a leg
+ * @param crossTrackRmsM RMS cross-track error over time relative to the straight line between
+ *     consecutive waypoints [m], without the first {@link Domain#settlingDistanceM} of each leg;
+ *     the path to the first waypoint is not a leg
  * @param crossTrackRmsWholeLegsM same for whole legs [m]
  * @param flight metrics of aircraft; empty for others
  * @param obstacles one result per surrounding object, in order

@@ -6,9 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Geodetic;
 
-/**
- * Scores a run against its plan by ground truth only. Assumes straight motion between samples.
- */
+/** Scores a run against its plan by ground truth only. Assumes straight motion between samples. */
 public final class RunScorer {
 
   /**
@@ -98,7 +96,8 @@ public final class RunScorer {
   }
 
   /**
-   * RMS over time of a quantity that is linear between its samples, so that uneven sampling does not bias it.
+   * RMS over time of a quantity that is linear between its samples, so that uneven sampling does
+   * not bias it.
    */
   static final class RootMeanSquare {
 

@@ -14,7 +14,8 @@ import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.gcs.command.RunFailedException;
 
 /**
- * Several runs of one mission with different seeds: the worst value of each metric, and one line per run.
+ * Several runs of one mission with different seeds: the worst value of each metric, and one line
+ * per run.
  *
  * @param reports the runs in order of execution, at least one
  */
@@ -36,7 +37,8 @@ public record RunSeries(List<RunReport> reports) {
   }
 
   /**
-   * Writes the series' {@code summary.json} into {@code directory}, beside the directories of its runs.
+   * Writes the series' {@code summary.json} into {@code directory}, beside the directories of its
+   * runs.
    *
    * @throws RunFailedException if it cannot be written
    */

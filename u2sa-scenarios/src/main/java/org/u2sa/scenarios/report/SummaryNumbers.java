@@ -14,7 +14,8 @@ import java.util.Map;
 import java.util.OptionalDouble;
 
 /**
- * Writes JSON with numbers rounded to thousandths. A missing number is {@code null} with a reason in {@code absent}, since JSON has no NaN.
+ * Writes JSON with numbers rounded to thousandths. A missing number is {@code null} with a reason
+ * in {@code absent}, since JSON has no NaN.
  */
 final class SummaryNumbers implements Closeable {
 

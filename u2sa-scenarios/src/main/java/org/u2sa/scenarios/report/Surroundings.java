@@ -30,7 +30,8 @@ public record Surroundings(List<ObjectDescription> objects, double reachM) {
   }
 
   /**
-   * Centre of an object at a time of the run [s], in its own frame. In global frames, an object that moves straight keeps its altitude above sea level, except for its climb.
+   * Centre of an object at a time of the run [s], in its own frame. In global frames, an object
+   * that moves straight keeps its altitude above sea level, except for its climb.
    */
   public static Point centreAfter(ObjectDescription object, double seconds) {
     if (!moves(object)) {

@@ -5,7 +5,9 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Samples of one run, oldest first, in bounded memory: when full, drops every other sample and halves the sampling rate, so that a run of any length keeps evenly spaced samples. Samples at which leg or phase changes survive the first thinnings. Not thread-safe.
+ * Samples of one run, oldest first, in bounded memory: when full, drops every other sample and
+ * halves the sampling rate, so that a run of any length keeps evenly spaced samples. Samples at
+ * which leg or phase changes survive the first thinnings. Not thread-safe.
  */
 public final class Track {
 

@@ -6,7 +6,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Writes {@code track.csv} (RFC 4180, with line feeds): one line per sample, units in the header, fixed decimals; output is byte-identical on every platform.
+ * Writes {@code track.csv} (RFC 4180, with line feeds): one line per sample, units in the header,
+ * fixed decimals; output is byte-identical on every platform.
  */
 final class TrackCsv {
 

@@ -8,7 +8,8 @@ import java.util.OptionalDouble;
 import org.u2sa.gcs.command.EscapedXml;
 
 /**
- * Writes {@code track.kml} (OGC KML 2.2) for Google Earth: the track (of aircraft at true altitude), the planned line and the waypoints.
+ * Writes {@code track.kml} (OGC KML 2.2) for Google Earth: the track (of aircraft at true
+ * altitude), the planned line and the waypoints.
  */
 final class TrackKml {
 
@@ -54,7 +55,8 @@ final class TrackKml {
   }
 
   /**
-   * @param joined KML element that joins the line to the ground, such as {@code extrude}; empty if none
+   * @param joined KML element that joins the line to the ground, such as {@code extrude}; empty if
+   *     none
    */
   private static void beginLine(Writer out, String name, String style, boolean flies, String joined)
       throws IOException {

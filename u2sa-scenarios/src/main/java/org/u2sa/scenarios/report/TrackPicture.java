@@ -10,7 +10,8 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 
 /**
- * Draws a run on one page: facts and results, the map, and a quantity over time (altitude of aircraft, cross-track error of others).
+ * Draws a run on one page: facts and results, the map, and a quantity over time (altitude of
+ * aircraft, cross-track error of others).
  */
 final class TrackPicture {
   static final int WIDTH = 1600;

@@ -11,8 +11,10 @@ import java.util.Optional;
  * @param altitudeM altitude above mean sea level [m]
  * @param headingRad true heading [rad], clockwise from north
  * @param groundSpeedMps horizontal speed over ground [m/s]
- * @param crossTrackM cross-track error according to the vehicle's guidance [m], right positive; only for the track file and the picture, not for the score
- * @param leg index of the target waypoint, from 0; −1 if none yet; number of waypoints if all are done
+ * @param crossTrackM cross-track error according to the vehicle's guidance [m], right positive;
+ *     only for the track file and the picture, not for the score
+ * @param leg index of the target waypoint, from 0; −1 if none yet; number of waypoints if all are
+ *     done
  * @param phase phase of the run, e.g. {@code CLIMB}
  * @param flight additional values of aircraft; empty for others
  */

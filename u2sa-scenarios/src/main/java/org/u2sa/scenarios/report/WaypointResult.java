@@ -4,13 +4,16 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * Result at one waypoint, by ground truth. All three numbers are empty if the waypoint was never the target.
+ * Result at one waypoint, by ground truth. All three numbers are empty if the waypoint was never
+ * the target.
  *
  * @param waypoint planned waypoint
  * @param missM smallest horizontal distance to it while it was the target [m]
- * @param altitudeErrorM altitude error at that moment [m], too high positive; also empty if no altitude was planned
+ * @param altitudeErrorM altitude error at that moment [m], too high positive; also empty if no
+ *     altitude was planned
  * @param timeS simulated time of that moment [s]
- * @param captured whether, at some moment while it was the target, the vehicle was within the capture radius and the vertical threshold, if any
+ * @param captured whether, at some moment while it was the target, the vehicle was within the
+ *     capture radius and the vertical threshold, if any
  */
 public record WaypointResult(
     RunPlan.Waypoint waypoint,

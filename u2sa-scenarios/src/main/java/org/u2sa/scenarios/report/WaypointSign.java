@@ -4,7 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A waypoint on the map. Several at the same position, as in a mission with laps, are merged: with the first one's name, and captured only if all were.
+ * A waypoint on the map. Several at the same position, as in a mission with laps, are merged: with
+ * the first one's name, and captured only if all were.
  *
  * @param index index of the first one in the plan, from 0
  * @param waypoint the first one

@@ -4,8 +4,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.gcs.command.EscapedXml;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.mission.Mission;
 
 /** Writes the order and time limits of a mission's goals as XML. */

@@ -8,9 +8,9 @@ import java.util.OptionalDouble;
 import org.u2sa.gcs.command.EscapedXml;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Home;
 import org.u2sa.mission.Mission;
 

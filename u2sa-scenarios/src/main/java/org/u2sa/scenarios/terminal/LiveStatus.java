@@ -7,7 +7,9 @@ import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.report.TrackSample;
 
 /**
- * Shows the progress of a run. On a terminal, redraws a panel in place at most ten times a second of {@link Moment#elapsedS()}; to a pipe or file, prints a line at each change of phase or waypoint and every ten simulated seconds. Not thread-safe.
+ * Shows the progress of a run. On a terminal, redraws a panel in place at most ten times a second
+ * of {@link Moment#elapsedS()}; to a pipe or file, prints a line at each change of phase or
+ * waypoint and every ten simulated seconds. Not thread-safe.
  */
 public final class LiveStatus implements AutoCloseable {
 

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.safety.ArmingState;
 
 /** Relay auto-tuning of a six-thruster vehicle's yaw-rate loop. */
 class RelayTuningDiveTest {

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.ForceCommand;
+import org.u2sa.messages.command.ForceCommand;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.marine.BlueRov2;
 

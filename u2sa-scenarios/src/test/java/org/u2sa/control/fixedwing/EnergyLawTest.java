@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.control.fixedwing.law.EnergyLaw;
+import org.u2sa.control.fixedwing.law.EnergyParameters;
+import org.u2sa.control.fixedwing.law.FlightState;
 
 class EnergyLawTest {
   private static final double DT_S = 0.05;

@@ -4,6 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.control.fixedwing.law.FlightState;
+import org.u2sa.control.fixedwing.law.PitchLaw;
+import org.u2sa.control.fixedwing.law.RateLoop;
+import org.u2sa.control.fixedwing.law.RollLaw;
+import org.u2sa.control.fixedwing.law.YawLaw;
 
 /** Signs, scaling, limits and anti-windup of the loops that move the surfaces. */
 class SurfaceLawsTest {

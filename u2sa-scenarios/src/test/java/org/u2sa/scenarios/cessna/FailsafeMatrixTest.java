@@ -15,8 +15,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.contract.ArmCommand;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.scenarios.cessna.FlightWitness.Moment;
 
 /** The failsafe matrix in flight: what goes wrong, and what the aircraft then truly does. */

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.core.launch.LaunchOptions;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.scenarios.cessna.FlightWitness.Moment;
 
 /** The predictive fence in flight: it is never crossed, whatever the wind. */

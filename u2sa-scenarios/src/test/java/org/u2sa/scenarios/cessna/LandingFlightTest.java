@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.scenarios.cessna.FlightWitness.Moment;
 
 /** LAND: from wherever it is to the runway of config/cessna/landing.xml, until it stands. */

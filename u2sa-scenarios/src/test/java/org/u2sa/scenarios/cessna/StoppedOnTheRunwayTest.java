@@ -7,8 +7,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.contract.ArmCommand;
-import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /** What keeps the Cessna on the ground: checks that fail, an emergency stop, an operator. */
 @Timeout(120)

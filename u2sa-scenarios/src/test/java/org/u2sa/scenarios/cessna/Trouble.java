@@ -4,8 +4,8 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.Condition;
-import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.safety.FailsafeAction;
 
 /** What goes wrong in a flight, one for each row of the failsafe matrix that a flight can show. */
 enum Trouble {

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.mission.Mission;
 

@@ -16,7 +16,7 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Mission;
 import org.u2sa.mission.MissionManager;
 

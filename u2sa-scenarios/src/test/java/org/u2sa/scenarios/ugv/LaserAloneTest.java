@@ -10,9 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Mission;
 import org.u2sa.sim.ground.Hazards;
 

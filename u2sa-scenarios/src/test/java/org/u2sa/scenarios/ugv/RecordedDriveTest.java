@@ -16,8 +16,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.gcs.Main;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapMessage;
 
 /** A drive that is recorded. */
 class RecordedDriveTest {

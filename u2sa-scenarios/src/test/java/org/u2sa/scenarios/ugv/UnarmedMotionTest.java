@@ -3,9 +3,9 @@ package org.u2sa.scenarios.ugv;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Terrain;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.XmlNumbers;
+import org.u2sa.interfaces.units.XmlNumbers;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.ObjectDescription;

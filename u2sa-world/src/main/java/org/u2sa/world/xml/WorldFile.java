@@ -15,7 +15,8 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * A world read from a file (docs/world-model.md): {@code <world>} with an element for each object, named after its class (thesis 3.2.3.3). The objects have unique UIDs and are frozen.
+ * A world read from a file (docs/world-model.md): {@code <world>} with an element for each object,
+ * named after its class (thesis 3.2.3.3). The objects have unique UIDs and are frozen.
  */
 public final class WorldFile {
   private static final String REFERENCE = "reference";

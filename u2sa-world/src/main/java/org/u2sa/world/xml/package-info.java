@@ -1,4 +1,2 @@
-/**
- * Files of a priori objects (thesis 3.2.3.3). Their use belongs to the World Modeler.
- */
+/** Files of a priori objects (thesis 3.2.3.3). Their use belongs to the World Modeler. */
 package org.u2sa.world.xml;

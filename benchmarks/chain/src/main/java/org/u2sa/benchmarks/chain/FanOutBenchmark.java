@@ -15,7 +15,7 @@ import java.util.stream.Collectors;
 import org.HdrHistogram.Histogram;
 import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.SystemClock;

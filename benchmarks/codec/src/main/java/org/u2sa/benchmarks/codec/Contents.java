@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 import org.u2sa.benchmarks.codec.proto.Percentage;
 import org.u2sa.benchmarks.codec.proto.Scan;
 import org.u2sa.benchmarks.codec.proto.State;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;

@@ -4,7 +4,7 @@ import org.HdrHistogram.Histogram;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.MessageCodec;

@@ -7,7 +7,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;

@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import org.u2sa.interfaces.communication.LocalToken;
+import org.u2sa.interfaces.mqtt.LocalToken;
 
 /** HiveMQ's client, its asynchronous interface: bytes out, bytes in. */
 final class HiveWay implements Way {

@@ -10,7 +10,7 @@ import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.eclipse.paho.client.mqttv3.MqttMessage;
 import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
-import org.u2sa.interfaces.communication.LocalToken;
+import org.u2sa.interfaces.mqtt.LocalToken;
 
 /** Plain Paho as one would write it: bytes out, bytes in. */
 final class PahoWay implements Way {

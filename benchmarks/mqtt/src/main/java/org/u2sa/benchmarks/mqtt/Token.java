@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import org.u2sa.interfaces.communication.LocalToken;
+import org.u2sa.interfaces.mqtt.LocalToken;
 
 /** What plain clients need at our broker, as any program of the account may have it. */
 final class Token {

@@ -2,7 +2,7 @@ package org.u2sa.benchmarks.mqtt;
 
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.registry.StandardTypes;

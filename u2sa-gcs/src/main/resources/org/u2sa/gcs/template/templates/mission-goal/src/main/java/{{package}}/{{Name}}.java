@@ -1,6 +1,6 @@
 package {{package}};
 
-import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;

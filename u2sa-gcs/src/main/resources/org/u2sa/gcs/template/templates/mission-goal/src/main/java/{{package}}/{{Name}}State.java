@@ -6,7 +6,7 @@ import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.Pursuit;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.planning.PathPlanner;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalList;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.testkit.ServiceKit;

@@ -12,7 +12,7 @@ import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.U2SAData;
 
 /**

@@ -1,0 +1,186 @@
+package org.u2sa.control.fixedwing.law;
+
+import org.u2sa.messages.frame.Gravity;
+import org.u2sa.service.HandOver;
+
+/**
+ * Controls altitude and airspeed together: the throttle sets the total energy rate γ + V̇/g, the
+ * pitch its distribution, γ − V̇/g (A. A. Lambregts, Vertical Flight Path and Speed Control
+ * Autopilot Design Using Total Energy Principles, AIAA 83-2239). When airspeed is low, pitch
+ * controls airspeed alone.
+ */
+public final class EnergyLaw {
+  /** The law's output: pitch [rad] and throttle, 0…1. */
+  public record Command(double pitchRad, double throttle) {}
+
+  /**
+   * Set points of the law.
+   *
+   * @param altitudeM altitude above mean sea level [m]
+   * @param airspeedMps true airspeed [m/s]
+   * @param priority what pitch controls
+   * @param least minimum pitch [rad]
+   * @param most maximum pitch [rad]
+   */
+  public record Demand(
+      double altitudeM, double airspeedMps, Priority priority, double least, double most) {}
+
+  /** What pitch controls. */
+  public enum Priority {
+    /** Airspeed alone, at full throttle: climb-out. */
+    SPEED(2.0),
+    /** Altitude and airspeed alike. */
+    BOTH(1.0),
+    /**
+     * Altitude alone, at full throttle, as long as there is speed to spare: close to the ground.
+     */
+    HEIGHT(0.0);
+
+    private final double speedShare; // of two that altitude and airspeed have together
+
+    Priority(double speedShare) {
+      this.speedShare = speedShare;
+    }
+  }
+
+  private final EnergyParameters parameters;
+  private double filteredAirspeed = Double.NaN;
+  private double climbDemand;
+  private double pitchIntegral;
+  private double throttleIntegral;
+  private double throttle;
+  private double pitch;
+
+  public EnergyLaw(EnergyParameters parameters) {
+    this.parameters = parameters;
+  }
+
+  /** Starts bumplessly from a pitch and a throttle. */
+  public void restart(FlightState state, double newPitch, double newThrottle) {
+    filteredAirspeed = state.trueAirspeedMps();
+    climbDemand = state.climbMps();
+    pitch = newPitch;
+    throttle = newThrottle;
+    pitchIntegral = newPitch - flightPath(state);
+    throttleIntegral = newThrottle;
+  }
+
+  /** Ends a descent at once instead of gradually. */
+  public void levelOff() {
+    climbDemand = Math.max(0.0, climbDemand);
+  }
+
+  public void handOver(HandOver state) {
+    state
+        .number("FILTERED AIRSPEED", filteredAirspeed)
+        .number("CLIMB DEMAND", climbDemand)
+        .number("PITCH INTEGRAL OF ENERGY", pitchIntegral)
+        .number("THROTTLE INTEGRAL", throttleIntegral)
+        .number("THROTTLE OF ENERGY", throttle)
+        .number("PITCH OF ENERGY", pitch);
+  }
+
+  public void takeOver(HandOver state) {
+    filteredAirspeed = state.number("FILTERED AIRSPEED").orElse(Double.NaN);
+    climbDemand = state.number("CLIMB DEMAND").orElse(0.0);
+    pitchIntegral = state.number("PITCH INTEGRAL OF ENERGY").orElse(0.0);
+    throttleIntegral = state.number("THROTTLE INTEGRAL").orElse(0.0);
+    throttle = state.number("THROTTLE OF ENERGY").orElse(0.0);
+    pitch = state.number("PITCH OF ENERGY").orElse(0.0);
+  }
+
+  /**
+   * @param urgency 0 with speed to spare … 1 at the minimum airspeed, by {@link StallGuard}
+   */
+  public Command step(FlightState state, Demand demand, double urgency, double dtS) {
+    if (Double.isNaN(filteredAirspeed)) {
+      restart(state, state.pitchRad(), parameters.throttleTrim());
+    }
+    double speed = Math.max(parameters.slowestSpeed(), state.trueAirspeedMps());
+    double acceleration = acceleration(state, dtS);
+    double path = flightPath(state);
+
+    double climb =
+        Limit.within(
+            -parameters.sinkLimit(),
+            (demand.altitudeM() - state.altitudeM()) / parameters.altitudeTimeConstant(),
+            parameters.climbLimit());
+    climbDemand = Limit.approach(climbDemand, climb, parameters.verticalAccelerationLimit() * dtS);
+    double pathDemand = climbDemand / speed;
+    double accelerationDemand =
+        Limit.symmetric(
+                (demand.airspeedMps() - filteredAirspeed) / parameters.speedTimeConstant(),
+                parameters.accelerationLimit())
+            / Gravity.STANDARD_MPS2;
+
+    double usual = demand.priority().speedShare;
+    double speedShare = usual + (2.0 - usual) * urgency;
+    double heightShare = 2.0 - speedShare;
+    throttle =
+        throttle(
+            state,
+            pathDemand + accelerationDemand,
+            path + acceleration,
+            demand.priority() == Priority.BOTH ? urgency : 1.0,
+            dtS);
+    pitch =
+        pitch(
+            demand,
+            heightShare * pathDemand - speedShare * accelerationDemand,
+            heightShare * path - speedShare * acceleration,
+            dtS);
+    return new Command(pitch, throttle);
+  }
+
+  private double throttle(
+      FlightState state, double demanded, double measured, double urgency, double dtS) {
+    double cosine = Math.max(0.3, StrictMath.cos(state.rollRad()));
+    double turning = parameters.turnDrag() * (1.0 / (cosine * cosine) - 1.0);
+    double error = demanded - measured;
+    double direct =
+        parameters.throttleForwardGain() * (demanded + turning)
+            + parameters.throttleDamping() * error;
+    double next = throttleIntegral + parameters.throttleIntegralGain() * error * dtS;
+    double raw = direct + next;
+    boolean deeper =
+        (raw > parameters.throttleUpperLimit() && error > 0.0)
+            || (raw < parameters.throttleLowerLimit() && error < 0.0);
+    if (!deeper && urgency < 1.0) {
+      throttleIntegral = Limit.within(0.0, next, 1.0);
+    }
+    double wanted =
+        Limit.within(
+            parameters.throttleLowerLimit(),
+            direct + throttleIntegral,
+            parameters.throttleUpperLimit());
+    double urgent = wanted + urgency * (parameters.throttleUpperLimit() - wanted);
+    return Limit.approach(throttle, urgent, parameters.throttleRateLimit() * dtS);
+  }
+
+  private double pitch(Demand demand, double demanded, double measured, double dtS) {
+    // A change of the flight path moves the balance by twice as much, whatever the shares.
+    double error = 0.5 * (demanded - measured);
+    double direct = 0.5 * demanded + parameters.energyBalanceGain() * error;
+    double next = pitchIntegral + parameters.energyBalanceIntegralGain() * error * dtS;
+    double raw = direct + next;
+    boolean deeper = (raw > demand.most() && error > 0.0) || (raw < demand.least() && error < 0.0);
+    if (!deeper) {
+      pitchIntegral = Limit.within(demand.least() - 0.2, next, demand.most() + 0.2);
+    }
+    double wanted = Limit.within(demand.least(), direct + pitchIntegral, demand.most());
+    return Limit.approach(pitch, wanted, Math.toRadians(parameters.pitchDemandRateLimit()) * dtS);
+  }
+
+  /** V̇/g of a low-passed airspeed: gusts are faster than the aircraft can respond. */
+  private double acceleration(FlightState state, double dtS) {
+    double difference = state.trueAirspeedMps() - filteredAirspeed;
+    double share = dtS / (parameters.airspeedFilter() + dtS);
+    double change = share * difference;
+    filteredAirspeed += change;
+    return change / dtS / Gravity.STANDARD_MPS2;
+  }
+
+  private double flightPath(FlightState state) {
+    return state.climbMps() / Math.max(parameters.slowestSpeed(), state.trueAirspeedMps());
+  }
+}

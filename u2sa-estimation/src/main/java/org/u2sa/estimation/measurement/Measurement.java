@@ -1,0 +1,240 @@
+package org.u2sa.estimation.measurement;
+
+/**
+ * A source's measurement at one time, in the filter's axes and units: up to three components of
+ * each {@link SensedQuantity} with their standard deviations. Reusable, so that the filter need not
+ * allocate.
+ */
+public final class Measurement {
+  private static final int WIDTH = 3;
+
+  /** Total number of values. */
+  public static final int SIZE = SensedQuantity.count() * WIDTH;
+
+  private final double[] values = new double[SIZE];
+  private final double[] sigmas = new double[SIZE];
+  private final byte[] present = new byte[SensedQuantity.count()];
+  private final double[] landmark = new double[2];
+  private final double[] mounted = new double[WIDTH];
+  private boolean isLandmarkOnEarth;
+  private String source = "";
+  private long micros;
+
+  /** Clears it for a measurement with the given source and time [µs]. */
+  public Measurement begin(String newSource, long newMicros) {
+    source = newSource;
+    micros = newMicros;
+    java.util.Arrays.fill(present, (byte) 0);
+    java.util.Arrays.fill(values, 0.0);
+    java.util.Arrays.fill(sigmas, 0.0);
+    java.util.Arrays.fill(mounted, 0.0);
+    return this;
+  }
+
+  public void copyFrom(Measurement other) {
+    source = other.source;
+    micros = other.micros;
+    System.arraycopy(other.values, 0, values, 0, values.length);
+    System.arraycopy(other.sigmas, 0, sigmas, 0, sigmas.length);
+    System.arraycopy(other.present, 0, present, 0, present.length);
+    System.arraycopy(other.landmark, 0, landmark, 0, landmark.length);
+    System.arraycopy(other.mounted, 0, mounted, 0, WIDTH);
+    isLandmarkOnEarth = other.isLandmarkOnEarth;
+  }
+
+  public void set(SensedQuantity quantity, int component, double value, double sigma) {
+    int at = quantity.ordinal() * WIDTH + component;
+    values[at] = value;
+    sigmas[at] = sigma;
+    present[quantity.ordinal()] |= (byte) (1 << component);
+  }
+
+  /**
+   * Sets the sensor's offset from the vehicle's reference point along BODY_FRD [m]; begin resets it
+   * to 0.
+   */
+  public Measurement mounted(double forward, double right, double down) {
+    mounted[0] = forward;
+    mounted[1] = right;
+    mounted[2] = down;
+    return this;
+  }
+
+  public double mounted(int axis) {
+    return mounted[axis];
+  }
+
+  /** Position on WGS-84 [deg], standard deviations north and east [m]. */
+  public Measurement place(double latitudeDeg, double longitudeDeg, double north, double east) {
+    set(SensedQuantity.PLACE, 0, Math.toRadians(latitudeDeg), north);
+    set(SensedQuantity.PLACE, 1, Math.toRadians(longitudeDeg), east);
+    return this;
+  }
+
+  /** Altitude above mean sea level [m]. */
+  public Measurement altitude(double metres, double sigma) {
+    set(SensedQuantity.ALTITUDE, 0, metres, sigma);
+    return this;
+  }
+
+  /** Position in a local frame: north and east [m]. */
+  public Measurement localPlace(double north, double east, double sigma) {
+    set(SensedQuantity.LOCAL_PLACE, 0, north, sigma);
+    set(SensedQuantity.LOCAL_PLACE, 1, east, sigma);
+    return this;
+  }
+
+  /** Velocity over ground: north, east, down [m/s]. */
+  public Measurement velocity(double north, double east, double down, double sigma) {
+    set(SensedQuantity.VELOCITY, 0, north, sigma);
+    set(SensedQuantity.VELOCITY, 1, east, sigma);
+    set(SensedQuantity.VELOCITY, 2, down, sigma);
+    return this;
+  }
+
+  /** Velocity over ground, horizontal: north, east [m/s]. */
+  public Measurement velocity(double north, double east, double sigma) {
+    set(SensedQuantity.VELOCITY, 0, north, sigma);
+    set(SensedQuantity.VELOCITY, 1, east, sigma);
+    return this;
+  }
+
+  /** Speed over ground, forward [m/s]. */
+  public Measurement forward(double mps, double sigma) {
+    set(SensedQuantity.BODY_VELOCITY, 0, mps, sigma);
+    return this;
+  }
+
+  /** Speed through the fluid, forward [m/s]. */
+  public Measurement forwardThroughFluid(double mps, double sigma) {
+    set(SensedQuantity.FLUID_VELOCITY, 0, mps, sigma);
+    return this;
+  }
+
+  /**
+   * Sets range and bearing of a landmark with a known position.
+   *
+   * @param range horizontal range [m]
+   * @param bearing bearing [rad], clockwise from the vehicle's nose
+   */
+  public Measurement sighting(double range, double bearing, double rangeSigma, double sigma) {
+    set(SensedQuantity.LANDMARK, 0, range, rangeSigma);
+    set(SensedQuantity.LANDMARK, 1, bearing, sigma);
+    return this;
+  }
+
+  /** Position of the landmark in the local frame: north and east [m]. */
+  public Measurement ofLocal(double north, double east) {
+    landmark[0] = north;
+    landmark[1] = east;
+    isLandmarkOnEarth = false;
+    return this;
+  }
+
+  /** Position of the landmark on WGS-84 [deg]. */
+  public Measurement ofPlace(double latitudeDeg, double longitudeDeg) {
+    landmark[0] = Math.toRadians(latitudeDeg);
+    landmark[1] = Math.toRadians(longitudeDeg);
+    isLandmarkOnEarth = true;
+    return this;
+  }
+
+  /** Landmark position: latitude and longitude [rad], or north and east [m]. */
+  public double landmark(int component) {
+    return landmark[component];
+  }
+
+  public boolean isLandmarkOnEarth() {
+    return isLandmarkOnEarth;
+  }
+
+  /** Heading [rad], clockwise from true north. */
+  public Measurement heading(double rad, double sigma) {
+    set(SensedQuantity.HEADING, 0, rad, sigma);
+    return this;
+  }
+
+  /** Roll, right side down positive, and pitch, nose up positive [rad]. */
+  public Measurement tilt(double roll, double pitch, double sigma) {
+    set(SensedQuantity.TILT, 0, roll, sigma);
+    set(SensedQuantity.TILT, 1, pitch, sigma);
+    return this;
+  }
+
+  /** Rate of the heading [rad/s], clockwise positive. */
+  public Measurement turnRate(double radPerS, double sigma) {
+    set(SensedQuantity.EULER_RATES, 2, radPerS, sigma);
+    return this;
+  }
+
+  /** Angular rates about BODY_FRD axes [rad/s]. */
+  public Measurement bodyRates(double x, double y, double z, double sigma) {
+    set(SensedQuantity.BODY_RATES, 0, x, sigma);
+    set(SensedQuantity.BODY_RATES, 1, y, sigma);
+    set(SensedQuantity.BODY_RATES, 2, z, sigma);
+    return this;
+  }
+
+  /** Specific force along BODY_FRD axes [m/s²]; (0, 0, -9.8) at rest. */
+  public Measurement specificForce(double x, double y, double z, double sigma) {
+    set(SensedQuantity.SPECIFIC_FORCE, 0, x, sigma);
+    set(SensedQuantity.SPECIFIC_FORCE, 1, y, sigma);
+    set(SensedQuantity.SPECIFIC_FORCE, 2, z, sigma);
+    return this;
+  }
+
+  /** Name of the source. */
+  public String source() {
+    return source;
+  }
+
+  /** Time of the measurement [µs]. */
+  public long micros() {
+    return micros;
+  }
+
+  /** Whether it holds no usable values. */
+  public boolean isEmpty() {
+    for (byte each : present) {
+      if (each != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  public boolean has(SensedQuantity quantity) {
+    return present[quantity.ordinal()] != 0;
+  }
+
+  public boolean has(SensedQuantity quantity, int component) {
+    return (present[quantity.ordinal()] & 1 << component) != 0;
+  }
+
+  public boolean isWhole(SensedQuantity quantity) {
+    return present[quantity.ordinal()] == (1 << quantity.size()) - 1;
+  }
+
+  public double value(SensedQuantity quantity, int component) {
+    return values[quantity.ordinal() * WIDTH + component];
+  }
+
+  public double sigma(SensedQuantity quantity, int component) {
+    return sigmas[quantity.ordinal() * WIDTH + component];
+  }
+
+  /** Whether all values equal those saved in an array. */
+  public boolean hasValuesOf(double[] kept, int from) {
+    for (int i = 0; i < values.length; i++) {
+      if (values[i] != kept[from + i]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  public int keep(double[] to, int from) {
+    System.arraycopy(values, 0, to, from, values.length);
+    return values.length;
+  }
+}

@@ -1,0 +1,176 @@
+package org.u2sa.estimation.measurement;
+
+import java.util.OptionalDouble;
+import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.StateField;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Converts a message to a measurement from the message alone (thesis 5.1): the presence vector
+ * defines the fields, the frame the axes, and the sigmas the accuracy. Accelerations over ground,
+ * and position and attitude in body frames, are not used.
+ */
+public final class MeasurementReader {
+  private static final double MIN_SIGMA = 1e-3; // no measurement is perfect
+  private static final double MIN_ANGLE = 1e-4;
+
+  private static final StateField[] POSITION = {StateField.X, StateField.Y, StateField.Z};
+  private static final StateField[] POSITION_SIGMA = {
+    StateField.X_SIGMA, StateField.Y_SIGMA, StateField.Z_SIGMA
+  };
+  private static final StateField[] VELOCITY = {
+    StateField.X_DOT, StateField.Y_DOT, StateField.Z_DOT
+  };
+  private static final StateField[] VELOCITY_SIGMA = {
+    StateField.X_DOT_SIGMA, StateField.Y_DOT_SIGMA, StateField.Z_DOT_SIGMA
+  };
+  private static final StateField[] RATES = {
+    StateField.PHI_DOT, StateField.THETA_DOT, StateField.PSI_DOT
+  };
+  private static final StateField[] RATE_SIGMAS = {
+    StateField.PHI_DOT_SIGMA, StateField.THETA_DOT_SIGMA, StateField.PSI_DOT_SIGMA
+  };
+  private static final StateField[] FLUID = {
+    StateField.FLUID_X_DOT, StateField.FLUID_Y_DOT, StateField.FLUID_Z_DOT
+  };
+  private static final StateField[] FLUID_SIGMA = {
+    StateField.FLUID_X_DOT_SIGMA, StateField.FLUID_Y_DOT_SIGMA, StateField.FLUID_Z_DOT_SIGMA
+  };
+
+  private final UsualSigmas usual;
+
+  /** Creates a reader that uses the given sigmas if a message has none. */
+  public MeasurementReader(UsualSigmas usual) {
+    this.usual = usual;
+  }
+
+  /**
+   * Reads a message.
+   *
+   * @param message message, which must have a timestamp
+   * @throws IllegalArgumentException if it cannot be converted, such as an x without a y on a grid
+   */
+  public Measurement read(StateInformation message, Measurement to) {
+    to.begin(message.sensorName(), message.timestamp().orElseThrow());
+    ReferenceFrame frame = message.referenceFrame();
+    if (frame.isBody()) {
+      readBody(message.in(ReferenceFrame.BODY_FRD), to);
+    } else if (frame.isLocal()) {
+      readLocal(message.in(ReferenceFrame.LOCAL_NED), to);
+    } else {
+      readGlobal(message.in(ReferenceFrame.GLOBAL), to);
+    }
+    if (message instanceof InertialMeasurement inertial) {
+      readInertial(inertial, to);
+    }
+    return to;
+  }
+
+  private double sigma(StateInformation s, StateField field, double ifAbsent) {
+    OptionalDouble claimed = s.number(field);
+    boolean isAngle = field.ordinal() >= StateField.PHI_SIGMA.ordinal();
+    return honest(claimed, ifAbsent, isAngle ? MIN_ANGLE : MIN_SIGMA);
+  }
+
+  /** Replaces a zero or negative sigma by the default and enforces a minimum. */
+  private static double honest(OptionalDouble claimed, double ifAbsent, double least) {
+    double sigma = claimed.orElse(ifAbsent);
+    return Math.max(least, sigma > 0.0 ? sigma : ifAbsent);
+  }
+
+  private void readGlobal(StateInformation s, Measurement to) {
+    double east = sigma(s, StateField.X_SIGMA, usual.position());
+    double north = sigma(s, StateField.Y_SIGMA, usual.position());
+    s.y().ifPresent(y -> to.set(SensedQuantity.PLACE, 0, Math.toRadians(y), north));
+    s.x().ifPresent(x -> to.set(SensedQuantity.PLACE, 1, Math.toRadians(x), east));
+    s.z().ifPresent(z -> to.altitude(z, sigma(s, StateField.Z_SIGMA, usual.position())));
+    int[] nedFromEnu = {1, 0, 2};
+    for (int i = 0; i < 3; i++) {
+      int axis = nedFromEnu[i];
+      OptionalDouble velocity = s.number(VELOCITY[axis]);
+      if (velocity.isPresent()) {
+        double down = i == 2 ? -velocity.getAsDouble() : velocity.getAsDouble();
+        to.set(SensedQuantity.VELOCITY, i, down, sigma(s, VELOCITY_SIGMA[axis], usual.velocity()));
+      }
+    }
+    readAttitude(s, to);
+    readFluid(s, to, -1.0);
+  }
+
+  private void readLocal(StateInformation s, Measurement to) {
+    for (int i = 0; i < 3; i++) {
+      OptionalDouble position = s.number(POSITION[i]);
+      if (position.isPresent()) {
+        SensedQuantity quantity = i < 2 ? SensedQuantity.LOCAL_PLACE : SensedQuantity.LOCAL_DOWN;
+        double sigma = sigma(s, POSITION_SIGMA[i], usual.position());
+        to.set(quantity, i % 2, position.getAsDouble(), sigma);
+      }
+    }
+    vector(s, to, SensedQuantity.VELOCITY, VELOCITY, VELOCITY_SIGMA, usual.velocity());
+    readAttitude(s, to);
+    readFluid(s, to, -1.0);
+  }
+
+  private void readBody(StateInformation s, Measurement to) {
+    vector(s, to, SensedQuantity.BODY_VELOCITY, VELOCITY, VELOCITY_SIGMA, usual.velocity());
+    vector(s, to, SensedQuantity.EULER_RATES, RATES, RATE_SIGMAS, usual.rate());
+    readFluid(s, to, 1.0);
+  }
+
+  private void readAttitude(StateInformation s, Measurement to) {
+    double rollSigma = sigma(s, StateField.PHI_SIGMA, usual.attitude());
+    double pitchSigma = sigma(s, StateField.THETA_SIGMA, usual.attitude());
+    s.phi().ifPresent(phi -> to.set(SensedQuantity.TILT, 0, phi, rollSigma));
+    s.theta().ifPresent(theta -> to.set(SensedQuantity.TILT, 1, theta, pitchSigma));
+    s.psi().ifPresent(psi -> to.heading(psi, sigma(s, StateField.PSI_SIGMA, usual.attitude())));
+    vector(s, to, SensedQuantity.EULER_RATES, RATES, RATE_SIGMAS, usual.rate());
+  }
+
+  /**
+   * Reads speeds through the fluid, along BODY, whose y points left, unless the message is in FRD.
+   */
+  private void readFluid(StateInformation s, Measurement to, double ySign) {
+    for (int i = 0; i < 3; i++) {
+      OptionalDouble speed = s.number(FLUID[i]);
+      if (speed.isPresent()) {
+        double value = i == 1 ? ySign * speed.getAsDouble() : speed.getAsDouble();
+        to.set(SensedQuantity.FLUID_VELOCITY, i, value, sigma(s, FLUID_SIGMA[i], usual.fluid()));
+      }
+    }
+  }
+
+  private void vector(
+      StateInformation s,
+      Measurement to,
+      SensedQuantity quantity,
+      StateField[] values,
+      StateField[] sigmas,
+      double ifAbsent) {
+    for (int i = 0; i < 3; i++) {
+      OptionalDouble value = s.number(values[i]);
+      if (value.isPresent()) {
+        to.set(quantity, i, value.getAsDouble(), sigma(s, sigmas[i], ifAbsent));
+      }
+    }
+  }
+
+  private void readInertial(InertialMeasurement m, Measurement to) {
+    ReferenceFrame frame = m.referenceFrame();
+    boolean isBody = frame.equals(ReferenceFrame.BODY); // left-handed: roll and yaw change sign
+    boolean isFlu = frame.equals(ReferenceFrame.BODY_FLU);
+    double roll = isBody ? -1.0 : 1.0;
+    double pitch = isFlu ? -1.0 : 1.0;
+    double yaw = isBody || isFlu ? -1.0 : 1.0;
+    double y = isBody || isFlu ? -1.0 : 1.0;
+    double z = isFlu ? -1.0 : 1.0;
+    double rate = honest(m.angularRateSigma(), usual.rate(), MIN_ANGLE);
+    double force = honest(m.specificForceSigma(), usual.force(), MIN_SIGMA);
+    m.rollRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 0, roll * v, rate));
+    m.pitchRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 1, pitch * v, rate));
+    m.yawRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 2, yaw * v, rate));
+    m.specificForceX().ifPresent(v -> to.set(SensedQuantity.SPECIFIC_FORCE, 0, v, force));
+    m.specificForceY().ifPresent(v -> to.set(SensedQuantity.SPECIFIC_FORCE, 1, y * v, force));
+    m.specificForceZ().ifPresent(v -> to.set(SensedQuantity.SPECIFIC_FORCE, 2, z * v, force));
+  }
+}

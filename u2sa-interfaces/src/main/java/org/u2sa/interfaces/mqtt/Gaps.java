@@ -1,0 +1,61 @@
+package org.u2sa.interfaces.mqtt;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.u2sa.messages.schema.Origin;
+
+/**
+ * Counts messages lost over MQTT from gaps in a sender's sequence numbers per topic. Messages sent
+ * before the first one received do not count. Thread-safe.
+ */
+public final class Gaps {
+  /** Maximum number of senders and topics remembered; a gap of a forgotten one is not detected. */
+  private static final int REMEMBERED = 4_096;
+
+  private record Stream(String sender, String topic) {}
+
+  private final Map<Stream, Long> last =
+      new LinkedHashMap<>(64, 0.75f, true) {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Stream, Long> eldest) {
+          return size() > REMEMBERED;
+        }
+      };
+  private long missed;
+
+  /**
+   * Registers a received message, in any order.
+   *
+   * @param origin origin of the message; without one nothing is counted
+   * @return number of messages missing immediately before this one
+   */
+  public synchronized long arrived(String topic, Optional<Origin> origin) {
+    if (!origin.isPresent()) {
+      return 0;
+    }
+    Stream stream = new Stream(origin.get().sender(), topic);
+    long sequence = origin.get().sequence();
+    Long before = last.get(stream);
+    if (before != null && sequence <= before) {
+      return 0; // duplicate, or retained by the broker
+    }
+    last.put(stream, sequence);
+    long gap = before == null ? 0 : sequence - before - 1;
+    missed += gap;
+    return gap;
+  }
+
+  /** Resets some topics: their next message is treated as the first. */
+  public synchronized void forget(Predicate<String> topics) {
+    last.keySet().removeIf(stream -> topics.test(stream.topic()));
+  }
+
+  /** Number of messages missed since the start. */
+  public synchronized long missed() {
+    return missed;
+  }
+}

@@ -1,0 +1,304 @@
+package org.u2sa.interfaces.mqtt;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
+import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
+import org.eclipse.paho.client.mqttv3.MqttException;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.interfaces.communication.TopicLevel;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.Origin;
+import org.u2sa.messages.schema.U2SAData;
+
+/** A service's MQTT connection: publications and subscriptions, with automatic reconnection. */
+final class MqttConnection implements Connection {
+  private static final int AT_LEAST_ONCE = 1;
+  private static final int TOPICS_REMEMBERED = 1_024;
+
+  private final String address;
+  private final String systemId;
+  private final String serviceName;
+  private final MessageCodec codec;
+  private final Receiver receiver;
+  private final String instance = OriginNumbers.newSender();
+  private final OriginNumbers numbers = new OriginNumbers(instance);
+  private final IncomingMessages incoming;
+  private final RetainedTopics retained;
+  private final MqttSubscriptions subscriptions;
+  private final TopicNames topics;
+  private final Map<String, Topic> parsed = new ConcurrentHashMap<>(); // cache of parsed topics
+  private final MqttLink link;
+  private volatile long refusedBefore; // value at the last disconnect
+  private volatile boolean closed;
+
+  /** Creates an unopened connection; see {@link #open}. */
+  MqttConnection(
+      String address,
+      String systemId,
+      String serviceName,
+      MessageCodec codec,
+      Receiver receiver,
+      MqttClient client) {
+    this.address = address;
+    this.systemId = systemId;
+    this.serviceName = serviceName;
+    this.codec = codec;
+    this.receiver = receiver;
+    topics = new TopicNames(systemId);
+    incoming = new IncomingMessages(codec, receiver);
+    retained = new RetainedTopics(incoming::refuse);
+    subscriptions = new MqttSubscriptions(address, systemId, receiver::trouble);
+    // Brokers drop the older of two clients with the same ID, so a restarted service must not reuse
+    // its predecessor's, while a reconnection must reuse its own. Nor may the ID be derivable from
+    // published data such as the instance: a broker that lets any user take any ID, such as
+    // Mosquitto, would let a reader disconnect the service.
+    link = new MqttLink(address, clientId(systemId, serviceName), this, client);
+  }
+
+  private static String clientId(String systemId, String serviceName) {
+    return String.join(
+        "/", TopicLevel.of(systemId), TopicLevel.of(serviceName), UUID.randomUUID().toString());
+  }
+
+  /**
+   * Connects for the first time.
+   *
+   * @param options connect options without the will; created for each attempt
+   * @param patienceS time limit for all attempts [s]
+   * @throws CommunicationException if the broker is unreachable within that time
+   */
+  void open(Supplier<MqttConnectOptions> options, double patienceS, Clock clock, Random random) {
+    try {
+      link.open(() -> withWill(options.get()), Clock.micros(patienceS), clock, random);
+    } catch (MqttException | IllegalArgumentException e) {
+      close();
+      throw new CommunicationException(
+          String.format(
+              "no Communication Manager at %s: %s; is it running, and is the address right?",
+              address, MqttSession.reason(e)),
+          e);
+    }
+  }
+
+  /** Adds the will message, which the broker publishes when the connection breaks. */
+  private MqttConnectOptions withWill(MqttConnectOptions options) {
+    if (!systemId.equals(Topic.ANY_SYSTEM)) {
+      ConnectionLost lost = new ConnectionLost();
+      lost.serviceName(serviceName).status(ServiceStatus.FAILED).lastError("connection lost");
+      lost.instance(instance).systemId(systemId);
+      lost.freeze();
+      Topic topic = Topic.of(systemId, Channels.HEALTH, lost);
+      options.setWill(topic.toString(), codec.encode(lost), AT_LEAST_ONCE, false);
+    }
+    return options;
+  }
+
+  @Override
+  public String instance() {
+    return instance;
+  }
+
+  @Override
+  public boolean publish(Channel<?> channel, U2SAData message) {
+    if (closed || !channel.carries(message) || systemId.equals(Topic.ANY_SYSTEM)) {
+      incoming.refuse(1);
+      return false;
+    }
+    String topic = topics.of(channel, message);
+    OriginNumbers.Stream stream = numbers.on(topic);
+    synchronized (stream) {
+      return publish(channel, topic, message, stream.next());
+    }
+  }
+
+  private boolean publish(Channel<?> channel, String topic, U2SAData message, Origin origin) {
+    try {
+      MqttSession session = link.session();
+      boolean sent = false;
+      if (channel.isRetained()) {
+        byte[] payload = codec.encode(message, origin);
+        RetainedTopics.Published last = retained.publishing(topic, payload);
+        sent = session != null && session.publish(topic, payload, true, true, last::confirm);
+        if (sent) {
+          last.settle(session);
+        }
+      } else if (session != null) {
+        byte[] payload = codec.encode(message, origin);
+        sent = session.publish(topic, payload, channel.deliversEvery(), false, null);
+      }
+      if (!sent && session == null) {
+        incoming.refuse(1); // the broken link was already reported
+      } else if (!sent) {
+        incoming.refuse("publishing on \"" + channel + "\" failed: the broker is too slow");
+        if (channel.isRetained()) {
+          link.catchUpSoon(); // late subscribers rely on it
+        }
+      }
+      return sent;
+    } catch (MqttException | IllegalStateException e) { // IllegalStateException: message too long
+      incoming.refuse("publishing on \"" + channel + "\" failed: " + MqttSession.reason(e));
+      return false;
+    }
+  }
+
+  @Override
+  public boolean subscribe(Channel<?> channel) {
+    subscriptions.want(channel);
+    retained.forget(channel);
+    incoming.forget(channel);
+    MqttSession session = link.session();
+    return !closed && (session == null || subscriptions.begin(session, channel));
+  }
+
+  @Override
+  public boolean unsubscribe(Channel<?> channel) {
+    subscriptions.forget(channel);
+    MqttSession session = link.session();
+    return !closed && (session == null || subscriptions.end(session, channel));
+  }
+
+  @Override
+  public Set<String> refusedSubscriptions() {
+    return subscriptions.refused();
+  }
+
+  /**
+   * Restores subscriptions and retained messages on a new session before it is used. Called on the
+   * link thread.
+   */
+  void renew(MqttSession session) throws MqttException, InterruptedException {
+    retained.restore(session);
+    subscriptions.renew(session);
+  }
+
+  /**
+   * Completes requests on the current session that were made before it was in use or that it could
+   * not accept. Called on the link thread.
+   *
+   * @return whether everything is done
+   */
+  boolean catchUp(MqttSession session) throws MqttException {
+    subscriptions.renew(session);
+    return retained.catchUp(session, numbers::on);
+  }
+
+  /**
+   * Handles a received message on the session's thread. Must not throw.
+   *
+   * @param isOld whether it is a retained message delivered on subscription
+   */
+  void arrived(String topicName, byte[] payload, boolean isOld) {
+    Topic topic;
+    try {
+      topic = parsed(topicName);
+    } catch (IllegalArgumentException e) {
+      incoming.refuse("a message cannot be read: " + e.getMessage());
+      return;
+    }
+    Channel<?> channel = subscriptions.named(topic.channel());
+    if ((channel == null || channel.isRetained()) && !retained.isNews(topicName, payload)) {
+      return; // already received before the link broke
+    }
+    if (channel != null && isOld && !channel.isRetained()) {
+      // A retained command is ignored: it would be executed at every start.
+      incoming.refuse("a retained message on " + topic + ": \"" + channel + "\" retains nothing");
+    } else if (channel != null) { // otherwise it arrived during an unsubscribe
+      incoming.hand(channel, topic, payload);
+    }
+  }
+
+  private Topic parsed(String topicName) {
+    Topic known = parsed.get(topicName);
+    if (known == null) {
+      known = Topic.parse(topicName);
+      if (parsed.size() < TOPICS_REMEMBERED) {
+        parsed.put(topicName, known);
+      }
+    }
+    return known;
+  }
+
+  /** Called on the session's threads when the session has broken. */
+  void lost(MqttSession session, String why) {
+    link.lost(session, why);
+  }
+
+  /** Called when the link is lost. */
+  void interrupted(String why) {
+    refusedBefore = incoming.refused();
+    receiver.trouble(why);
+  }
+
+  /** Called when the link and all subscriptions are restored. */
+  void restored(double afterS) {
+    receiver.trouble(
+        String.format(
+            "connection to %s restored, subscriptions %s, after %.1f s; %d messages could not be sent meanwhile",
+            address,
+            subscriptions.refused().isEmpty() ? "too" : "except " + subscriptions.refused(),
+            afterS,
+            incoming.refused() - refusedBefore));
+  }
+
+  /** Called when reconnection fails for a new reason. */
+  void trouble(String what) {
+    receiver.trouble(what);
+  }
+
+  /** Counts messages whose delivery is unknown. */
+  void unconfirmed(long messages) {
+    incoming.refuse(messages);
+  }
+
+  @Override
+  public long missed() {
+    return incoming.missed();
+  }
+
+  @Override
+  public long refused() {
+    return incoming.refused();
+  }
+
+  @Override
+  public void close() {
+    if (!closed) {
+      closed = true;
+      link.close();
+    }
+  }
+
+  /** Cache of a system's outgoing topics by channel and type. */
+  static final class TopicNames {
+    private final String systemId;
+    private final Map<String, Map<List<String>, String>> composed = new ConcurrentHashMap<>();
+
+    TopicNames(String systemId) {
+      this.systemId = systemId;
+    }
+
+    /** Topic of a message; topics with a source are not cached. */
+    String of(Channel<?> channel, U2SAData message) {
+      if (channel.isRetained()) {
+        return Topic.of(systemId, channel, message).toString();
+      }
+      return composed
+          .computeIfAbsent(channel.name(), name -> new ConcurrentHashMap<>())
+          .computeIfAbsent(
+              message.typeChain(), chain -> Topic.of(systemId, channel, message).toString());
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package org.u2sa.interfaces.mqtt;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.util.Arrays;
+import javax.net.ssl.SSLSocket;
+import javax.net.ssl.SSLSocketFactory;
+
+/** {@link PromptSockets} with TLS 1.2 or newer. Paho verifies the broker's host name. */
+final class PromptTlsSockets extends SSLSocketFactory {
+  private final SSLSocketFactory sockets;
+
+  PromptTlsSockets(SSLSocketFactory sockets) {
+    this.sockets = sockets;
+  }
+
+  private static Socket prompt(Socket socket) throws IOException {
+    socket.setTcpNoDelay(true);
+    SSLSocket tls = (SSLSocket) socket;
+    tls.setEnabledProtocols(
+        Arrays.stream(tls.getSupportedProtocols()) // Android 9 lacks TLS 1.3
+            .filter(name -> name.equals("TLSv1.2") || name.equals("TLSv1.3"))
+            .toArray(String[]::new));
+    return socket;
+  }
+
+  @Override
+  public String[] getDefaultCipherSuites() {
+    return sockets.getDefaultCipherSuites();
+  }
+
+  @Override
+  public String[] getSupportedCipherSuites() {
+    return sockets.getSupportedCipherSuites();
+  }
+
+  @Override
+  public Socket createSocket() throws IOException {
+    return prompt(sockets.createSocket());
+  }
+
+  @Override
+  public Socket createSocket(Socket plain, String host, int port, boolean autoClose)
+      throws IOException {
+    return prompt(sockets.createSocket(plain, host, port, autoClose));
+  }
+
+  @Override
+  public Socket createSocket(String host, int port) throws IOException {
+    return prompt(sockets.createSocket(host, port));
+  }
+
+  @Override
+  public Socket createSocket(String host, int port, InetAddress localHost, int localPort)
+      throws IOException {
+    return prompt(sockets.createSocket(host, port, localHost, localPort));
+  }
+
+  @Override
+  public Socket createSocket(InetAddress host, int port) throws IOException {
+    return prompt(sockets.createSocket(host, port));
+  }
+
+  @Override
+  public Socket createSocket(InetAddress host, int port, InetAddress localHost, int localPort)
+      throws IOException {
+    return prompt(sockets.createSocket(host, port, localHost, localPort));
+  }
+}

@@ -1,0 +1,183 @@
+package org.u2sa.messages.goal;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.ValueField;
+
+/**
+ * A position to reach (thesis 3.2.3.4, figure 8): any of x, y, z, and optionally attitude, time and
+ * speed on arrival.
+ */
+public class Waypoint extends GoalInformation {
+  private static final Schema<Waypoint> SCHEMA =
+      Schema.of(Waypoint.class, Waypoint::new, GoalInformation.TYPE);
+  private static final ValueField<Waypoint, ReferenceFrame> REFERENCE_FRAME =
+      SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
+  private static final NumberField<Waypoint> X = SCHEMA.optionalCoordinate("x");
+  private static final NumberField<Waypoint> Y = SCHEMA.optionalCoordinate("y");
+  private static final NumberField<Waypoint> Z = SCHEMA.optionalNumber("z", "m");
+  private static final NumberField<Waypoint> PHI = SCHEMA.optionalNumber("phi", "rad");
+  private static final NumberField<Waypoint> THETA = SCHEMA.optionalNumber("theta", "rad");
+  private static final NumberField<Waypoint> PSI = SCHEMA.optionalNumber("psi", "rad");
+  private static final NumberField<Waypoint> TIME = SCHEMA.optionalNumber("time", "s");
+  private static final NumberField<Waypoint> HORIZONTAL_THRESHOLD =
+      SCHEMA.requiredNumber("horizontalThreshold", "m", 0.0, Double.POSITIVE_INFINITY);
+  private static final NumberField<Waypoint> VERTICAL_THRESHOLD =
+      SCHEMA.optionalNumber("verticalThreshold", "m", 0.0);
+  private static final NumberField<Waypoint> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
+
+  static {
+    SCHEMA.alias("reference", REFERENCE_FRAME); // the thesis's mission example, 3.2.3.2
+  }
+
+  /** The schema. */
+  public static final MessageType<Waypoint> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends Waypoint> type() {
+    return TYPE;
+  }
+
+  /** Axes of position and attitude; defaults to GLOBAL. */
+  public ReferenceFrame referenceFrame() {
+    return get(REFERENCE_FRAME);
+  }
+
+  /** Sets {@link #referenceFrame()}. */
+  public Waypoint referenceFrame(ReferenceFrame frame) {
+    return put(REFERENCE_FRAME, frame);
+  }
+
+  /** Position along x [m]; longitude [deg, east +] in GLOBAL; empty: any. */
+  public OptionalDouble x() {
+    return get(X);
+  }
+
+  /** Sets {@link #x()}. */
+  public Waypoint x(double value) {
+    return put(X, value);
+  }
+
+  /** Position along y [m]; latitude [deg, north +] in GLOBAL; empty: any. */
+  public OptionalDouble y() {
+    return get(Y);
+  }
+
+  /** Sets {@link #y()}. */
+  public Waypoint y(double value) {
+    return put(Y, value);
+  }
+
+  /** Position along z [m]; altitude above mean sea level in GLOBAL; empty: any. */
+  public OptionalDouble z() {
+    return get(Z);
+  }
+
+  /** Sets {@link #z()}. */
+  public Waypoint z(double value) {
+    return put(Z, value);
+  }
+
+  /** Roll on arrival [rad]; empty: any. */
+  public OptionalDouble phi() {
+    return get(PHI);
+  }
+
+  /** Sets {@link #phi()}. */
+  public Waypoint phi(double value) {
+    return put(PHI, value);
+  }
+
+  /** Pitch on arrival [rad]; empty: any. */
+  public OptionalDouble theta() {
+    return get(THETA);
+  }
+
+  /** Sets {@link #theta()}. */
+  public Waypoint theta(double value) {
+    return put(THETA, value);
+  }
+
+  /** Heading on arrival [rad]; empty: any. */
+  public OptionalDouble psi() {
+    return get(PSI);
+  }
+
+  /** Sets {@link #psi()}. */
+  public Waypoint psi(double value) {
+    return put(PSI, value);
+  }
+
+  /** Time of arrival [s since the start of the mission]; empty: any. */
+  public OptionalDouble time() {
+    return get(TIME);
+  }
+
+  /** Sets {@link #time()}. */
+  public Waypoint time(double value) {
+    return put(TIME, value);
+  }
+
+  /** Horizontal distance within which the waypoint counts as reached [m]. */
+  public double horizontalThreshold() {
+    return require(HORIZONTAL_THRESHOLD);
+  }
+
+  /** Sets {@link #horizontalThreshold()}. */
+  public Waypoint horizontalThreshold(double metres) {
+    return put(HORIZONTAL_THRESHOLD, metres);
+  }
+
+  /** Altitude difference within which the waypoint counts as reached [m]; empty: any. */
+  public OptionalDouble verticalThreshold() {
+    return get(VERTICAL_THRESHOLD);
+  }
+
+  /** Sets {@link #verticalThreshold()}. */
+  public Waypoint verticalThreshold(double value) {
+    return put(VERTICAL_THRESHOLD, value);
+  }
+
+  /** Speed to go there, relative to the fluid [m/s]; empty: any. */
+  public OptionalDouble speed() {
+    return get(SPEED);
+  }
+
+  /** Sets {@link #speed()}. */
+  public Waypoint speed(double value) {
+    return put(SPEED, value);
+  }
+
+  @Override
+  public Waypoint uid(String uid) {
+    super.uid(uid);
+    return this;
+  }
+
+  @Override
+  public Waypoint completed(boolean completed) {
+    super.completed(completed);
+    return this;
+  }
+
+  @Override
+  public Waypoint next(List<String> uids) {
+    super.next(uids);
+    return this;
+  }
+
+  @Override
+  public Waypoint description(String text) {
+    super.description(text);
+    return this;
+  }
+
+  @Override
+  public Waypoint copy() {
+    return (Waypoint) super.copy();
+  }
+}

@@ -1,0 +1,17 @@
+package org.u2sa.messages.mission;
+
+/** Operator's order to a mission. The sequence is part of the wire format. */
+public enum MissionAction {
+  /** Pursue a goal now; the mission continues from there. */
+  GOTO,
+  /** End a current goal and continue as if it were completed. */
+  SKIP,
+  /** Add goals. */
+  INSERT,
+  /** Change fields of existing goals. */
+  UPDATE,
+  /** Continue a paused mission, or else return to where the mission was left. */
+  RESUME,
+  /** Hold position, or circle if the vehicle cannot stop, until RESUME or GOTO. */
+  PAUSE
+}

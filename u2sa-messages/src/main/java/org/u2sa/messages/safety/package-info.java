@@ -1,0 +1,2 @@
+/** Messages of arming, stopping and failsafes. */
+package org.u2sa.messages.safety;

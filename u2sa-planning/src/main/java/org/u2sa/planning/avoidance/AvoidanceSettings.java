@@ -1,0 +1,340 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.planning.PathPlanner;
+import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.search.Inflation;
+import org.u2sa.planning.seen.SeenWorld;
+
+/** Obstacle-avoidance variables of a {@link PathPlanner}; used if PLANNER is not NONE. */
+public record AvoidanceSettings(
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0.3,
+            text = "From the vehicle's reference point to its front.")
+        double vehicleFront,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0.3,
+            text = "From the vehicle's reference point to its rear.")
+        double vehicleRear,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.5,
+            text = "Width of the vehicle, or span.")
+        double vehicleWidth,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0.2,
+            text = "Distance that routes keep between the vehicle and obstacles.")
+        double clearance,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Distance from obstacles within which the vehicle does not cut its route's corners, but follows it closely and more slowly; 0: it cuts them as far as it is free to.")
+        double preferredClearance,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Narrowest passage, as the map has it, that routes lead through, straight on; for vehicles that turn on the spot. 0: one in which they can turn or, if no other route leads to the goal, VEHICLE WIDTH and CLEARANCE.")
+        double narrowestPassage,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 1,
+            text = "Beyond CLEARANCE, distance from obstacles up to which routes cost more.")
+        double inflation,
+    @Variable(
+            min = 0,
+            max = 100,
+            ifAbsent = 3,
+            text = "What a metre at CLEARANCE from an obstacle costs more than one in the open.")
+        double inflationCost,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.1,
+            text = "Cell of the grid on which routes are planned.")
+        double planningCell,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "The same while routes may lead through passages in which the vehicle cannot turn, as cells narrow each passage; 0: PLANNING CELL.")
+        double narrowCell,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 40,
+            text = "Edge of the square around the vehicle in which obstacles are planned around.")
+        double planningSpan,
+    @Variable(
+            min = 0.5,
+            max = 0.99,
+            ifAbsent = 0.65,
+            text = "Probability above which a cell of the World Modeler's grid is an obstacle.")
+        double occupiedAbove,
+    @Variable(
+            ifAbsentText = "corridor",
+            text = "Type of objects that are areas to stay inside, each overlapping the next.")
+        String corridorType,
+    @Variable(
+            ifAbsentText = "",
+            text = "Types of objects that are no obstacles, separated by commas.")
+        String ignoredTypes,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Types of objects that are passed on one side, such as red flag: LEFT, blue flag: RIGHT; the other side counts as closed until there is no other way (OVERLOOK AFTER).")
+        String passSides,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 2.5,
+            text = "How far beside such an object the other side is closed.")
+        double passReach,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text = "Objects farther above or below are no obstacles; 0: heights do not matter.")
+        double verticalClearance,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "At a waypoint that was reached between two lines, each at most so far away, the way back is closed until the next, or until there is no other (OVERLOOK AFTER); 0: never.")
+        double closeBehind,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 1,
+            text = "Speed around obstacles, unless the waypoint sets one.")
+        double plannedSpeed,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            ifAbsent = 0,
+            text = "Minimum speed; above 0 the vehicle cannot stand, like an aeroplane.")
+        double leastSpeed,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            ifAbsent = 0,
+            text = "Maximum speed to arrive at a waypoint in time; 0: PLANNED SPEED.")
+        double mostSpeed,
+    @Variable(
+            unit = "m/s^2",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.8,
+            text = "Acceleration that control reaches.")
+        double plannedAcceleration,
+    @Variable(
+            unit = "m/s^2",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 1,
+            text = "Deceleration that control reaches.")
+        double plannedBraking,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 0.3,
+            text = "Time from a navigation point until the vehicle moves accordingly.")
+        double reactionTime,
+    @Variable(
+            unit = "deg/s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 45,
+            text = "Yaw rate that control reaches in turns on the spot.")
+        double plannedTurnRate,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Radius of the tightest turn; 0: that of TURN ACCELERATION, or turns on the spot.")
+        double turnRadius,
+    @Variable(ifAbsentText = "false", text = "Whether control drives backwards when told to.")
+        boolean reverses,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0.3,
+            text = "Distance to keep from traffic, beyond its own radius and the vehicle's.")
+        double trafficClearance,
+    @Variable(unit = "s", min = 0, ifAbsent = 4, text = "How far ahead in time traffic is avoided.")
+        double trafficHorizon,
+    @Variable(
+            unit = "deg",
+            min = 0,
+            minExcluded = true,
+            max = 180,
+            ifAbsent = 10,
+            text = "How near to a waypoint's heading the vehicle must arrive.")
+        double arrivalAngle,
+    @Variable(
+            unit = "s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.5,
+            text = "Time from one search for a better route to the next.")
+        double replanInterval,
+    @Variable(
+            min = 100,
+            max = 1_000_000,
+            ifAbsent = 2000,
+            text =
+                "Nodes that HYBRID searches at each state, five times as many if the vehicle cannot stand; a longer search goes on with the next state.")
+        int planningEffort,
+    @Variable(
+            unit = "s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 6,
+            text = "Time without progress after which the vehicle frees itself.")
+        double stuckAfter,
+    @Variable(
+            min = 0,
+            max = 100,
+            ifAbsent = 4,
+            text = "How often it frees itself before it gives a goal up.")
+        int recoveries,
+    @Variable(
+            unit = "s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 20,
+            text = "Time without any route to a goal after which it is given up.")
+        double giveUpAfter,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Time without any route after which obstacles of a confidence below 0.6 are passed through, until a route has led on for as long; 0: never.")
+        double overlookAfter) {
+  /** Smaller distances to an obstacle are a collision, allowing for rounding [share of a cell]. */
+  private static final double TOUCH_CELLS = 0.5;
+
+  private static final double COVER_CELLS = 1.5; // spacing of discs that cover it closely
+  private static final int EFFORTS_IN_FLIGHT = 5;
+
+  /** Validates the list of sides. */
+  public AvoidanceSettings {
+    PassSides.parse(passSides);
+  }
+
+  /** Shape of the vehicle, including corners if passages may be hardly wider than it. */
+  BodyDiscs body(boolean onTheSpot) {
+    return onTheSpot || narrowestPassage > 0.0
+        ? BodyDiscs.closely(
+            vehicleFront,
+            vehicleRear,
+            vehicleWidth,
+            COVER_CELLS * Math.min(planningCell, cellM(true)))
+        : new BodyDiscs(vehicleFront, vehicleRear, vehicleWidth);
+  }
+
+  /**
+   * How the world is read, for a vehicle that can turn in place or not.
+   *
+   * @param narrow whether routes may use every passage that it fits through
+   */
+  SeenWorld.Reading reading(boolean onTheSpot, boolean narrow) {
+    boolean isNarrow = onTheSpot && (narrow || narrowestPassage > 0.0);
+    double radius = onTheSpot ? turningM() : body(false).radiusM() + clearance;
+    if (isNarrow) {
+      radius = Math.min(radius, 0.5 * passageM());
+    }
+    double cellM = cellM(isNarrow);
+    return new SeenWorld.Reading(
+        cellM,
+        planningSpan,
+        new Inflation(radius, radius + Math.max(inflation, cellM), inflationCost),
+        occupiedAbove,
+        corridorType,
+        types(),
+        verticalClearance);
+  }
+
+  /** Whether some passages are wide enough to pass but not to turn in; used as a last resort. */
+  boolean hasNarrower(boolean onTheSpot) {
+    return onTheSpot && narrowestPassage == 0.0 && 0.5 * passageM() < turningM();
+  }
+
+  private double cellM(boolean narrow) {
+    return narrow && narrowCell > 0.0 ? narrowCell : planningCell;
+  }
+
+  private double turningM() {
+    return body(true).circleM() + clearance;
+  }
+
+  private double passageM() {
+    return narrowestPassage > 0.0
+        ? Math.max(vehicleWidth, narrowestPassage)
+        : vehicleWidth + clearance;
+  }
+
+  private List<String> types() {
+    return Arrays.stream(ignoredTypes.split(","))
+        .map(String::trim)
+        .filter(type -> !type.isEmpty())
+        .collect(Collectors.toList());
+  }
+
+  /** Distance to an obstacle below which it is a collision, on cells of this size [m]. */
+  double touchM(double cellM) {
+    return Math.min(0.5 * clearance, TOUCH_CELLS * cellM);
+  }
+
+  public boolean stops() {
+    return leastSpeed == 0.0;
+  }
+
+  /**
+   * Number of nodes to search per state; larger for vehicles that cannot stop, which need their
+   * route sooner.
+   */
+  int effort() {
+    return stops() ? planningEffort : EFFORTS_IN_FLIGHT * planningEffort;
+  }
+
+  long replanMicros() {
+    return Clock.micros(replanInterval);
+  }
+
+  long stuckMicros() {
+    return Clock.micros(stuckAfter);
+  }
+
+  long overlookMicros() {
+    return Clock.micros(overlookAfter);
+  }
+
+  public long giveUpMicros() {
+    return Clock.micros(giveUpAfter);
+  }
+}

@@ -1,0 +1,57 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.List;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.local.ArcChoice;
+import org.u2sa.planning.seen.Mover;
+
+/**
+ * Measures the time in which traffic holds the vehicle up: it waits, or backs off from slow
+ * oncoming traffic. Such time does not count as lack of progress. Confined to the planner's thread.
+ */
+final class TrafficHold {
+  /** Maximum hold; longer blockage by traffic counts as permanent [s]. */
+  private static final double PATIENCE_S = 300.0;
+
+  private long lastMicros;
+  private long heldMicros; // for this goal
+
+  /** Called when another goal is started. */
+  void begin(long micros) {
+    lastMicros = micros;
+    heldMicros = 0;
+  }
+
+  /**
+   * Updates the hold at a new time.
+   *
+   * @return part of the time since the last call that was lost to traffic [µs]
+   */
+  long pass(ArcChoice.Kind kind, boolean isNear, long micros) {
+    long since = micros - lastMicros;
+    lastMicros = micros;
+    boolean holds =
+        isNear && kind != ArcChoice.Kind.FOLLOW && heldMicros < Clock.micros(PATIENCE_S);
+    long held = holds ? since : 0L;
+    heldMicros += held;
+    return held;
+  }
+
+  /**
+   * Whether traffic can reach the vehicle within a time.
+   *
+   * @param keptM clearance beyond the traffic's own radius [m]
+   */
+  static boolean isNear(List<Mover> movers, Pose at, double keptM, double withinS, long nowMicros) {
+    for (Mover mover : movers) {
+      double age = mover.ageS(nowMicros);
+      double away = at.distanceM(mover.northAfterM(age), mover.eastAfterM(age));
+      double reach = Math.hypot(mover.northMps(), mover.eastMps()) * withinS;
+      if (away < mover.radiusM() + keptM + reach) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,2 @@
+/** Guidance: the line to follow to a goal, and the direction and altitude along it. */
+package org.u2sa.planning.guidance;

@@ -1,0 +1,252 @@
+package org.u2sa.vision.lane;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Painted lines as sample points (beads), each with a direction, a Kalman filter of its lateral
+ * position, and a count of sightings for and against it.
+ */
+final class LineBeads {
+  /** Published line width, 3 in [m]. */
+  static final double WIDTH_M = 0.0762;
+
+  /** Bead spacing [m]. */
+  static final double STEP_M = 0.15;
+
+  private static final double ALONG_M = 0.6 * STEP_M; // beads closer along the line are the same
+  private static final double PARALLEL = 0.82; // cosine of the angle between two parts of one line
+  private static final double CELL_M = 0.5;
+  private static final double LEAST_SIGMA_M = 0.025; // because the vehicle's position drifts
+  private static final double MOST_HITS = 15.0;
+  private static final double DOUBT = 0.4; // of a sighting
+  private static final double TOO_NEAR_M = 1.3; // closer ground is below the camera's view
+  private static final double TWICE_M = 1.0; // closer lines are one line, seen twice
+  private static final double VIEW_M = 0.25; // spacing of viewpoints
+  private static final double REFUTED = 0.5; // of a sighting, if the line was seen elsewhere
+  private static final long ANOTHER_TIME = 2 * Clock.MICROS_PER_SECOND;
+
+  /** A sample point on a line. */
+  static final class Bead {
+    double x;
+    double y;
+    double dx; // direction of the line, either way
+    double dy;
+    double variance; // lateral [m²]
+    double hits = 1.0;
+    int views = 1; // viewpoints from which it was seen
+    long seenMicros;
+    private double viewX; // last viewpoint
+    private double viewY;
+    private long refutedMicros = Long.MIN_VALUE;
+    private long cell;
+  }
+
+  private final List<Bead> all = new ArrayList<>();
+  private final Map<Long, List<Bead>> cells = new HashMap<>();
+  private long micros;
+  private double fromX; // vehicle position
+  private double fromY;
+  private double wanderPerS; // drift of the vehicle's position [m²/s]
+
+  void clear() {
+    all.clear();
+    cells.clear();
+  }
+
+  int count() {
+    return all.size();
+  }
+
+  /**
+   * Sets the time of the next sightings.
+   *
+   * @param wander random-walk drift of the vehicle's position [m²/s]: a line that was not seen for
+   *     a while may appear shifted
+   */
+  void begin(long nowMicros, double wander) {
+    micros = nowMicros;
+    wanderPerS = wander;
+  }
+
+  /** Sets the viewpoint of the next sightings [m]. */
+  void from(double vehicleX, double vehicleY) {
+    fromX = vehicleX;
+    fromY = vehicleY;
+  }
+
+  /** Adds a straight line segment that was seen. */
+  void enter(Point from, Point to, double sigmaM, double gateM) {
+    double length = Math.hypot(to.x() - from.x(), to.y() - from.y());
+    if (length < 1.0e-6) {
+      return;
+    }
+    double dx = (to.x() - from.x()) / length;
+    double dy = (to.y() - from.y()) / length;
+    int steps = Math.max(1, (int) Math.round(length / STEP_M));
+    for (int i = 0; i < steps; i++) {
+      double share = (i + 0.5) / steps;
+      enter(
+          from.x() + share * (to.x() - from.x()),
+          from.y() + share * (to.y() - from.y()),
+          dx,
+          dy,
+          sigmaM,
+          gateM);
+    }
+  }
+
+  private void enter(double x, double y, double dx, double dy, double sigmaM, double gateM) {
+    Bead nearest = null;
+    double least = Double.POSITIVE_INFINITY;
+    for (Bead bead : near(x, y, Math.max(TWICE_M, 2.0 * gateM) + STEP_M)) {
+      double along = Math.abs((x - bead.x) * bead.dx + (y - bead.y) * bead.dy);
+      double across = Math.abs((x - bead.x) * bead.dy - (y - bead.y) * bead.dx);
+      boolean parallel = Math.abs(dx * bead.dx + dy * bead.dy) > PARALLEL;
+      if (!parallel || along > ALONG_M) {
+        continue;
+      }
+      double gate = gateM + Math.min(gateM, Math.sqrt(wandered(bead)));
+      double cost = along / ALONG_M + across / gate;
+      if (across <= gate && cost < least) {
+        nearest = bead;
+        least = cost;
+      }
+      if (across > gate && across < TWICE_M && micros - bead.seenMicros > ANOTHER_TIME) {
+        bead.refutedMicros = micros;
+      }
+    }
+    if (nearest == null) {
+      add(x, y, dx, dy, sigmaM);
+    } else {
+      correct(nearest, x, y, dx, dy, sigmaM);
+    }
+  }
+
+  /** Variance a bead has gained since it was last seen [m²]. */
+  private double wandered(Bead bead) {
+    return wanderPerS * Clock.seconds(Math.max(0L, micros - bead.seenMicros));
+  }
+
+  private void add(double x, double y, double dx, double dy, double sigmaM) {
+    Bead bead = new Bead();
+    bead.x = x;
+    bead.y = y;
+    bead.dx = dx;
+    bead.dy = dy;
+    bead.variance = sigmaM * sigmaM;
+    bead.seenMicros = micros;
+    bead.viewX = fromX;
+    bead.viewY = fromY;
+    bead.cell = cell(x, y);
+    all.add(bead);
+    cells.computeIfAbsent(bead.cell, key -> new ArrayList<>()).add(bead);
+  }
+
+  private void correct(Bead bead, double x, double y, double dx, double dy, double sigmaM) {
+    double variance = bead.variance + wandered(bead);
+    double gain = variance / (variance + sigmaM * sigmaM);
+    double across = (x - bead.x) * -bead.dy + (y - bead.y) * bead.dx;
+    bead.x += gain * across * -bead.dy;
+    bead.y += gain * across * bead.dx;
+    double sign = dx * bead.dx + dy * bead.dy < 0.0 ? -1.0 : 1.0;
+    double turnedX = bead.dx + 0.5 * gain * (sign * dx - bead.dx);
+    double turnedY = bead.dy + 0.5 * gain * (sign * dy - bead.dy);
+    double length = Math.hypot(turnedX, turnedY);
+    bead.dx = turnedX / length;
+    bead.dy = turnedY / length;
+    bead.variance = Math.max(LEAST_SIGMA_M * LEAST_SIGMA_M, (1.0 - gain) * variance);
+    if (bead.seenMicros != micros) {
+      bead.hits = Math.min(MOST_HITS, bead.hits + 1.0); // once per image
+      bead.seenMicros = micros;
+      if (Math.hypot(fromX - bead.viewX, fromY - bead.viewY) >= VIEW_M) {
+        bead.views++;
+        bead.viewX = fromX;
+        bead.viewY = fromY;
+      }
+    }
+    long now = cell(bead.x, bead.y);
+    if (now != bead.cell) {
+      cells.get(bead.cell).remove(bead);
+      bead.cell = now;
+      cells.computeIfAbsent(now, key -> new ArrayList<>()).add(bead);
+    }
+  }
+
+  private List<Bead> near(double x, double y, double reachM) {
+    List<Bead> found = new ArrayList<>();
+    int span = (int) Math.ceil(reachM / CELL_M);
+    int column = (int) Math.floor(x / CELL_M);
+    int row = (int) Math.floor(y / CELL_M);
+    for (int r = row - span; r <= row + span; r++) {
+      for (int c = column - span; c <= column + span; c++) {
+        found.addAll(cells.getOrDefault(key(c, r), List.of()));
+      }
+    }
+    return found;
+  }
+
+  private static long cell(double x, double y) {
+    return key((int) Math.floor(x / CELL_M), (int) Math.floor(y / CELL_M));
+  }
+
+  private static long key(int column, int row) {
+    return (long) column << 32 | row & 0xFFFFFFFFL;
+  }
+
+  /**
+   * Counts against beads in a sector that were not seen in the last image although unoccluded, and
+   * against beads whose line was seen beside them: it is the same line unless the image shows both.
+   */
+  void doubt(
+      double x,
+      double y,
+      double headingRad,
+      double reachM,
+      double halfRad,
+      LookedGround.View view) {
+    for (Bead bead : near(x, y, reachM)) {
+      double away = Math.hypot(bead.x - x, bead.y - y);
+      double off =
+          Math.IEEEremainder(Math.atan2(bead.y - y, bead.x - x) - headingRad, 2.0 * Math.PI);
+      boolean looked = away > TOO_NEAR_M && away < reachM && Math.abs(off) < halfRad;
+      if (looked && bead.seenMicros != micros && view.isOpen(bead.x, bead.y)) {
+        bead.hits -= DOUBT;
+      }
+    }
+    for (Bead bead : all) {
+      if (bead.refutedMicros == micros && bead.seenMicros != micros) {
+        bead.hits -= REFUTED;
+      }
+    }
+  }
+
+  /** Drops beads that are refuted, far away, or neither confirmed nor seen since a time. */
+  void forget(double x, double y, double reachM, long beforeMicros, int hits) {
+    List<Bead> gone = new ArrayList<>();
+    for (Bead bead : all) {
+      boolean unsure = bead.hits < hits && bead.seenMicros < beforeMicros;
+      if (bead.hits <= 0.0 || unsure || Math.hypot(bead.x - x, bead.y - y) > reachM) {
+        gone.add(bead);
+        cells.get(bead.cell).remove(bead);
+      }
+    }
+    all.removeAll(new HashSet<>(gone));
+  }
+
+  /** Beads seen often enough within a range. */
+  List<Bead> certain(double x, double y, double reachM, int hits) {
+    List<Bead> found = new ArrayList<>();
+    for (Bead bead : all) {
+      if (bead.hits >= hits && Math.hypot(bead.x - x, bead.y - y) <= reachM) {
+        found.add(bead);
+      }
+    }
+    return found;
+  }
+}

@@ -1,0 +1,127 @@
+package org.u2sa.vision.lane;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.u2sa.messages.frame.Point;
+
+/** Links beads to lines. Coordinates in metres from the map's anchor. */
+final class LineChains {
+  private static final double LINK_M = 0.5; // maximum step between beads
+  private static final double ASIDE = 0.7; // sine of the maximum angle between step and line
+  private static final double SHORTEST_M = 0.5; // minimum length of a line
+  private static final double VIEWS = 2.5; // minimum mean number of viewpoints of a sure line
+
+  private final List<List<Point>> lines;
+  private final Set<List<Point>> sure;
+
+  private LineChains(List<List<Point>> lines, Set<List<Point>> sure) {
+    this.lines = lines;
+    this.sure = sure;
+  }
+
+  static LineChains of(List<LineBeads.Bead> beads) {
+    int[][] next = new int[beads.size()][];
+    Neighbours near = new Neighbours(beads);
+    for (int i = 0; i < next.length; i++) {
+      next[i] = new int[] {near.step(i, 1.0), near.step(i, -1.0)};
+    }
+    boolean[] strung = new boolean[next.length];
+    List<List<Point>> lines = new ArrayList<>();
+    Set<List<Point>> sure = new HashSet<>();
+    for (int i = 0; i < next.length; i++) {
+      if (!strung[i]) {
+        List<LineBeads.Bead> string = string(i, beads, next, strung);
+        List<Point> line = new ArrayList<>(string.size());
+        string.forEach(bead -> line.add(Point.of(bead.x, bead.y, 0.0)));
+        if (LineGeometry.lengthM(line) >= SHORTEST_M) {
+          lines.add(line);
+          double views = string.stream().mapToInt(bead -> bead.views).average().orElse(0.0);
+          if (views >= VIEWS) {
+            sure.add(line);
+          }
+        }
+      }
+    }
+    return new LineChains(lines, sure);
+  }
+
+  /** Follows beads in both directions while they are mutual neighbours. */
+  private static List<LineBeads.Bead> string(
+      int from, List<LineBeads.Bead> beads, int[][] next, boolean[] strung) {
+    List<LineBeads.Bead> line = new ArrayList<>();
+    strung[from] = true;
+    line.add(beads.get(from));
+    for (int way = 0; way < 2; way++) {
+      int before = from;
+      int at = next[from][way];
+      while (at >= 0 && !strung[at] && (next[at][0] == before || next[at][1] == before)) {
+        strung[at] = true;
+        line.add(beads.get(at));
+        int on = next[at][0] == before ? next[at][1] : next[at][0];
+        before = at;
+        at = on;
+      }
+      Collections.reverse(line);
+    }
+    return line;
+  }
+
+  /** Lines that were seen. */
+  List<List<Point>> lines() {
+    return lines;
+  }
+
+  /** Whether a line was seen from several viewpoints. */
+  boolean isSure(List<Point> line) {
+    return sure.contains(line);
+  }
+
+  /** Finds the next bead along a line. */
+  private static final class Neighbours {
+    private final List<LineBeads.Bead> beads;
+    private final Integer[] byX;
+    private final int[] rank;
+
+    Neighbours(List<LineBeads.Bead> beads) {
+      this.beads = beads;
+      byX = new Integer[beads.size()];
+      rank = new int[beads.size()];
+      Arrays.setAll(byX, i -> i);
+      Arrays.sort(byX, Comparator.comparingDouble((Integer i) -> beads.get(i).x));
+      for (int i = 0; i < byX.length; i++) {
+        rank[byX[i]] = i;
+      }
+    }
+
+    /** Index of the nearest bead ahead (1) or behind (-1) that may follow; −1 if none. */
+    int step(int from, double sign) {
+      LineBeads.Bead bead = beads.get(from);
+      int best = -1;
+      double nearest = LINK_M;
+      for (int way = -1; way <= 1; way += 2) {
+        for (int k = rank[from] + way; k >= 0 && k < byX.length; k += way) {
+          LineBeads.Bead other = beads.get(byX[k]);
+          double x = other.x - bead.x;
+          double y = other.y - bead.y;
+          if (Math.abs(x) > nearest) {
+            break;
+          }
+          double away = Math.hypot(x, y);
+          double along = sign * (x * bead.dx + y * bead.dy);
+          double across = Math.abs(x * bead.dy - y * bead.dx);
+          boolean parallel = Math.abs(bead.dx * other.dx + bead.dy * other.dy) > ASIDE;
+          if (parallel && along > 0.02 && across <= ASIDE * away && away < nearest) {
+            best = byX[k];
+            nearest = away;
+          }
+        }
+      }
+      return best;
+    }
+  }
+}

@@ -1,0 +1,152 @@
+package org.u2sa.vision.lane;
+
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Set;
+import org.u2sa.interfaces.configuration.Variable;
+
+/** Settings of the {@link LineModeller}. */
+record LineModelSettings(
+    @Variable(
+            ifAbsentText = "white line",
+            text = "LINES: types of objects that are painted lines, separated by commas.")
+        String lineTypes,
+    @Variable(
+            unit = "m",
+            min = 0.01,
+            max = 5,
+            ifAbsent = 0.35,
+            text = "LINES: distance up to which a sighting beside a known line is that line.")
+        double lineGate,
+    @Variable(min = 1, max = 20, ifAbsent = 3, text = "LINES: sightings that make a line certain.")
+        int lineHits,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 0,
+            text =
+                "LINES: longest gap in a line that is closed, between two ends that face each"
+                    + " other; 0: none.")
+        double joinGap,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 0,
+            text = "LINES: how far a line is taken to go on beyond the end that was seen.")
+        double lineExtension,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 0,
+            text =
+                "LINES: how far a line is taken to go on beside the other line of its lane,"
+                    + " beyond the end that was seen; 0: as LINE EXTENSION.")
+        double laneExtension,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 6.1,
+            text = "LINES: greatest width of a lane, for LANE EXTENSION.")
+        double widestLane,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 10,
+            ifAbsent = 0,
+            text =
+                "LINES: how far the vehicle's place wanders against the ground in a second; in"
+                    + " other times it grows with their root. Lines that were not seen for a"
+                    + " while are looked for so much farther away.")
+        double lineWander,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 1.5,
+            text =
+                "LINES: how near to other lines such an extension comes at most: the least width"
+                    + " of a lane.")
+        double laneWidth,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 2.5,
+            text =
+                "LINES: reach ahead within which a line that is there is seen; one that is not"
+                    + " seen there is doubted.")
+        double doubtReach,
+    @Variable(
+            unit = "deg",
+            min = 0,
+            max = 360,
+            ifAbsent = 50,
+            text = "LINES: width of the sector ahead in which lines are doubted.")
+        double doubtAngle,
+    @Variable(
+            unit = "m",
+            min = 1,
+            max = 1000,
+            ifAbsent = 15,
+            text = "LINES: distance from the vehicle up to which lines are published.")
+        double lineReach,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 10,
+            ifAbsent = 0,
+            text =
+                "LINES: nothing that closes a gap comes nearer to the vehicle's reference point,"
+                    + " as it would not stand there: about half its width.")
+        double clearOfVehicle,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 1000,
+            ifAbsent = 0,
+            text =
+                "LINES: how far behind what a scanner sees a camera does not see the ground: what"
+                    + " looks like a line there is part of what stands before it.")
+        double hiddenBehind,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 0,
+            text =
+                "LINES: reach within which a camera sees all paint; where a line ends, and the"
+                    + " ground beyond was looked at as far as JOIN GAP, it is not taken to go on;"
+                    + " 0: always is.")
+        double lookReach,
+    @Variable(
+            unit = "deg",
+            min = 0,
+            max = 360,
+            ifAbsent = 80,
+            text = "LINES: width of the sector ahead for LOOK REACH.")
+        double lookAngle,
+    @Variable(
+            unit = "rad/s",
+            min = 0,
+            max = 100,
+            ifAbsent = 100,
+            text =
+                "LINES: pictures taken while the vehicle turns faster are not entered: rolling"
+                    + " shutters bend lines.")
+        double steadyTurn) {
+  Set<String> types() {
+    Set<String> types = new HashSet<>();
+    Arrays.stream(lineTypes.split(",")).map(String::trim).forEach(types::add);
+    return types;
+  }
+
+  /** Limits of inferred lines. */
+  LineGaps.Reach reach() {
+    return new LineGaps.Reach(
+        joinGap, lineExtension, Math.max(laneExtension, lineExtension), laneWidth, widestLane);
+  }
+}

@@ -1,0 +1,201 @@
+package org.u2sa.world.grid;
+
+import java.util.Optional;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.service.HandOver;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.Modeller;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.SensorPose;
+import org.u2sa.world.modeller.Sighting;
+
+/**
+ * Maintains an occupancy grid around the vehicle from range scans. If the vehicle's pose is
+ * unknown, the grid covers the latest scans only.
+ */
+public final class GridModeller implements Modeller {
+  public record Tuning(
+      @Variable(
+              unit = "m",
+              min = 0.01,
+              max = 100,
+              ifAbsent = 0.1,
+              text = "Side of a grid cell. Changes start the grid anew.")
+          double cellSize,
+      @Variable(
+              unit = "m",
+              min = 1,
+              max = 40_000,
+              ifAbsent = 60,
+              text = "Side of the grid around the vehicle; at most 4096 cells.")
+          double gridSize,
+      @Variable(
+              min = 0,
+              minExcluded = true,
+              max = 6,
+              ifAbsent = 0.85,
+              text = "Log odds that a beam's end adds to its cell; 0.85 is a probability of 0.7.")
+          double hitLogOdds,
+      @Variable(
+              min = 0,
+              minExcluded = true,
+              max = 6,
+              ifAbsent = 0.4,
+              text = "Log odds that a beam takes from the cells that it passes; 0.4 is 0.4.")
+          double missLogOdds,
+      @Variable(
+              min = -6,
+              max = 0,
+              ifAbsent = -2,
+              text = "Lower bound of a cell's log odds; -2 is a probability of 0.12.")
+          double minLogOdds,
+      @Variable(
+              min = 0,
+              max = 6,
+              ifAbsent = 3.5,
+              text = "Upper bound of a cell's log odds; 3.5 is a probability of 0.97.")
+          double maxLogOdds,
+      @Variable(
+              unit = "m",
+              ifAbsent = -0.1,
+              text =
+                  "Height relative to the vehicle's reference point below which an echo is the ground.")
+          double lowest,
+      @Variable(
+              unit = "m",
+              ifAbsent = 2,
+              text =
+                  "Height above the reference point over which the vehicle passes under an echo.")
+          double highest,
+      @Variable(
+              unit = "m",
+              min = 0,
+              ifAbsent = 1000,
+              text =
+                  "Distance up to which a beam without an echo says that the way is free, at most as far as the scanner's farthest echo so far; less where dark or smooth walls return none.")
+          double freeWithoutEcho) {
+    private static final int MOST_CELLS = 4096;
+
+    public Tuning {
+      if (gridSize / cellSize > MOST_CELLS) {
+        throw new IllegalArgumentException(
+            "GRID SIZE: " + gridSize + " m are more than 4096 cells of CELL SIZE " + cellSize);
+      }
+      if (lowest >= highest) {
+        throw new IllegalArgumentException(
+            "LOWEST: " + lowest + " m is not below HIGHEST, " + highest + " m");
+      }
+    }
+
+    public ScanEntry.Band band() {
+      return new ScanEntry.Band(lowest, highest, freeWithoutEcho);
+    }
+
+    int side() {
+      return Math.max(1, (int) Math.round(gridSize / cellSize));
+    }
+  }
+
+  private final Settings<Tuning> settings;
+  private Tuning tuning; // settings of the current grid
+  private GridWindow window;
+  private ScanEntry entry;
+  private MapFrame frame = MapFrame.BODY;
+  private long scans;
+  private long beams;
+  private boolean fresh; // in BODY: published since the last scan, so reset next
+
+  public GridModeller(Configurator configuration) {
+    settings = configuration.settings(Tuning.class);
+  }
+
+  /** Grid for the current configuration. */
+  private void prepare() {
+    if (!settings.get().equals(tuning)) {
+      Tuning before = tuning;
+      tuning = settings.get();
+      boolean sameCells =
+          before != null
+              && before.cellSize() == tuning.cellSize()
+              && before.side() == tuning.side();
+      window = sameCells ? window : new GridWindow(tuning.cellSize(), tuning.side());
+      entry =
+          new ScanEntry(
+              window,
+              new LogOdds(
+                  tuning.hitLogOdds(),
+                  tuning.missLogOdds(),
+                  tuning.minLogOdds(),
+                  tuning.maxLogOdds()));
+    }
+  }
+
+  @Override
+  public void scan(RangeScan scan, ScanPoses poses) {
+    prepare();
+    MapFrame map = poses.first().frame();
+    if (map.frame().isBody()) {
+      if (fresh) {
+        window.clear();
+        fresh = false;
+      }
+      window.centre(0.0, 0.0);
+    } else {
+      SensorPose pose = poses.at(scan, 0.0);
+      window.centre(pose.vehicle().x(), pose.vehicle().y());
+    }
+    beams += entry.enter(scan, poses, tuning.band(), map.up());
+    scans++;
+  }
+
+  @Override
+  public void enter(MapFrame newFrame, Sighting now) {
+    frame = newFrame;
+    if (window != null) {
+      window.clear(); // cells are not valid in another frame
+    }
+  }
+
+  @Override
+  public Optional<OccupancyGrid> grid(Sighting now) {
+    if (scans == 0 && window == null) {
+      return Optional.empty();
+    }
+    fresh = true;
+    return Optional.of(window.message(frame));
+  }
+
+  @Override
+  public String remark() {
+    return scans + " scans of " + beams + " beams";
+  }
+
+  @Override
+  public void handOver(HandOver state, Sighting now) {
+    grid(now).ifPresent(grid -> state.message("GRID", grid));
+  }
+
+  @Override
+  public void takeOver(HandOver state, Sighting now) {
+    state
+        .message("GRID", OccupancyGrid.class)
+        .ifPresent(
+            grid -> {
+              prepare();
+              boolean fits =
+                  grid.resolution() == tuning.cellSize()
+                      && grid.referenceFrame().equals(frame.frame())
+                      && grid.anchor().equals(frame.anchor());
+              if (fits) {
+                window.move(
+                    Math.round(grid.left() / grid.resolution()),
+                    Math.round(grid.bottom() / grid.resolution()));
+                window.fill(grid);
+              }
+            });
+  }
+}

@@ -1,0 +1,59 @@
+package org.u2sa.world.grid;
+
+import java.util.Arrays;
+
+/** Cells of a window that one scan changes, each once, with their previous values. */
+final class MarkedCells {
+  private final GridWindow window;
+  private final byte unchanged;
+  private int[] cells = new int[4_096];
+  private byte[] before = new byte[4_096];
+  private int count;
+
+  /**
+   * @param unchanged value of cells that need no mark, because the scan would not change it
+   */
+  MarkedCells(GridWindow window, byte unchanged) {
+    this.window = window;
+    this.unchanged = unchanged;
+  }
+
+  /**
+   * Marks the cell at a point, in fractional cells, unless already marked or outside the window.
+   */
+  void mark(double column, double row) {
+    int side = window.side();
+    if (!(column >= 0.0 && row >= 0.0 && column < side && row < side)) {
+      return;
+    }
+    mark((int) row * side + (int) column);
+  }
+
+  /** Marks a cell of the window unless already marked. */
+  void mark(int cell) {
+    byte[] all = window.cells();
+    byte held = all[cell];
+    if (held == unchanged || held == LogOdds.MARK) {
+      return;
+    }
+    if (count == cells.length) {
+      cells = Arrays.copyOf(cells, 2 * count);
+      before = Arrays.copyOf(before, 2 * count);
+    }
+    cells[count] = cell;
+    before[count++] = held;
+    all[cell] = LogOdds.MARK;
+  }
+
+  /**
+   * Sets the marked cells to new values, indexed by the previous value minus {@link
+   * Byte#MIN_VALUE}.
+   */
+  void replace(byte[] values) {
+    byte[] all = window.cells();
+    for (int i = 0; i < count; i++) {
+      all[cells[i]] = values[before[i] - Byte.MIN_VALUE];
+    }
+    count = 0;
+  }
+}

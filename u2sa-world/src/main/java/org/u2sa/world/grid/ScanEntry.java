@@ -1,0 +1,271 @@
+package org.u2sa.world.grid;
+
+import java.nio.ByteBuffer;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.SensorPose;
+
+/**
+ * Inserts scans into a window of cells. Where a scan's beams are less than a cell apart, the space
+ * between them is free as well and is filled as one polygon; farther away, only the cells crossed
+ * by a beam are free. Each cell is updated once per scan, however many beams cross it or end in it;
+ * a cell in which a beam ends is not free for the others. Not thread-safe.
+ */
+public final class ScanEntry {
+  /**
+   * Limits of beams that are used.
+   *
+   * @param lowest minimum height of obstacles above the vehicle's reference point [m]
+   * @param highest maximum height of obstacles above the vehicle's reference point [m]
+   * @param freeRange range over which a beam without an echo proves free space [m]
+   */
+  public record Band(double lowest, double highest, double freeRange) {}
+
+  /** Number of parts of a scan, during each of which the scanner hardly moves. */
+  public static final int PARTS = 8;
+
+  private static final int MAX_SCANNERS = 64; // a message may name any number
+
+  /** From a cell's centre to its corner [cells], because the polygon fill tests cell centres. */
+  private static final double MARGIN = Math.sqrt(0.5);
+
+  /** Margin of a single beam, which marks cells whose centre is up to half a cell beside it. */
+  private static final double BEAM_MARGIN = MARGIN + 0.5;
+
+  /**
+   * Fixed-point positions within a row or column; doubles would dominate the time of a long beam.
+   */
+  private static final int FRACTION_BITS = 32;
+
+  private static final double FRACTIONS = 1L << FRACTION_BITS;
+
+  private final GridWindow window;
+  private final LogOdds odds;
+  private final PolygonFill polygon;
+  private final ByteBuffer eight; // view of the window's cells, eight at a time
+  private final long eightFreest;
+  private final Map<String, FreeRanges> scanners = // by sensor, in order of last use
+      new LinkedHashMap<>(16, 0.75f, true) {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, FreeRanges> eldest) {
+          return size() > MAX_SCANNERS;
+        }
+      };
+  private final MarkedCells hits;
+  private final MarkedCells passed;
+
+  ScanEntry(GridWindow window, LogOdds odds) {
+    this.window = window;
+    this.odds = odds;
+    polygon = new PolygonFill(window.side());
+    eight = ByteBuffer.wrap(window.cells());
+    eightFreest = (odds.freest() & 0xFFL) * 0x0101_0101_0101_0101L;
+    hits = new MarkedCells(window, LogOdds.MARK);
+    passed = new MarkedCells(window, odds.freest());
+  }
+
+  /**
+   * Inserts one scan.
+   *
+   * @param up +1 if the map's z axis points up, else -1
+   * @return number of beams used
+   */
+  int enter(RangeScan scan, ScanPoses poses, Band band, double up) {
+    List<Double> ranges = scan.ranges();
+    List<Boolean> returns = scan.returns();
+    int beams = Math.min(ranges.size(), returns.size()); // the message may be faulty
+    beams = scan.angles().isEmpty() ? beams : Math.min(beams, scan.angles().size());
+    if (beams == 0) {
+      return 0;
+    }
+    FreeRanges free = scanners.computeIfAbsent(scan.sensorName(), name -> new FreeRanges());
+    free.begin(scan, beams);
+    Part[] parts = new Part[poses.moved() ? Math.min(PARTS, beams) : 1];
+    for (int part = 0; part < parts.length; part++) {
+      int from = beams * part / parts.length;
+      int to = beams * (part + 1) / parts.length;
+      SensorPose pose = poses.at(scan, (from + to) / 2.0 / beams);
+      parts[part] = new Part(scan, free, pose, band, up, from, to);
+      parts[part].enterEnds(ranges, returns);
+    }
+    free.cut(MARGIN * window.resolution());
+    for (Part part : parts) {
+      part.enterFree();
+    }
+    polygon.fill(this::pass);
+    passed.replace(odds.passed());
+    hits.replace(odds.ended());
+    return beams;
+  }
+
+  /** Number of scanners remembered. */
+  int scanners() {
+    return scanners.size();
+  }
+
+  /**
+   * Updates a span of cells that beams passed. Most are at their minimum already and stay
+   * unchanged.
+   */
+  private void pass(int row, int from, int to) {
+    byte[] cells = window.cells();
+    byte[] passed = odds.passed();
+    byte freest = odds.freest();
+    int end = row * window.side() + to + 1;
+    for (int k = row * window.side() + from; k < end; ) {
+      int block = Math.min(end, k + Long.BYTES);
+      if (block - k == Long.BYTES && eight.getLong(k) == eightFreest) {
+        k = block;
+        continue;
+      }
+      for (; k < block; k++) {
+        byte cell = cells[k];
+        if (cell != freest) {
+          cells[k] = passed[cell - Byte.MIN_VALUE];
+        }
+      }
+    }
+  }
+
+  /** One part of a scan, with the beams sent from one pose. */
+  private final class Part {
+    private final FreeRanges free;
+    private final BeamDirections directions;
+    private final Band band;
+    private final int from; // first beam
+    private final int to; // exclusive
+    private final double scale = 1.0 / window.resolution();
+    private final double x; // scanner position [cells]
+    private final double y;
+    private final double height; // of the scanner above the vehicle's reference point [m]
+    private final double aheadX;
+    private final double aheadY;
+    private final double aheadUp;
+    private final double asideX;
+    private final double asideY;
+    private final double asideUp;
+    private final double minRange;
+    private final double maxRange;
+
+    Part(RangeScan scan, FreeRanges free, SensorPose pose, Band band, double up, int from, int to) {
+      this.free = free;
+      this.band = band;
+      this.from = from;
+      this.to = to;
+      directions = free.directions();
+      x = window.column(pose.place().x());
+      y = window.row(pose.place().y());
+      height = up * (pose.place().z() - pose.vehicle().z());
+      aheadX = scale * pose.ahead().x();
+      aheadY = scale * pose.ahead().y();
+      aheadUp = up * pose.ahead().z();
+      asideX = scale * pose.aside().x();
+      asideY = scale * pose.aside().y();
+      asideUp = up * pose.aside().z();
+      minRange = scan.minRange();
+      maxRange = scan.maxRange();
+    }
+
+    /** Marks the cells in which beams end and records the range of each beam. */
+    void enterEnds(List<Double> ranges, List<Boolean> returns) {
+      for (int i = from; i < to; i++) {
+        double cos = directions.cos(i);
+        double sin = directions.sin(i);
+        double measured = ranges.get(i);
+        boolean echo = returns.get(i) && measured <= maxRange;
+        double inBand = inBand(cos * aheadUp + sin * asideUp);
+        if (echo && measured < minRange) {
+          free.noEcho(i, 0.0); // self-return
+        } else if (echo && measured <= inBand) {
+          free.echo(i, measured);
+          hits.mark(
+              x + measured * (cos * aheadX + sin * asideX),
+              y + measured * (cos * aheadY + sin * asideY));
+        } else if (echo) {
+          free.harmless(i, measured, inBand); // below or above all obstacles
+        } else {
+          free.noEcho(i, Math.min(inBand, Math.min(maxRange, band.freeRange())));
+        }
+      }
+    }
+
+    /**
+     * Outlines the free space between the beams, and marks the free cells along them farther away.
+     */
+    void enterFree() {
+      double lastX = x;
+      double lastY = y;
+      double before = 0.0;
+      for (int i = from; i < to; i++) {
+        double toX = directions.cos(i) * aheadX + directions.sin(i) * asideX;
+        double toY = directions.cos(i) * aheadY + directions.sin(i) * asideY;
+        double after = i + 1 < to ? free.between(i + 1, window.resolution()) : 0.0;
+        polygon.edge(lastX, lastY, x + before * toX, y + before * toY);
+        lastX = x + after * toX;
+        lastY = y + after * toY;
+        if (before != after) {
+          polygon.edge(x + before * toX, y + before * toY, lastX, lastY);
+        }
+        double near = Math.min(before, after) + window.resolution(); // less is not worth tracing
+        if (free.of(i) > near) {
+          double far = free.of(i, BEAM_MARGIN * window.resolution());
+          if (far > near) {
+            along(toX, toY, near - window.resolution(), far);
+          }
+        }
+        before = after;
+      }
+      polygon.edge(lastX, lastY, x, y);
+    }
+
+    /** Marks the cells between two ranges of a beam, one per column or row. */
+    private void along(double toX, double toY, double near, double far) {
+      int side = window.side();
+      boolean isSteep = Math.abs(toY) > Math.abs(toX);
+      double start = isSteep ? y : x;
+      double pace = isSteep ? toY : toX; // cells per metre along the major axis
+      int step = pace > 0.0 ? 1 : -1;
+      double slope = isSteep ? toX / toY : toY / toX;
+      double nearest = Math.floor(start + near * pace); // column or row
+      double from = Math.max(0.0, step > 0 ? -nearest : nearest - (side - 1)); // in the window
+      double to =
+          Math.min(
+              Math.ceil((start + far * pace - nearest - 0.5) * step),
+              step > 0 ? side - nearest : nearest + 1.0);
+      if (!(from < to)) {
+        return;
+      }
+      double first = nearest + from * step;
+      double other = (isSteep ? x : y) + (first + 0.5 - start) * slope;
+      int stride = step * (isSteep ? side : 1);
+      int otherStride = isSteep ? 1 : side;
+      int cell = (int) first * (isSteep ? side : 1);
+      byte[] cells = window.cells();
+      byte freest = odds.freest(); // most cells; avoids a call
+      long across = (long) Math.floor(other * FRACTIONS);
+      long acrossStep = (long) (step * slope * FRACTIONS);
+      for (int left = (int) (to - from); left > 0; left--) {
+        int at = (int) (across >> FRACTION_BITS);
+        if (at >= 0 && at < side && cells[cell + at * otherStride] != freest) {
+          passed.mark(cell + at * otherStride);
+        }
+        cell += stride;
+        across += acrossStep;
+      }
+    }
+
+    /** Range over which a beam stays between lowest and highest [m]; 0 if it starts outside. */
+    private double inBand(double climb) {
+      if (height < band.lowest() || height > band.highest()) {
+        return 0.0;
+      }
+      if (climb == 0.0) {
+        return Double.POSITIVE_INFINITY;
+      }
+      return ((climb > 0.0 ? band.highest() : band.lowest()) - height) / climb;
+    }
+  }
+}

@@ -1,0 +1,335 @@
+package org.u2sa.world.object;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
+import org.u2sa.world.grid.GridModeller;
+import org.u2sa.world.modeller.HiddenGround;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.Modeller;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.Sighting;
+
+/**
+ * Maintains a map of objects over time (thesis 4.1.1.2): associates sightings with known objects,
+ * confirms objects seen repeatedly, tracks moving ones, and drops those that are no longer seen
+ * where they should be.
+ */
+public final class ObjectMapModeller implements Modeller {
+  /** Maximum length of a UID to which a number may be appended. */
+  private static final int MAX_NUMBERED_CHARS = 900;
+
+  private final Settings<ObjectMapSettings> settings;
+  private final Settings<GridModeller.Tuning> heights;
+  private final List<MappedObject> tracks = new ArrayList<>();
+  private final TrackReport report = new TrackReport();
+  private final HiddenGround hidden = new HiddenGround();
+  private final ScannedMovers scanned = new ScannedMovers();
+  private List<ObjectDescription> known = List.of();
+  private long knownMicros;
+  private MapFrame frame = MapFrame.BODY;
+  private long sightings;
+  private long unplaced;
+  private long misread;
+  private long absurd;
+
+  public ObjectMapModeller(Configurator configuration) {
+    settings = configuration.settings(ObjectMapSettings.class);
+    heights = configuration.settings(GridModeller.Tuning.class);
+  }
+
+  @Override
+  public void objects(List<ObjectDescription> all, Sighting sighting) {
+    take(all, sighting, MappedObject.Source.SENSOR);
+  }
+
+  private void take(List<ObjectDescription> all, Sighting sighting, MappedObject.Source source) {
+    ObjectMapSettings tuning = settings.get();
+    List<ObjectDescription> seen =
+        all.stream()
+            .filter(each -> !tuning.isUnmapped(each.objectType()))
+            .collect(Collectors.toList());
+    Point at = sighting.frame().vehicle(sighting.vehicle());
+    hidden.lookFrom(at.x(), at.y(), sighting.micros());
+    List<Detection> detections = new ArrayList<>();
+    for (ObjectDescription each : seen) {
+      Optional<Detection> placed = Detection.of(each, sighting, tuning.defaultSigma());
+      placed
+          .filter(detection -> !isHidden(each, detection.place(), tuning))
+          .ifPresent(detections::add);
+      unplaced += placed.isPresent() ? 0 : 1;
+    }
+    sightings += seen.size();
+    tracks.forEach(track -> track.predict(sighting.micros(), tuning));
+    int[] match = new SightingMatch(tracks, tuning).of(detections);
+    String sensor = all.get(0).sensorName();
+    Set<MappedObject> hit = new HashSet<>();
+    for (int i = 0; i < match.length; i++) {
+      if (match[i] != SightingMatch.NONE) {
+        MappedObject track = tracks.get(match[i]);
+        if (!track.hit(detections.get(i), sighting.micros(), source, tuning)) {
+          misread++;
+          continue;
+        }
+        track.judge(tuning.confirmHits(), tuning.confirmWindow());
+        hit.add(track);
+      }
+    }
+    lookFor(sensor, hit, sighting, tuning);
+    for (int i = 0; i < match.length; i++) {
+      if (match[i] == SightingMatch.NONE
+          && tracks.size() - known.size() < 2 * tuning.mostObjects()) {
+        begin(detections.get(i), sighting.micros(), tuning, source);
+      }
+    }
+    tidy(sighting.micros(), tuning);
+  }
+
+  /** Whether a flat object is occluded by something a scanner sees. */
+  private boolean isHidden(ObjectDescription object, Point place, ObjectMapSettings tuning) {
+    return tuning.isFlat(object.objectType())
+        && hidden.hides(place.x(), place.y(), Double.POSITIVE_INFINITY);
+  }
+
+  private MappedObject begin(
+      Detection detection, long micros, ObjectMapSettings tuning, MappedObject.Source source) {
+    MappedObject track =
+        new MappedObject(freeUid(detection.object().uid()), detection, micros, tuning, source);
+    track.occasion(1);
+    track.judge(tuning.confirmHits(), tuning.confirmWindow());
+    tracks.add(track);
+    return track;
+  }
+
+  /** The sensor's UID, with a number appended if another object has it. */
+  private String freeUid(String wanted) {
+    Set<String> taken = new HashSet<>();
+    tracks.forEach(track -> taken.add(track.uid()));
+    String base = wanted.length() <= MAX_NUMBERED_CHARS ? wanted : "object";
+    String uid = wanted;
+    for (int n = 2; taken.contains(uid); n++) {
+      uid = base + " " + n;
+    }
+    return uid;
+  }
+
+  /** Counts against objects that this sensor should have seen but did not. */
+  private void lookFor(
+      String sensor, Set<MappedObject> hit, Sighting sighting, ObjectMapSettings tuning) {
+    FieldOfView field = FieldOfView.parse(tuning.fieldsOfView()).get(sensor);
+    for (MappedObject track : tracks) {
+      if (hit.contains(track) || isHidden(track.template(), track.place(), tuning)) {
+        continue;
+      }
+      if (field != null && field.sees(fromVehicle(track.place(), sighting))) {
+        track.miss(tuning);
+      } else if (field == null
+          && !track.isConfirmed()
+          && track.template().sensorName().equals(sensor)) {
+        track.occasion(0);
+      }
+    }
+  }
+
+  private static Point fromVehicle(Point place, Sighting sighting) {
+    MapFrame map = sighting.frame();
+    if (map.frame().isBody()) {
+      return Point.of(place.x(), -place.y(), place.z());
+    }
+    Point way = place.minus(map.vehicle(sighting.vehicle()));
+    return map.mapFromFrd(sighting.vehicle()).transposed().times(way);
+  }
+
+  @Override
+  public void scan(RangeScan scan, ScanPoses poses) {
+    ObjectMapSettings tuning = settings.get();
+    if (!tuning.flatTypes().trim().isEmpty()) {
+      hidden.scan(scan, poses.at(scan, 0.5), poses.first().frame().up(), poses.first().micros());
+    }
+    ScanThrough through = null;
+    for (MappedObject track : tracks) {
+      boolean shown =
+          scan.sensorName().equals(track.template().sensorName())
+              || tuning.scannerSees(track.template().objectType());
+      if (shown) {
+        through = through == null ? new ScanThrough(scan, poses.at(scan, 0.5)) : through;
+        Point sigma = track.filter().sigma();
+        double radius = track.radius() + Math.max(sigma.x(), sigma.y());
+        if (through.passed(track.place(), radius)) {
+          track.miss(tuning);
+        }
+      }
+    }
+    if (tuning.moversInScans()) {
+      List<ObjectDescription> moving = scanned.of(scan, poses, heights.get().band());
+      if (!moving.isEmpty()) {
+        take(moving, poses.first(), MappedObject.Source.ECHOES);
+      }
+    }
+    tidy(poses.first().micros(), tuning);
+  }
+
+  private void tidy(long micros, ObjectMapSettings tuning) {
+    tracks.removeIf(track -> track.isGone(tuning, micros));
+    for (int i = 0; i < tracks.size(); i++) {
+      for (int k = tracks.size() - 1; k > i; k--) {
+        if (areOne(tracks.get(i), tracks.get(k), tuning)) {
+          tracks.get(i).absorb(tracks.remove(k)); // the older one keeps its UID
+        }
+      }
+    }
+    List<MappedObject> surest = new ArrayList<>(tracks);
+    surest.removeIf(MappedObject::isFromFile); // file objects are exempt from the limit
+    if (surest.size() > tuning.mostObjects()) {
+      surest.sort(Comparator.comparingDouble(track -> -track.existence())); // stable
+      tracks.removeAll(new HashSet<>(surest.subList(tuning.mostObjects(), surest.size())));
+    }
+  }
+
+  private static boolean areOne(MappedObject a, MappedObject b, ObjectMapSettings tuning) {
+    if (a.isFromFile() && b.isFromFile()
+        || !a.isConfirmed()
+        || !b.isConfirmed()
+        || !a.isLike(b.template(), tuning.trustUids())) {
+      return false;
+    }
+    if (a.isFromFile()) {
+      return a.template().distanceTo(b.template().center()) < tuning.mergeWithin();
+    }
+    Point way = a.place().minus(b.place());
+    return way.distance() < tuning.mergeWithin()
+        && a.filter().distance(b.place(), b.filter().sigma()) < tuning.gate() * tuning.gate();
+  }
+
+  @Override
+  public void known(List<ObjectDescription> objects, Sighting now) {
+    known = List.copyOf(objects);
+    knownMicros = now.micros();
+    tracks.removeIf(MappedObject::isFromFile);
+    enterKnown(now);
+  }
+
+  private void enterKnown(Sighting now) {
+    int at = 0;
+    for (ObjectDescription object : known) {
+      Optional<Detection> placed = Detection.of(object, now, 0.0);
+      if (placed.isPresent()) {
+        tracks.add(
+            at++,
+            new MappedObject(
+                freeUid(object.uid()),
+                placed.get(),
+                knownMicros,
+                settings.get(),
+                MappedObject.Source.FILE));
+      }
+    }
+  }
+
+  @Override
+  public void enter(MapFrame newFrame, Sighting now) {
+    scanned.clear();
+    List<MappedObject> before = new ArrayList<>(tracks);
+    Sighting there = new Sighting(now.micros(), newFrame, now.vehicle());
+    tracks.clear();
+    for (MappedObject track : before) {
+      if (!track.isFromFile()) {
+        ObjectDescription object = report.estimate(track, frame);
+        Optional<Detection> placed = Detection.of(object, there, settings.get().defaultSigma());
+        placed.ifPresent(
+            detection -> {
+              track.replace(detection, settings.get());
+              tracks.add(track);
+            });
+      }
+    }
+    frame = newFrame;
+    enterKnown(new Sighting(now.micros(), newFrame, Optional.empty()));
+  }
+
+  @Override
+  public boolean publishesKnown() {
+    return true;
+  }
+
+  @Override
+  public List<ObjectDescription> objects(Sighting now) {
+    ObjectMapSettings tuning = settings.get();
+    tidy(now.micros(), tuning);
+    List<ObjectDescription> objects = new ArrayList<>();
+    for (MappedObject track : List.copyOf(tracks)) {
+      if (track.isConfirmed() && track.isShown()) {
+        try {
+          track.predict(now.micros(), tuning);
+          objects.add(report.of(track, frame, tuning, now.micros()));
+        } catch (IllegalArgumentException e) { // values out of range: absurd sightings
+          tracks.remove(track);
+          absurd++;
+        }
+      }
+    }
+    for (ObjectDescription object : known) { // objects that cannot be converted to this frame
+      if (frame.placed(object, now.vehicle()).isEmpty()) {
+        objects.add(object.after(Clock.seconds(now.micros() - knownMicros)));
+      }
+    }
+    return objects;
+  }
+
+  @Override
+  public String remark() {
+    long confirmed = tracks.stream().filter(MappedObject::isConfirmed).count();
+    long moving = tracks.stream().filter(track -> track.filter().isMoving()).count();
+    return tracks.size()
+        + " objects, "
+        + confirmed
+        + " confirmed, "
+        + moving
+        + " moving, "
+        + sightings
+        + " sightings, "
+        + unplaced
+        + " without a way into "
+        + frame.frame()
+        + ", "
+        + misread
+        + " of a name in the wrong place"
+        + (absurd == 0 ? "" : ", " + absurd + " forgotten for absurd numbers");
+  }
+
+  @Override
+  public void handOver(HandOver state, Sighting now) {
+    List<ObjectDescription> objects = new ArrayList<>();
+    for (MappedObject track : tracks) {
+      if (track.isConfirmed() && track.isShown() && !track.isFromFile()) {
+        objects.add(report.estimate(track, frame));
+      }
+    }
+    state.messages("OBJECTS", objects);
+  }
+
+  @Override
+  public void takeOver(HandOver state, Sighting now) {
+    StateInformation vehicle = now.vehicle().orElse(null);
+    for (ObjectDescription object : state.messages("OBJECTS", ObjectDescription.class)) {
+      Sighting sighting = new Sighting(now.micros(), frame, Optional.ofNullable(vehicle));
+      Detection.of(object, sighting, settings.get().defaultSigma())
+          .ifPresent(
+              detection ->
+                  begin(detection, now.micros(), settings.get(), MappedObject.Source.SENSOR)
+                      .confirm());
+    }
+  }
+}

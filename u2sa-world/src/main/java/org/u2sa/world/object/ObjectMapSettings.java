@@ -1,0 +1,190 @@
+package org.u2sa.world.object;
+
+import java.util.Arrays;
+import java.util.Set;
+import java.util.TreeSet;
+import org.u2sa.interfaces.configuration.Variable;
+
+/** Variables of the {@link ObjectMapModeller}. */
+record ObjectMapSettings(
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "OBJECTS: types that other modellers keep, such as painted lines, separated by commas: they are not mapped.")
+        String unmappedTypes,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "OBJECTS: types of objects that lie flat on the ground, such as potholes, separated by commas: a camera does not see them behind what a scanner sees; what looks like one there is part of what stands before it.")
+        String flatTypes,
+    @Variable(
+            unit = "m",
+            min = 0.001,
+            max = 10_000,
+            ifAbsent = 0.3,
+            text = "OBJECTS: standard deviation of a sighting that states none.")
+        double defaultSigma,
+    @Variable(
+            min = 1,
+            max = 100,
+            ifAbsent = 4,
+            text =
+                "OBJECTS: distance, in standard deviations of sighting and object together, beyond which a sighting is of something else.")
+        double gate,
+    @Variable(
+            ifAbsentText = "false",
+            text =
+                "OBJECTS: whether what a sensor gives the same UID is the same thing always, and what it gives another UID another.")
+        boolean trustUids,
+    @Variable(
+            min = 1,
+            max = 31,
+            ifAbsent = 3,
+            text = "OBJECTS: sightings out of CONFIRM WINDOW that make an object certain.")
+        int confirmHits,
+    @Variable(
+            min = 1,
+            max = 31,
+            ifAbsent = 5,
+            text =
+                "OBJECTS: occasions to see an object, of which CONFIRM HITS must have been used, or it is dropped.")
+        int confirmWindow,
+    @Variable(
+            min = 0.1,
+            max = 0.999,
+            ifAbsent = 0.9,
+            text =
+                "OBJECTS: probability that a sensor sees what is in its field of view; the higher, the sooner what is not seen there is dropped.")
+        double detectionProbability,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "OBJECTS: what sensors of objects see, such as Camera: 60 deg, 8 m; Radar: 120 deg, 150 m, 90 deg (width, reach, direction to the left). Without an entry a sensor that does not see an object says nothing against it.")
+        String fieldsOfView,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "OBJECTS: types of objects that scanners see, separated by commas, * for all: a scan through the place of such an object speaks against it.")
+        String scannersSee,
+    @Variable(
+            ifAbsentText = "true",
+            text =
+                "OBJECTS: whether echoes of scanners where earlier scans saw that nothing is are followed, and published once they are known to move.")
+        boolean moversInScans,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            max = 1000,
+            ifAbsent = 5,
+            text = "OBJECTS: usual speed of what moves, 1 sigma; 0: nothing does.")
+        double usualSpeed,
+    @Variable(
+            ifAbsentText = "*",
+            text =
+                "OBJECTS: types of objects that can move, separated by commas; * for all. What is of no known type always can.")
+        String movers,
+    @Variable(
+            unit = "m/s^2",
+            min = 0,
+            max = 100,
+            ifAbsent = 1,
+            text = "OBJECTS: how strongly moving objects speed up and turn, 1 sigma.")
+        double manoeuvres,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 0,
+            text =
+                "OBJECTS: how much less certain the place of a standing object is after one second, 1 sigma.")
+        double drift,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 0.05,
+            text =
+                "OBJECTS: error that all sightings of a sensor have in common, as from how it is mounted, 1 sigma: no number of sightings makes a place more certain.")
+        double systematicSigma,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 5,
+            text =
+                "OBJECTS: time after which a moving object that nobody sees is dropped; 0: never.")
+        double forgetMoving,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "OBJECTS: time after which a standing object that nobody sees is dropped; 0: never.")
+        double forgetStanding,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 10_000,
+            ifAbsent = 0.5,
+            text = "OBJECTS: distance within which two alike objects are merged.")
+        double mergeWithin,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100_000,
+            ifAbsent = 1,
+            text =
+                "OBJECTS: distance to keep from a moving object, added to its own radius in the moving sphere.")
+        double buffer,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 3600,
+            ifAbsent = 10,
+            text = "OBJECTS: time ahead for which a moving object's way is foretold.")
+        double horizon,
+    @Variable(
+            ifAbsentText = "false",
+            text =
+                "OBJECTS: whether objects of the world file are dropped too when they are not seen where they should be.")
+        boolean doubtFile,
+    @Variable(
+            min = 1,
+            max = 100_000,
+            ifAbsent = 1000,
+            text =
+                "OBJECTS: most objects kept besides those of WORLD; the least certain are dropped.")
+        int mostObjects) {
+  ObjectMapSettings {
+    if (confirmHits > confirmWindow) {
+      throw new IllegalArgumentException(
+          "CONFIRM HITS: " + confirmHits + " of CONFIRM WINDOW " + confirmWindow + " never happen");
+    }
+    FieldOfView.parse(fieldsOfView);
+  }
+
+  /** Motion assumptions for an object type. */
+  TrackFilter.Assumptions assumptions(String type) {
+    boolean moves = type.isEmpty() || names(movers, type);
+    return new TrackFilter.Assumptions(
+        moves ? usualSpeed : 0.0, manoeuvres, drift, systematicSigma);
+  }
+
+  /** Whether scanners see objects of that type. */
+  boolean scannerSees(String type) {
+    return names(scannersSee, type);
+  }
+
+  boolean isUnmapped(String type) {
+    return names(unmappedTypes, type);
+  }
+
+  /** Whether objects of that type are flat and so can be occluded. */
+  boolean isFlat(String type) {
+    return names(flatTypes, type);
+  }
+
+  private static boolean names(String list, String type) {
+    Set<String> types = new TreeSet<>(Arrays.asList(list.trim().split("\\s*,\\s*")));
+    return types.contains("*") || !type.isEmpty() && types.contains(type);
+  }
+}
