@@ -2,7 +2,7 @@ package org.u2sa.drivers.range;
 
 import java.util.Optional;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.RangeFinder;
+import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ByteParser;

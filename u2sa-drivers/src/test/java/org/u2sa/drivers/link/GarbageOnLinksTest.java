@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.Timeout;
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 import org.u2sa.drivers.camera.MjpegCamera;
 import org.u2sa.drivers.compass.LinkedCompass;
 import org.u2sa.drivers.gps.LinkedGps;

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.RangeFinder;
+import org.u2sa.device.port.RangeFinder;
 
 /** MaxBotix's lines: R, digits, carriage return. */
 class SonarParserTest {

@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.messages.frame;
 
 import java.io.BufferedReader;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.device.port;
 
 /**
  * Direction of a compass's front at one time.
@@ -20,7 +20,7 @@ public record Heading(long measuredAtMicros, double headingRad, boolean isTrue)
   }
 
   /** Wraps an angle into 0…2π [rad]. */
-  static double turned(double angleRad) {
+  public static double turned(double angleRad) {
     double angle = angleRad % TURN_RAD;
     return angle < 0.0 ? angle + TURN_RAD : angle;
   }

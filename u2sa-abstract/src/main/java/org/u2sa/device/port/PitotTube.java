@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.device.port;
 
 import java.util.OptionalDouble;
 

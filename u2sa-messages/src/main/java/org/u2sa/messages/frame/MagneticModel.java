@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.messages.frame;
 
 /**
  * Magnetic declination by the World Magnetic Model 2025 of NOAA's National Centers for

@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.messages.frame;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

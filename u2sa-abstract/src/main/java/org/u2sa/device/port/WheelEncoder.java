@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.device.port;
 
 /** Encoders of a left and a right wheel, separate from the motor controller. */
 public interface WheelEncoder extends Device<WheelEncoder.Ticks> {

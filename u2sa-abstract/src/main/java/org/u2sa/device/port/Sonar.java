@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.device.port;
 
 /**
  * A scanning sonar that reports echo strength over distance, one direction after another. A sonar

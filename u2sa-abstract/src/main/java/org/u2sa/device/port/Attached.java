@@ -1,4 +1,6 @@
-package org.u2sa.device;
+package org.u2sa.device.port;
+
+import org.u2sa.device.DeviceWatch;
 
 /**
  * A device that can be disconnected and reconnected; {@link DeviceWatch} reports both in log and
