@@ -26,12 +26,12 @@ import org.u2sa.drivers.mavlink.MavlinkTraffic;
 import org.u2sa.drivers.motor.RoboClaw;
 import org.u2sa.drivers.motor.Vesc;
 import org.u2sa.drivers.range.Hokuyo;
-import org.u2sa.drivers.range.NmeaDepth;
 import org.u2sa.drivers.range.Rplidar;
-import org.u2sa.drivers.range.SerialSonar;
-import org.u2sa.drivers.range.SonarModel;
+import org.u2sa.drivers.sonar.NmeaDepth;
 import org.u2sa.drivers.sonar.Ping1d;
 import org.u2sa.drivers.sonar.Ping360;
+import org.u2sa.drivers.sonar.SerialSonar;
+import org.u2sa.drivers.sonar.SonarModel;
 import org.u2sa.drivers.traffic.Gdl90Receiver;
 import org.u2sa.drivers.water.SerialVelocityLog;
 

@@ -1,4 +1,4 @@
-package org.u2sa.drivers.range;
+package org.u2sa.drivers.sonar;
 
 import java.util.Optional;
 import java.util.OptionalDouble;

@@ -1,4 +1,4 @@
-package org.u2sa.drivers.range;
+package org.u2sa.drivers.sonar;
 
 import java.util.OptionalDouble;
 
@@ -33,7 +33,7 @@ public enum SonarModel {
    * Range [m] for a count in the family's unit; clamped to the minimum range, empty beyond the
    * maximum.
    */
-  OptionalDouble rangeM(double count) {
+  public OptionalDouble rangeM(double count) {
     if (!(count >= 0.0) || count > farthest + ROUNDING) {
       return OptionalDouble.empty();
     }

@@ -1,4 +1,4 @@
-package org.u2sa.drivers.range;
+package org.u2sa.drivers.sonar;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
