@@ -2,6 +2,7 @@ package org.u2sa.device;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.device.port.PitotTube;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;

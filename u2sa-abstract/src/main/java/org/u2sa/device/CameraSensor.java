@@ -1,6 +1,8 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;

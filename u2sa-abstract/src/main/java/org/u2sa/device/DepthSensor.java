@@ -1,6 +1,8 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import org.u2sa.device.port.DepthGauge;
+import org.u2sa.device.port.Pressure;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;

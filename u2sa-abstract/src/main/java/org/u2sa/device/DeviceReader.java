@@ -1,6 +1,7 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import org.u2sa.device.port.Device;
 import org.u2sa.service.U2SAService;
 
 /**

@@ -1,6 +1,7 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import org.u2sa.device.port.Attached;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.U2SAService;
 

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
+import org.u2sa.device.port.Device;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;

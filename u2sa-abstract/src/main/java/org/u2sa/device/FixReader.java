@@ -1,6 +1,8 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import org.u2sa.device.port.GpsFix;
+import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.U2SAService;

@@ -2,6 +2,8 @@ package org.u2sa.device;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.device.port.Compass;
+import org.u2sa.device.port.Heading;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;

@@ -1,6 +1,7 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import org.u2sa.device.port.RangeFinder;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;

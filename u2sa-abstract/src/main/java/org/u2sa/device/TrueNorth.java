@@ -4,10 +4,12 @@ import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
 import java.util.OptionalDouble;
+import org.u2sa.device.port.Heading;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**

@@ -1,6 +1,7 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import org.u2sa.device.port.WheelEncoder;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;

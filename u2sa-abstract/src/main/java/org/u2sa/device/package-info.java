@@ -1,6 +1,6 @@
 /**
- * Device ports: a small interface and a reading type for each kind of device, and the services that
- * need only the port. Protocols of real devices are in {@code org.u2sa.drivers}, simulated devices
+ * Services for devices: each needs only a port of {@code port}, and opens the device that its
+ * configuration names. Protocols of real devices are in {@code org.u2sa.drivers}, simulated devices
  * in {@code org.u2sa.sim}.
  */
 package org.u2sa.device;

@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.service.ServiceContext;

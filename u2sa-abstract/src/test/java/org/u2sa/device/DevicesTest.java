@@ -11,6 +11,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.device.port.Imu;
+import org.u2sa.device.port.RangeFinder;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;

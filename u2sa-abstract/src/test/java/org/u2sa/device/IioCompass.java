@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.u2sa.device.port.Compass;
+import org.u2sa.device.port.Heading;
 import org.u2sa.service.ServiceContext;
 
 /** A compass that Linux's industrial I/O reads: a file with the magnetic heading [deg]. */

@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.device.port.Device;
+import org.u2sa.device.port.Heading;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.testkit.DeviceContract;

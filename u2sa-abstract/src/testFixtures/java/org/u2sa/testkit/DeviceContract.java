@@ -9,7 +9,7 @@ import java.util.Set;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 
 /**
  * What every implementation of a port keeps, whatever is behind it. A port's test extends this with

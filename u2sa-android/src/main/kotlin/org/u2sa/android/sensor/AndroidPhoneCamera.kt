@@ -16,8 +16,8 @@ import android.os.HandlerThread
 import android.os.SystemClock
 import java.nio.Buffer
 import java.util.Optional
-import org.u2sa.device.Camera
-import org.u2sa.device.CameraFrame
+import org.u2sa.device.port.Camera
+import org.u2sa.device.port.CameraFrame
 import org.u2sa.interfaces.time.Clock
 
 private const val WIDTH = 640

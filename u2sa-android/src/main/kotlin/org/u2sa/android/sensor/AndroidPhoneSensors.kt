@@ -13,7 +13,7 @@ import android.location.LocationManager
 import android.os.Handler
 import android.os.HandlerThread
 import android.os.SystemClock
-import org.u2sa.device.GpsFix
+import org.u2sa.device.port.GpsFix
 import org.u2sa.interfaces.time.Clock
 import org.u2sa.messages.frame.Point
 

@@ -4,7 +4,7 @@ import java.lang.reflect.Constructor
 import java.lang.reflect.InvocationTargetException
 import org.u2sa.core.launch.LaunchOptions
 import org.u2sa.core.launch.SystemFile
-import org.u2sa.device.Camera
+import org.u2sa.device.port.Camera
 import org.u2sa.device.CameraSensor
 import org.u2sa.service.ServiceContext
 

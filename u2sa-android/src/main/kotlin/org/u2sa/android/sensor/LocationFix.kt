@@ -5,7 +5,7 @@ import android.os.Build
 import java.util.OptionalDouble
 import kotlin.math.cos
 import kotlin.math.sin
-import org.u2sa.device.GpsFix
+import org.u2sa.device.port.GpsFix
 
 /** Android reports the 68 % radius; for a circular normal distribution that is 1.51 σ per axis. */
 private const val RADIUS_68_PERCENT = 1.51

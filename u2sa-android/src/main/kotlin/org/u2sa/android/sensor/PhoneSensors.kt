@@ -1,6 +1,6 @@
 package org.u2sa.android.sensor
 
-import org.u2sa.device.GpsFix
+import org.u2sa.device.port.GpsFix
 import org.u2sa.messages.frame.Point
 
 /** The phone as seen by [PhoneStateSensor]: real or simulated. */

@@ -9,8 +9,8 @@ import org.junit.jupiter.api.io.TempDir
 import org.u2sa.core.launch.LaunchOptions
 import org.u2sa.core.launch.RunningSystem
 import org.u2sa.core.launch.SystemFile
-import org.u2sa.device.Camera
-import org.u2sa.device.CameraFrame
+import org.u2sa.device.port.Camera
+import org.u2sa.device.port.CameraFrame
 import org.u2sa.device.CameraSensor
 import org.u2sa.interfaces.BadInputException
 import org.u2sa.service.ServiceContext

@@ -7,8 +7,8 @@ import org.assertj.core.api.Assertions.assertThat
 import org.assertj.core.data.Offset.offset
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Test
-import org.u2sa.device.MagneticModel
-import org.u2sa.device.GpsFix
+import org.u2sa.messages.frame.MagneticModel
+import org.u2sa.device.port.GpsFix
 import org.u2sa.interfaces.communication.Channels
 import org.u2sa.messages.StateInformation
 import org.u2sa.messages.frame.Point

@@ -1,8 +1,8 @@
 package org.u2sa.android.sensor
 
 import java.util.Optional
-import org.u2sa.device.Camera
-import org.u2sa.device.CameraFrame
+import org.u2sa.device.port.Camera
+import org.u2sa.device.port.CameraFrame
 
 /** A camera that nothing stands before. */
 class TestCamera : Camera {

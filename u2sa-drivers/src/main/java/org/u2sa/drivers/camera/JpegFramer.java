@@ -2,7 +2,7 @@ package org.u2sa.drivers.camera;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.drivers.link.ByteParser;
 
 /**

@@ -3,9 +3,9 @@ package org.u2sa.drivers.camera;
 import static java.nio.charset.StandardCharsets.US_ASCII;
 
 import java.util.List;
-import org.u2sa.device.Camera;
-import org.u2sa.device.CameraFrame;
 import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ParsedDevice;

@@ -1,9 +1,9 @@
 package org.u2sa.drivers.compass;
 
 import java.util.Optional;
-import org.u2sa.device.Compass;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.Heading;
+import org.u2sa.device.port.Compass;
+import org.u2sa.device.port.Heading;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ByteParser;

@@ -5,7 +5,7 @@ import net.sf.marineapi.nmea.parser.DataNotAvailableException;
 import net.sf.marineapi.nmea.parser.SentenceFactory;
 import net.sf.marineapi.nmea.sentence.HDGSentence;
 import net.sf.marineapi.nmea.sentence.HeadingSentence;
-import org.u2sa.device.Heading;
+import org.u2sa.device.port.Heading;
 import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
 

@@ -1,7 +1,7 @@
 package org.u2sa.drivers.compass;
 
 import java.util.Optional;
-import org.u2sa.device.Heading;
+import org.u2sa.device.port.Heading;
 import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.nmea.NmeaParser;
 

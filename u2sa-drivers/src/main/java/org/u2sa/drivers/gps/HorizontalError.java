@@ -1,6 +1,6 @@
 package org.u2sa.drivers.gps;
 
-import org.u2sa.device.GpsFix;
+import org.u2sa.device.port.GpsFix;
 
 /**
  * Converts receivers' horizontal accuracy to the per-axis standard deviation used by {@link GpsFix}

@@ -2,7 +2,7 @@ package org.u2sa.drivers.gps;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.GpsFix;
+import org.u2sa.device.port.GpsFix;
 
 /**
  * Assembles sentences into fixes: sentences with equal times form an epoch; values without a time

@@ -1,7 +1,7 @@
 package org.u2sa.drivers.gps;
 
 import java.util.Optional;
-import org.u2sa.device.GpsFix;
+import org.u2sa.device.port.GpsFix;
 import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.nmea.NmeaFramer;
 import org.u2sa.drivers.nmea.NmeaSentence;

@@ -1,7 +1,7 @@
 package org.u2sa.drivers.gps;
 
 import java.util.OptionalDouble;
-import org.u2sa.device.GpsFix;
+import org.u2sa.device.port.GpsFix;
 
 /**
  * Messages accumulated for one time of week: NAV-POSLLH, NAV-VELNED, and NAV-SOL or NAV-STATUS. A

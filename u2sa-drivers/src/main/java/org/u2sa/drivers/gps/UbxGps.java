@@ -2,7 +2,7 @@ package org.u2sa.drivers.gps;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.GpsFix;
+import org.u2sa.device.port.GpsFix;
 import org.u2sa.drivers.link.ByteParser;
 
 /**

@@ -2,9 +2,9 @@ package org.u2sa.drivers.imu;
 
 import java.util.Optional;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.Heading;
-import org.u2sa.device.Imu;
-import org.u2sa.device.Orientation;
+import org.u2sa.device.port.Heading;
+import org.u2sa.device.port.Imu;
+import org.u2sa.device.port.Orientation;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ParsedDevice;

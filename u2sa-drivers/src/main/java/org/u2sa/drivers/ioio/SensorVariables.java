@@ -1,7 +1,7 @@
 package org.u2sa.drivers.ioio;
 
-import org.u2sa.device.Compass;
-import org.u2sa.device.GpsReceiver;
+import org.u2sa.device.port.Compass;
+import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.drivers.compass.LinkedCompass;
 import org.u2sa.drivers.gps.LinkedGps;
 import org.u2sa.drivers.gps.NmeaGps;

@@ -1,6 +1,6 @@
 package org.u2sa.drivers.link;
 
-import org.u2sa.device.Attached;
+import org.u2sa.device.port.Attached;
 
 /**
  * A bidirectional byte stream to a device: serial line, TCP, UDP, an IOIO UART, simulated or

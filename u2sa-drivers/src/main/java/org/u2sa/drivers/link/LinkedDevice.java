@@ -1,7 +1,7 @@
 package org.u2sa.drivers.link;
 
 import java.util.Optional;
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 
 /**
  * A device on a link: resets on each connection, reads pending bytes, then writes what is due. Not

@@ -1,7 +1,7 @@
 package org.u2sa.drivers.link;
 
 import java.util.Optional;
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 
 /** A device on a link with a parser. */
 public abstract class ParsedDevice<R extends Device.Reading> extends LinkedDevice<R> {

@@ -1,6 +1,6 @@
 package org.u2sa.drivers.mavlink;
 
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.LinkedDevice;
 

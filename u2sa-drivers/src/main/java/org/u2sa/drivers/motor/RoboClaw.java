@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.MotorController;
+import org.u2sa.device.port.MotorController;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkedDevice;

@@ -10,7 +10,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleFunction;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.RangeFinder;
+import org.u2sa.device.port.RangeFinder;
+import org.u2sa.drivers.sonar.SonarModel;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 

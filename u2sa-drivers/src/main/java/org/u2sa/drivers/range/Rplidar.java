@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.LaserScanner;
+import org.u2sa.device.port.LaserScanner;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkedDevice;

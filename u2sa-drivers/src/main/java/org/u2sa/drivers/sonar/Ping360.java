@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.Sonar;
+import org.u2sa.device.port.Sonar;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkedDevice;

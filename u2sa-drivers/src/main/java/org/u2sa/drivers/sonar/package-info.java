@@ -1,5 +1,5 @@
 /**
- * Blue Robotics sonars using the ping protocol. Sonars with text output belong to {@code
- * org.u2sa.drivers.range}.
+ * Sonars, in water and in air: Blue Robotics with the ping protocol, echo sounders with NMEA 0183,
+ * MaxBotix with text output.
  */
 package org.u2sa.drivers.sonar;

@@ -3,7 +3,7 @@ package org.u2sa.drivers.sysfs;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 
 /** A device read from numeric files. */
 abstract class FileDevice<R extends Device.Reading> implements Device<R> {

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.PitotTube;
+import org.u2sa.device.port.PitotTube;
 import org.u2sa.service.ServiceContext;
 
 /**

@@ -3,10 +3,10 @@ package org.u2sa.drivers.sysfs;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.u2sa.device.Barometer;
-import org.u2sa.device.DepthGauge;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.Pressure;
+import org.u2sa.device.port.Barometer;
+import org.u2sa.device.port.DepthGauge;
+import org.u2sa.device.port.Pressure;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 

@@ -3,7 +3,7 @@ package org.u2sa.drivers.sysfs;
 import java.nio.file.Path;
 import java.util.List;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.WheelEncoder;
+import org.u2sa.device.port.WheelEncoder;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 

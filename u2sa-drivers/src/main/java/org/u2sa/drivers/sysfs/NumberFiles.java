@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.device.Attached;
+import org.u2sa.device.port.Attached;
 
 /** Files with one number each that form one device: all readable, or none. */
 final class NumberFiles implements Attached {

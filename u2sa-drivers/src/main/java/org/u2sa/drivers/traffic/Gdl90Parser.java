@@ -2,8 +2,8 @@ package org.u2sa.drivers.traffic;
 
 import java.util.Arrays;
 import java.util.Optional;
-import org.u2sa.device.TrafficPicture;
-import org.u2sa.device.TrafficReceiver;
+import org.u2sa.device.port.TrafficPicture;
+import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.drivers.link.ByteParser;
 
 /**

@@ -1,7 +1,7 @@
 package org.u2sa.drivers.traffic;
 
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.TrafficReceiver;
+import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ParsedDevice;

@@ -5,7 +5,7 @@ import static java.nio.charset.StandardCharsets.US_ASCII;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.TrafficTarget;
+import org.u2sa.device.port.TrafficTarget;
 import org.u2sa.messages.frame.Point;
 
 /**

@@ -3,7 +3,7 @@ package org.u2sa.drivers.water;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.device.DeviceProvider;
-import org.u2sa.device.VelocityLog;
+import org.u2sa.device.port.VelocityLog;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ByteParser;

@@ -4,7 +4,7 @@ import static java.nio.charset.StandardCharsets.US_ASCII;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.VelocityLog;
+import org.u2sa.device.port.VelocityLog;
 import org.u2sa.drivers.link.ByteParser;
 
 /**

@@ -9,7 +9,7 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.ByteArrayOutputStream;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 
 class JpegFramerTest {
   private final JpegFramer framer = new JpegFramer();

@@ -8,12 +8,12 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.device.CompassSensor;
-import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.nmea.Nmea;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.testkit.ServiceKit;
 

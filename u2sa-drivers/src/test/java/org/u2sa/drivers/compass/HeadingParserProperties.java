@@ -12,7 +12,7 @@ import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
-import org.u2sa.device.Heading;
+import org.u2sa.device.port.Heading;
 import org.u2sa.drivers.imu.VectorNav;
 import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.nmea.Nmea;

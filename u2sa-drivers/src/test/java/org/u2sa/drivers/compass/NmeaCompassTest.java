@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.Heading;
+import org.u2sa.device.port.Heading;
 import org.u2sa.drivers.nmea.Nmea;
 import org.u2sa.drivers.nmea.NmeaParser;
 

@@ -10,7 +10,7 @@ import org.awaitility.core.ConditionFactory;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.u2sa.device.GpsFix;
+import org.u2sa.device.port.GpsFix;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.FarEnd;
 import org.u2sa.drivers.link.FarEnds;

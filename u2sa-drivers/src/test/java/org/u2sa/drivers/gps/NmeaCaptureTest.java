@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.device.GpsFix;
+import org.u2sa.device.port.GpsFix;
 
 /**
  * Captures of a real receiver, with pynmea2 as the judge; where they are from and how the judge's

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.device.GpsFix;
+import org.u2sa.device.port.GpsFix;
 import org.u2sa.drivers.nmea.Nmea;
 
 class NmeaGpsTest {

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.GpsFix;
+import org.u2sa.device.port.GpsFix;
 
 class UbxGpsTest {
   private static final double MM = 1e-9;

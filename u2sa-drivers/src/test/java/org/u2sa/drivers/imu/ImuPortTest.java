@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.device.Heading;
-import org.u2sa.device.Orientation;
+import org.u2sa.device.port.Heading;
+import org.u2sa.device.port.Orientation;
 import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;

@@ -7,7 +7,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 import org.u2sa.testkit.DeviceContract;
 
 /** A device behind files that the kernel writes. */

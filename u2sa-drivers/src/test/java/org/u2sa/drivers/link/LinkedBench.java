@@ -1,7 +1,7 @@
 package org.u2sa.drivers.link;
 
 import java.util.function.Consumer;
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 import org.u2sa.testkit.DeviceContract;
 
 /** A driver over a line in memory, and what the device at its other end says. */

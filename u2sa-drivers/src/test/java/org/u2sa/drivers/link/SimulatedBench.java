@@ -1,6 +1,6 @@
 package org.u2sa.drivers.link;
 
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 import org.u2sa.sim.device.SimulatedDevice;
 import org.u2sa.testkit.DeviceContract;
 

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.LaserScanner;
-import org.u2sa.device.RangeFinder;
+import org.u2sa.device.port.LaserScanner;
+import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.messages.RangeScan;
 

@@ -3,7 +3,7 @@ package org.u2sa.drivers.mavlink;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.TrafficTarget;
+import org.u2sa.device.port.TrafficTarget;
 import org.u2sa.drivers.link.MemoryLink;
 
 class MavlinkTrafficTest {

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.LongSupplier;
-import org.u2sa.device.LaserScanner;
+import org.u2sa.device.port.LaserScanner;
 import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;

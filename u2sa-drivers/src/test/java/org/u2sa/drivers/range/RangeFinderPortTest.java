@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import org.u2sa.device.RangeFinder;
+import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;
 import org.u2sa.drivers.nmea.Nmea;
+import org.u2sa.drivers.sonar.NmeaDepth;
+import org.u2sa.drivers.sonar.SerialSonar;
+import org.u2sa.drivers.sonar.SonarModel;
 import org.u2sa.sim.device.SimulatedRangeFinder;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.testkit.DeviceContract;

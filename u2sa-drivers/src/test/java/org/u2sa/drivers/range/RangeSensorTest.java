@@ -8,6 +8,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.device.RangeSensor;
 import org.u2sa.drivers.link.MemoryLink;
+import org.u2sa.drivers.sonar.SerialSonar;
+import org.u2sa.drivers.sonar.SonarModel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.contract.HealthReport;

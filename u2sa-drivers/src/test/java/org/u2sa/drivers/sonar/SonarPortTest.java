@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import org.u2sa.device.Sonar;
+import org.u2sa.device.port.Sonar;
 import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;

@@ -2,7 +2,7 @@ package org.u2sa.drivers.sysfs;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.PitotTube;
+import org.u2sa.device.port.PitotTube;
 
 /** Always the same difference, and nothing else. */
 final class ConstantPitotTube implements PitotTube {

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.device.Pressure;
+import org.u2sa.device.port.Pressure;
 import org.u2sa.drivers.link.FileBench;
 import org.u2sa.drivers.link.SimulatedBench;
 import org.u2sa.sim.device.SensorErrors;

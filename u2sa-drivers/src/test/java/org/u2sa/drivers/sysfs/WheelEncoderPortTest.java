@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.device.WheelEncoder;
+import org.u2sa.device.port.WheelEncoder;
 import org.u2sa.drivers.link.FileBench;
 import org.u2sa.drivers.link.SimulatedBench;
 import org.u2sa.sim.device.SimulatedEncoder;

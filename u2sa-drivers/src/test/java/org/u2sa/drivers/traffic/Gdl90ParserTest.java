@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.ByteArrayOutputStream;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.TrafficTarget;
+import org.u2sa.device.port.TrafficTarget;
 
 /** The examples of the specification itself (560-1058-00 Rev A, 2.2.4 and 3.5.4). */
 class Gdl90ParserTest {

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import org.u2sa.device.TrafficReceiver;
-import org.u2sa.device.TrafficTarget;
+import org.u2sa.device.port.TrafficReceiver;
+import org.u2sa.device.port.TrafficTarget;
 import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;

@@ -4,7 +4,7 @@ import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.VelocityLog;
+import org.u2sa.device.port.VelocityLog;
 
 /** The examples of Water Linked's own protocol page, and what is wrong with others. */
 class WaterLinkedParserTest {

@@ -7,9 +7,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import javax.imageio.ImageIO;
-import org.u2sa.device.CameraFrame;
-import org.u2sa.device.CameraFrame.Intrinsics;
-import org.u2sa.device.CameraFrame.PixelFormat;
+import org.u2sa.device.port.CameraFrame;
+import org.u2sa.device.port.CameraFrame.Intrinsics;
+import org.u2sa.device.port.CameraFrame.PixelFormat;
 import org.u2sa.interfaces.BadInputException;
 
 /** Reads images from files as camera frames. */

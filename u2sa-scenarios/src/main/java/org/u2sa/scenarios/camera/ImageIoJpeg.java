@@ -2,7 +2,7 @@ package org.u2sa.scenarios.camera;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.vision.picture.JpegDecoder;
 

@@ -2,9 +2,9 @@ package org.u2sa.scenarios.camera;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import org.u2sa.device.Camera;
-import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraSensor;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;

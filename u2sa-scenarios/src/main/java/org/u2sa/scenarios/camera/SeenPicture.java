@@ -10,7 +10,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.vision.camera.CourseSight;
 import org.u2sa.vision.camera.CourseSight.Seen;

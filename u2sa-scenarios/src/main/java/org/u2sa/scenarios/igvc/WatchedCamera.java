@@ -1,8 +1,8 @@
 package org.u2sa.scenarios.igvc;
 
 import java.util.Optional;
-import org.u2sa.device.Camera;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
 
 /** Wraps a camera and also gives others its latest image. */
 final class WatchedCamera implements Camera {

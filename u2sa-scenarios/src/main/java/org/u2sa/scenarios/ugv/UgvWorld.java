@@ -2,12 +2,12 @@ package org.u2sa.scenarios.ugv;
 
 import java.util.List;
 import java.util.SplittableRandom;
-import org.u2sa.device.LaserScanner;
-import org.u2sa.device.MagneticModel;
+import org.u2sa.device.port.LaserScanner;
 import org.u2sa.drivers.ioio.BoardConnection;
 import org.u2sa.drivers.ioio.LockstepConnection;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.run.LaserOnVehicle;

@@ -2,7 +2,7 @@ package org.u2sa.control.cascade;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.Thruster;
+import org.u2sa.device.port.Thruster;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 /** One propeller of a simulated vessel behind the port of real ones; weeds may catch it. */

@@ -15,8 +15,8 @@ import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.device.CameraFrame;
-import org.u2sa.device.CameraFrame.PixelFormat;
+import org.u2sa.device.port.CameraFrame;
+import org.u2sa.device.port.CameraFrame.PixelFormat;
 import org.u2sa.gcs.Main;
 import org.u2sa.gcs.command.ExitCode;
 

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
-import org.u2sa.device.LaserScanner;
+import org.u2sa.device.port.LaserScanner;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;

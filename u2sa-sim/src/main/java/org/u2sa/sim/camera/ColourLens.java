@@ -1,6 +1,6 @@
 package org.u2sa.sim.camera;
 
-import org.u2sa.device.CameraFrame.Intrinsics;
+import org.u2sa.device.port.CameraFrame.Intrinsics;
 import org.u2sa.sim.motion.Arguments;
 
 /**

@@ -1,6 +1,6 @@
 package org.u2sa.sim.camera;
 
-import org.u2sa.device.CameraFrame.Intrinsics;
+import org.u2sa.device.port.CameraFrame.Intrinsics;
 
 /** Viewing direction of each pixel: right and down per unit ahead. Immutable. */
 final class RayTable {

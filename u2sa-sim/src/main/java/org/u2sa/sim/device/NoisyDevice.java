@@ -1,7 +1,7 @@
 package org.u2sa.sim.device;
 
 import java.util.Random;
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 import org.u2sa.sim.sensor.NoiseStreams;
 
 /** A simulated device with {@link SensorErrors}. */

@@ -2,8 +2,8 @@ package org.u2sa.sim.device;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.u2sa.device.Camera;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.sim.camera.ColourLens;
 import org.u2sa.sim.camera.Renderer;
 import org.u2sa.sim.camera.Scenery;

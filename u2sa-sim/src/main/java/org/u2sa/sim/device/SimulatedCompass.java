@@ -1,8 +1,8 @@
 package org.u2sa.sim.device;
 
 import java.util.function.Supplier;
-import org.u2sa.device.Compass;
-import org.u2sa.device.Heading;
+import org.u2sa.device.port.Compass;
+import org.u2sa.device.port.Heading;
 import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.NoiseStreams;

@@ -3,7 +3,7 @@ package org.u2sa.sim.device;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
-import org.u2sa.device.Device;
+import org.u2sa.device.port.Device;
 import org.u2sa.sim.motion.Arguments;
 
 /**

@@ -1,7 +1,7 @@
 package org.u2sa.sim.device;
 
 import java.util.function.DoubleSupplier;
-import org.u2sa.device.WheelEncoder;
+import org.u2sa.device.port.WheelEncoder;
 import org.u2sa.sim.sensor.EncoderModel;
 import org.u2sa.sim.sensor.NoiseStreams;
 

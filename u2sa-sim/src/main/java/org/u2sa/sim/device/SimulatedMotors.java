@@ -2,7 +2,7 @@ package org.u2sa.sim.device;
 
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
-import org.u2sa.device.MotorController;
+import org.u2sa.device.port.MotorController;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.sensor.EncoderModel;

@@ -3,7 +3,7 @@ package org.u2sa.sim.device;
 import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
-import org.u2sa.device.PitotTube;
+import org.u2sa.device.port.PitotTube;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.sensor.NoiseStreams;

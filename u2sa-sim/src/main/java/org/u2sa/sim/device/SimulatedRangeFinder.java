@@ -3,7 +3,7 @@ package org.u2sa.sim.device;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.DoubleSupplier;
-import org.u2sa.device.RangeFinder;
+import org.u2sa.device.port.RangeFinder;
 import org.u2sa.sim.sensor.NoiseStreams;
 
 /** A single-beam range finder with white noise, such as an ultrasonic sensor. */

@@ -2,7 +2,7 @@ package org.u2sa.sim.device;
 
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
-import org.u2sa.device.Sonar;
+import org.u2sa.device.port.Sonar;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.sensor.NoiseStreams;
 

@@ -2,7 +2,7 @@ package org.u2sa.sim.device;
 
 import java.util.OptionalDouble;
 import java.util.Random;
-import org.u2sa.device.Thruster;
+import org.u2sa.device.port.Thruster;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.sensor.NoiseStreams;
 

@@ -1,10 +1,10 @@
 package org.u2sa.vision.camera;
 
 import java.util.Optional;
-import org.u2sa.device.Camera;
-import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraSensor;
 import org.u2sa.device.MountingPose;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Variable;

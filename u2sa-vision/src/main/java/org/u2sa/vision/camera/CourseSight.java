@@ -1,7 +1,7 @@
 package org.u2sa.vision.camera;
 
 import java.util.List;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.vision.ground.CameraMount;
 import org.u2sa.vision.ground.GroundSigma;
 import org.u2sa.vision.ground.GroundView;

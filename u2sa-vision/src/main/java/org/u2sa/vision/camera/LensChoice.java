@@ -1,7 +1,7 @@
 package org.u2sa.vision.camera;
 
 import java.util.Optional;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.vision.lens.LensCalibration;
 
 /** Selects the lens geometry: calibrated, reported by the camera, or assumed. */

@@ -1,6 +1,6 @@
 package org.u2sa.vision.ground;
 
-import org.u2sa.device.CameraFrame.Intrinsics;
+import org.u2sa.device.port.CameraFrame.Intrinsics;
 import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.picture.Shades;
 

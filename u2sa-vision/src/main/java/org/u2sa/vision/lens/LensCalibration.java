@@ -1,7 +1,7 @@
 package org.u2sa.vision.lens;
 
 import java.util.Optional;
-import org.u2sa.device.CameraFrame.Intrinsics;
+import org.u2sa.device.port.CameraFrame.Intrinsics;
 
 /**
  * A calibrated camera geometry: pinhole model with Brown's distortion (Brown 1966; the coefficients

@@ -3,8 +3,8 @@ package org.u2sa.vision.object;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.u2sa.device.CameraFrame;
-import org.u2sa.device.CameraFrame.PixelFormat;
+import org.u2sa.device.port.CameraFrame;
+import org.u2sa.device.port.CameraFrame.PixelFormat;
 
 /**
  * Finds connected colour patches in every second pixel of every second row, by run-based labelling

@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiPredicate;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.vision.ground.GroundSigma;
 import org.u2sa.vision.ground.GroundView;

@@ -1,6 +1,6 @@
 package org.u2sa.vision.picture;
 
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.BadInputException;
 
 /**

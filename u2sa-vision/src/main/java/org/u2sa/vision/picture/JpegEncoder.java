@@ -1,8 +1,8 @@
 package org.u2sa.vision.picture;
 
 import java.io.ByteArrayOutputStream;
-import org.u2sa.device.CameraFrame;
-import org.u2sa.device.CameraFrame.PixelFormat;
+import org.u2sa.device.port.CameraFrame;
+import org.u2sa.device.port.CameraFrame.PixelFormat;
 
 /**
  * Encodes images as baseline JPEG (ITU-T T.81, JFIF 1.01) with chroma subsampling 4:2:0. Pure Java,

@@ -1,7 +1,7 @@
 package org.u2sa.vision.picture;
 
-import org.u2sa.device.CameraFrame;
-import org.u2sa.device.CameraFrame.PixelFormat;
+import org.u2sa.device.port.CameraFrame;
+import org.u2sa.device.port.CameraFrame.PixelFormat;
 
 /**
  * Luminance and chrominance of an image in blocks, offset by -128 to be centred on 0 (JFIF 1.02,

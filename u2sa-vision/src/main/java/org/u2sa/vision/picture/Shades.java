@@ -1,7 +1,7 @@
 package org.u2sa.vision.picture;
 
-import org.u2sa.device.CameraFrame;
-import org.u2sa.device.CameraFrame.PixelFormat;
+import org.u2sa.device.port.CameraFrame;
+import org.u2sa.device.port.CameraFrame.PixelFormat;
 
 /**
  * An image as two log-scale channels, so that a difference is a brightness ratio independent of

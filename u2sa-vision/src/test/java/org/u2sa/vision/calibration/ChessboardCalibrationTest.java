@@ -9,7 +9,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
-import org.u2sa.device.CameraFrame;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.vision.calibration.ChessboardCalibration.Result;
 import org.u2sa.vision.lens.LensCalibration;

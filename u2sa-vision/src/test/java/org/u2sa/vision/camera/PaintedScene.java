@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import org.u2sa.device.CameraFrame;
-import org.u2sa.device.CameraFrame.PixelFormat;
+import org.u2sa.device.port.CameraFrame;
+import org.u2sa.device.port.CameraFrame.PixelFormat;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.vision.ground.GroundView;
 

@@ -8,7 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.device.CameraFrame.Intrinsics;
+import org.u2sa.device.port.CameraFrame.Intrinsics;
 import org.u2sa.interfaces.BadInputException;
 
 class CalibrationFileTest {

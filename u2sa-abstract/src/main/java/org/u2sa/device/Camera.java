@@ -1,4 +1,0 @@
-package org.u2sa.device;
-
-/** A camera: {@link CameraFrame}. Closing it switches it off. */
-public interface Camera extends Device<CameraFrame> {}

@@ -1,4 +1,0 @@
-package org.u2sa.device;
-
-/** A compass: magnetic or true {@link Heading}. */
-public interface Compass extends Device<Heading> {}

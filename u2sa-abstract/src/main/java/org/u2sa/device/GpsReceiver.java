@@ -1,4 +1,0 @@
-package org.u2sa.device;
-
-/** A GNSS receiver: position and velocity over ground in {@link GpsFix}. */
-public interface GpsReceiver extends Device<GpsFix> {}

@@ -1,4 +1,0 @@
-package org.u2sa.device;
-
-/** An inertial measurement unit with attitude estimation: {@link Orientation}. */
-public interface Imu extends Device<Orientation> {}
