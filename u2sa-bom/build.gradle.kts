@@ -19,6 +19,7 @@ dependencies {
         api(project(":u2sa-recorder"))
         api(project(":u2sa-sim"))
         api(project(":u2sa-vision"))
+        api(project(":u2sa-mavlink"))
         api(project(":u2sa-drivers"))
         api(project(":u2sa-gcs"))
         api(project(":u2sa-flightgear"))

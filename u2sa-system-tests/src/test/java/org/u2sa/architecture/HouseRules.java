@@ -53,7 +53,9 @@ final class HouseRules {
           Map.entry("mission", List.of("messages", "interfaces", "service", "device")),
           Map.entry("planning", List.of("messages", "interfaces", "service", "device")),
           Map.entry("control", List.of("messages", "interfaces", "service", "device")),
-          Map.entry("drivers", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("mavlink", List.of()),
+          Map.entry(
+              "drivers", List.of("messages", "interfaces", "service", "device", "mavlink")),
           Map.entry("vision", List.of("messages", "interfaces", "service", "device")),
           Map.entry("sim", List.of("messages", "interfaces", "service", "device")),
           Map.entry("recorder", List.of("messages", "interfaces", "service")),

@@ -60,6 +60,7 @@ class HouseRulesTest {
                 "planning",
                 "control",
                 "core",
+                "mavlink",
                 "drivers",
                 "recorder",
                 "sim",

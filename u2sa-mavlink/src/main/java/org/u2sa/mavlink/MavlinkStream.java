@@ -1,4 +1,4 @@
-package org.u2sa.drivers.mavlink;
+package org.u2sa.mavlink;
 
 import io.dronefleet.mavlink.MavlinkDialect;
 import io.dronefleet.mavlink.annotations.MavlinkMessageInfo;
@@ -14,7 +14,7 @@ import java.util.function.Consumer;
  * done here, because the library's reader blocks; checksums and payloads are left to the library.
  * Signatures are ignored.
  */
-final class MavlinkStream {
+public final class MavlinkStream {
   private static final int MAGIC_1 = 0xFE;
   private static final int MAGIC_2 = 0xFD;
   private static final int HEADER_1 = 6;
@@ -33,25 +33,25 @@ final class MavlinkStream {
   private long malformed;
 
   /**
-   * * A received message.
+   * A received message.
    *
    * @param payload instance of a library message class
    */
-  record Received(int systemId, int componentId, Object payload) {}
+  public record Received(int systemId, int componentId, Object payload) {}
 
   /** Creates a stream that sends as this component and system. */
-  MavlinkStream(int systemId, int componentId) {
+  public MavlinkStream(int systemId, int componentId) {
     this.systemId = systemId;
     this.componentId = componentId;
   }
 
   /** Discards a partial frame after an interruption. */
-  void beginAnew() {
+  public void reset() {
     pending = new byte[0];
   }
 
   /** Consumes bytes and delivers completed messages. */
-  void accept(byte[] bytes, int length, Consumer<Received> to) {
+  public void accept(byte[] bytes, int length, Consumer<Received> to) {
     int kept = pending.length;
     pending = Arrays.copyOf(pending, kept + length);
     System.arraycopy(bytes, 0, pending, kept, length);
@@ -115,7 +115,7 @@ final class MavlinkStream {
   }
 
   /** Encodes a message as MAVLink 2. */
-  byte[] encode(Object message) {
+  public byte[] encode(Object message) {
     MavlinkMessageInfo info = message.getClass().getAnnotation(MavlinkMessageInfo.class);
     byte[] payload = serializer.serialize(message);
     int length = payload.length;
@@ -133,7 +133,7 @@ final class MavlinkStream {
   }
 
   /** Number of false frame starts. */
-  long malformed() {
+  public long malformed() {
     return malformed;
   }
 }
