@@ -14,7 +14,8 @@ dependencies {
     api(project(":u2sa-vision"))
     api(project(":u2sa-drivers"))
     api(project(":u2sa-sim"))
-    api(project(":u2sa-gcs"))
+    api(project(":u2sa-report"))
+    api(project(":u2sa-cli"))
     api(project(":u2sa-flightgear"))
     api(libs.jackson.core)
     api(libs.geographiclib)
@@ -32,7 +33,7 @@ dependencies {
 tasks.register<JavaExec>("run") {
     description = "Runs the command line."
     group = "application"
-    mainClass.set("org.u2sa.gcs.Main")
+    mainClass.set("org.u2sa.cli.Main")
     classpath = sourceSets.main.get().runtimeClasspath
     workingDir = rootDir
     systemProperty("u2sa.home", rootDir.path)

@@ -54,13 +54,23 @@ final class HouseRules {
           Map.entry("planning", List.of("messages", "interfaces", "service", "device")),
           Map.entry("control", List.of("messages", "interfaces", "service", "device")),
           Map.entry("mavlink", List.of()),
-          Map.entry(
-              "drivers", List.of("messages", "interfaces", "service", "device", "mavlink")),
+          Map.entry("drivers", List.of("messages", "interfaces", "service", "device", "mavlink")),
           Map.entry("vision", List.of("messages", "interfaces", "service", "device")),
           Map.entry("sim", List.of("messages", "interfaces", "service", "device")),
           Map.entry("recorder", List.of("messages", "interfaces", "service")),
+          Map.entry("report", List.of("messages", "interfaces", "recorder")),
+          Map.entry("gcs", List.of("messages", "interfaces", "service", "recorder", "report")),
           Map.entry(
-              "gcs", List.of("messages", "interfaces", "service", "control", "core", "recorder")),
+              "cli",
+              List.of(
+                  "messages",
+                  "interfaces",
+                  "service",
+                  "control",
+                  "core",
+                  "recorder",
+                  "report",
+                  "gcs")),
           Map.entry(
               "flightgear",
               List.of("messages", "interfaces", "service", "mission", "control", "sim")),
@@ -80,9 +90,11 @@ final class HouseRules {
                   "drivers",
                   "recorder",
                   "sim",
+                  "report",
                   "gcs",
+                  "cli",
                   "flightgear")),
-          Map.entry("spark", List.of("interfaces", "gcs", "scenarios")),
+          Map.entry("spark", List.of("interfaces", "cli", "scenarios")),
           Map.entry(
               "android",
               List.of(

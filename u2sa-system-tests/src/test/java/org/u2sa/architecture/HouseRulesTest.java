@@ -64,7 +64,9 @@ class HouseRulesTest {
                 "drivers",
                 "recorder",
                 "sim",
+                "report",
                 "gcs",
+                "cli",
                 "flightgear",
                 "scenarios",
                 "spark"))

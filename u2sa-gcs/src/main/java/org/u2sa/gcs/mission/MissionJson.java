@@ -13,7 +13,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.contract.MissionReport;
 
 /** Formats a mission as JSON. Unknown values are omitted. */
-final class MissionJson {
+public final class MissionJson {
   private final JsonGenerator json;
   private final MissionView mission;
 
@@ -22,7 +22,7 @@ final class MissionJson {
     this.mission = mission;
   }
 
-  static String text(String systemId, MissionView mission) {
+  public static String text(String systemId, MissionView mission) {
     StringWriter text = new StringWriter();
     try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
       json.setPrettyPrinter(new DefaultPrettyPrinter());

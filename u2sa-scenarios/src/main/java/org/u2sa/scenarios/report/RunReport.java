@@ -8,9 +8,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import org.u2sa.gcs.command.ReportFile;
-import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.report.ReportFile;
 
 /**
  * All that a finished run leaves behind, and the files that tell of it: {@code track.csv}, {@code

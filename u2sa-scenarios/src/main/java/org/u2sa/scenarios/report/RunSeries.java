@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Stream;
-import org.u2sa.gcs.command.ReportFile;
-import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.report.ReportFile;
 
 /**
  * Several runs of one mission, by their seeds: the worst of each figure, and a line a run.

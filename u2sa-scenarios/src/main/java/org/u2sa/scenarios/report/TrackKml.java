@@ -5,7 +5,7 @@ import java.io.Writer;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.u2sa.gcs.command.EscapedXml;
+import org.u2sa.report.EscapedXml;
 
 /**
  * Writes {@code track.kml} (OGC KML 2.2) for Google Earth: the track, of aircraft at its true

@@ -3,7 +3,7 @@ package org.u2sa.scenarios.terminal;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.DoubleSupplier;
-import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.scenarios.report.TrackSample;
 
 /**

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
-import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.scenarios.report.FlightFigures;
 import org.u2sa.scenarios.report.ObstacleResult;
 import org.u2sa.scenarios.report.RunOutcome;

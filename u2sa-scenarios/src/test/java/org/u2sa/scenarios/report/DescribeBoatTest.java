@@ -9,8 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.gcs.Main;
-import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.cli.Main;
+import org.u2sa.cli.command.ExitCode;
 
 /** {@code u2sa describe} of a system file whose services have devices. */
 class DescribeBoatTest {

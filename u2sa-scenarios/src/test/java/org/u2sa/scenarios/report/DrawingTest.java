@@ -7,7 +7,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.gcs.command.EscapedXml;
+import org.u2sa.report.EscapedXml;
 
 class DrawingTest {
 

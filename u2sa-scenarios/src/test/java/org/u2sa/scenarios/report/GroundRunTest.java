@@ -19,7 +19,7 @@ import net.sf.geographiclib.Geodesic;
 import net.sf.geographiclib.GeodesicData;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.scenarios.terminal.LiveStatus;
 import org.u2sa.scenarios.terminal.WaypointTable;
 

@@ -21,8 +21,8 @@ import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.RunFailedException;
 import org.w3c.dom.Document;
 
 class RunReportTest {

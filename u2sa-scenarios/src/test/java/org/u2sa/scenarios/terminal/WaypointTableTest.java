@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
-import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.scenarios.report.FlightFigures;
 import org.u2sa.scenarios.report.ObstacleResult;
 import org.u2sa.scenarios.report.RunOutcome;

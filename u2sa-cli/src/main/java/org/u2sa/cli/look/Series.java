@@ -1,0 +1,44 @@
+package org.u2sa.cli.look;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+
+/** A quantity over time, of the newest seconds only. Belongs to one thread. */
+final class Series {
+  /** A value and when it came [s of the plot]. */
+  record Sample(double timeS, double value) {}
+
+  private final String name;
+  private final String unit;
+  private final Deque<Sample> samples = new ArrayDeque<>();
+
+  Series(String name, String unit) {
+    this.name = name;
+    this.unit = unit;
+  }
+
+  String name() {
+    return name;
+  }
+
+  String unit() {
+    return unit;
+  }
+
+  /** Adds a value and forgets those that are older than the window. */
+  void add(double timeS, double value, double windowS) {
+    samples.addLast(new Sample(timeS, value));
+    forgetBefore(timeS - windowS);
+  }
+
+  void forgetBefore(double timeS) {
+    while (!samples.isEmpty() && samples.peekFirst().timeS() < timeS) {
+      samples.removeFirst();
+    }
+  }
+
+  List<Sample> samples() {
+    return List.copyOf(samples);
+  }
+}
