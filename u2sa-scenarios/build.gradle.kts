@@ -18,12 +18,6 @@ dependencies {
     api(project(":u2sa-cli"))
     api(project(":u2sa-flightgear"))
     api(libs.jackson.core)
-    api(libs.geographiclib)
-    // Without what draws images and fonts within pictures.
-    api(libs.batik.svggen) {
-        exclude(group = "org.apache.xmlgraphics", module = "xmlgraphics-commons")
-    }
-    api(libs.jfreechart)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
     testImplementation(libs.jackson.databind)

@@ -1,6 +1,6 @@
 package org.u2sa.report;
 
-/** Escapes text for XML files assembled as strings. */
+/** Escapes text for XML and HTML files assembled as strings. */
 public final class EscapedXml {
 
   private EscapedXml() {}

@@ -161,8 +161,8 @@ final class HouseRules {
             "com.fasterxml.jackson.dataformat.xml.."));
     rules.put(
         "BoofCV", confined("vision.calibration", "boofcv..", "georegression..", "org.ddogleg.."));
-    rules.put("SVG", confined("scenarios.report", "org.apache.batik..", "org.w3c.dom.."));
-    rules.put("charts", confined("scenarios.report", "org.jfree.."));
+    rules.put("SVG", confined("report.picture", "org.apache.batik..", "org.w3c.dom.."));
+    rules.put("charts", confined("report.picture", "org.jfree.."));
     rules.put("Spark", confined("spark", "org.apache.spark..", "scala.."));
     rules.put("no circles between packages", noCircles());
     rules.put("one clock", oneClock());

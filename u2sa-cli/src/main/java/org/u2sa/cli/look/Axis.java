@@ -1,11 +1,9 @@
 package org.u2sa.cli.look;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 
 /**
- * The span of an axis, and where its marks stand.
+ * The span of an axis.
  *
  * @param from its lower end
  * @param to its upper end, above the lower
@@ -27,24 +25,6 @@ record Axis(double from, double to) {
   /** Where a value is, 0 at the lower end to 1 at the upper. */
   double share(double value) {
     return (value - from) / (to - from);
-  }
-
-  /** Round values for marks: 1, 2 or 5 times a power of ten apart, at most so many. */
-  List<Double> marks(int atMost) {
-    double raw = (to - from) / atMost;
-    double power = Math.pow(10.0, Math.floor(Math.log10(raw)));
-    double step = power * 10;
-    for (double factor : new double[] {1, 2, 5}) {
-      if (factor * power >= raw) {
-        step = factor * power;
-        break;
-      }
-    }
-    List<Double> marks = new ArrayList<>();
-    for (long i = (long) Math.ceil(from / step); i * step <= to; i++) {
-      marks.add(i * step);
-    }
-    return marks;
   }
 
   /** A value with as many digits as tell it from its neighbours on this axis. */

@@ -19,6 +19,8 @@ import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.report.message.FieldPath;
+import org.u2sa.report.page.Trace;
+import org.u2sa.report.picture.SeriesChart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -166,6 +168,12 @@ public final class PlotCommand implements Callable<Integer> {
         .collect(Collectors.groupingBy(Series::unit, LinkedHashMap::new, Collectors.toList()));
   }
 
+  private Map<String, List<Trace>> traces() {
+    Map<String, List<Trace>> traces = new LinkedHashMap<>();
+    byUnit().forEach((unit, chart) -> traces.put(unit, chart.stream().map(Series::trace).toList()));
+    return traces;
+  }
+
   private void show(Terminal terminal, double nowS) {
     if (json) {
       terminal.out().println(json());
@@ -173,7 +181,7 @@ public final class PlotCommand implements Callable<Integer> {
       draw(terminal, nowS);
     }
     if (png != null) {
-      PlotPicture.write(png, byUnit(), Math.max(0.0, nowS - windowS), nowS);
+      SeriesChart.write(png, traces(), Math.max(0.0, nowS - windowS), nowS);
       if (!json) {
         terminal.out().println(png.toString());
       }

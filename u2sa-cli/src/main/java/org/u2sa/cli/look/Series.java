@@ -3,6 +3,7 @@ package org.u2sa.cli.look;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import org.u2sa.report.page.Trace;
 
 /** A quantity over time, of the newest seconds only. Belongs to one thread. */
 final class Series {
@@ -36,6 +37,12 @@ final class Series {
     while (!samples.isEmpty() && samples.peekFirst().timeS() < timeS) {
       samples.removeFirst();
     }
+  }
+
+  Trace trace() {
+    Trace trace = new Trace(name);
+    samples.forEach(sample -> trace.add(sample.timeS(), sample.value()));
+    return trace;
   }
 
   List<Sample> samples() {

@@ -78,13 +78,8 @@ final class CsvColumns {
   private static String line(List<String> cells) {
     StringBuilder line = new StringBuilder();
     for (String cell : cells) {
-      line.append(line.length() == 0 ? "" : ",").append(quoted(cell));
+      line.append(line.length() == 0 ? "" : ",").append(CsvCell.of(cell));
     }
     return line.append("\r\n").toString();
-  }
-
-  private static String quoted(String cell) {
-    boolean needsQuotes = cell.chars().anyMatch(c -> c == ',' || c == '"' || c < ' ');
-    return needsQuotes ? '"' + cell.replace("\"", "\"\"") + '"' : cell;
   }
 }

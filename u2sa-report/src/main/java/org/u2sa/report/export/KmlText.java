@@ -9,39 +9,30 @@ import org.u2sa.report.EscapedXml;
 
 /** Formats KML 2.2 with Google's timestamped tracks, cut at the antimeridian; goals as points. */
 public final class KmlText {
-  private static final String ON_THE_GROUND = "clampToGround";
-  private static final String AT_ALTITUDE = "absolute";
-
   private KmlText() {}
 
   public static void write(Writer out, String title, GeoRun run) throws IOException {
-    out.write(
-        """
-        <?xml version="1.0" encoding="UTF-8"?>
-        <kml xmlns="http://www.opengis.net/kml/2.2" xmlns:gx="http://www.google.com/kml/ext/2.2">
-        <Document>
-          <name>%s</name>
-          <Style id="track"><LineStyle><color>ffb27200</color><width>3</width></LineStyle></Style>
-        """
-            .formatted(EscapedXml.of(title)));
+    KmlDocument.begin(
+        out,
+        title,
+        "<Style id=\"track\"><LineStyle><color>ffb27200</color><width>3</width></LineStyle></Style>");
     for (Map.Entry<String, List<GeoRun.Fix>> track : run.tracks().entrySet()) {
       write(out, track.getKey(), track.getValue());
     }
     for (GeoRun.Goal goal : run.goals()) {
-      out.write(
+      KmlDocument.point(
+          out,
+          goal.name(),
           String.format(
               Locale.ROOT,
-              "  <Placemark><name>%s</name><description>%s, within %.1f m</description><Point>"
-                  + "<altitudeMode>%s</altitudeMode><coordinates>%.9f,%.9f,%.3f</coordinates></Point></Placemark>%n",
-              EscapedXml.of(goal.name()),
+              "%s, within %.1f m",
               goal.isReached() ? "reached" : "not reached",
-              goal.thresholdM(),
-              goal.altitudeM().isPresent() ? AT_ALTITUDE : ON_THE_GROUND,
-              goal.longitudeDeg(),
-              goal.latitudeDeg(),
-              goal.altitudeM().orElse(0.0)));
+              goal.thresholdM()),
+          goal.longitudeDeg(),
+          goal.latitudeDeg(),
+          goal.altitudeM());
     }
-    out.write("</Document>\n</kml>\n");
+    KmlDocument.end(out);
   }
 
   private static void write(Writer out, String name, List<GeoRun.Fix> track) throws IOException {
@@ -57,7 +48,7 @@ public final class KmlText {
             .formatted(EscapedXml.of(name)));
     out.write(isCut ? "    <gx:MultiTrack>\n" : "");
     for (List<GeoRun.Fix> part : parts) {
-      write(out, part, isHigh ? AT_ALTITUDE : ON_THE_GROUND);
+      write(out, part, isHigh ? KmlDocument.AT_ALTITUDE : KmlDocument.ON_THE_GROUND);
     }
     out.write(isCut ? "    </gx:MultiTrack>\n" : "");
     out.write("  </Placemark>\n");

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import org.u2sa.interfaces.JsonText;
+import org.u2sa.report.EscapedXml;
 import org.u2sa.report.ReportFile;
 
 /** Writes the page: a template with embedded style and script, and the runs as JSON. */
@@ -28,17 +29,13 @@ public final class RunPage {
     for (String part : PARTS) {
       page = page.replace("{{" + part + "}}", resource(part));
     }
-    String whole = page.replace("{{title}}", inMarkup(title)).replace("{{data}}", data);
+    String whole = page.replace("{{title}}", EscapedXml.of(title)).replace("{{data}}", data);
     ReportFile.writeText(file, out -> out.write(whole));
   }
 
   /** JSON that is safe inside a script element: no contained text can end it or start a comment. */
   static String inScript(String json) {
     return json.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029");
-  }
-
-  private static String inMarkup(String text) {
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
   }
 
   private static String resource(String name) {

@@ -15,7 +15,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.report.ReportFile;
-import org.u2sa.scenarios.report.RunReport;
+import org.u2sa.report.summary.RunReport;
 import org.u2sa.scenarios.run.Interruption;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

@@ -10,7 +10,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.report.score.RunPlan;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.Simulation;

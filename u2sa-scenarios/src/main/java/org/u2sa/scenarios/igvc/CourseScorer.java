@@ -11,7 +11,7 @@ import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.ReportFile;
-import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.VehicleTruth;
 

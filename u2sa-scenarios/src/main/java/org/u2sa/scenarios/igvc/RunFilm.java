@@ -18,7 +18,7 @@ import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.report.ReportFile;
-import org.u2sa.scenarios.report.Animation;
+import org.u2sa.report.picture.Animation;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 

@@ -19,9 +19,10 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.scenarios.report.RunReport;
-import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.report.score.RunDetails;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.TrackSample;
+import org.u2sa.report.summary.RunReport;
 import org.u2sa.scenarios.terminal.LiveStatus;
 import org.u2sa.service.U2SAService;
 
@@ -138,7 +139,7 @@ record DemoRun(
       refuseUnswapped(operator);
       double wallS = Clock.seconds(STOPWATCH.micros() - began);
       return RunReport.of(
-          new RunReport.Facts(
+          new RunDetails(
               demo, seed, simulated.name(), wallS, OptionalInt.of(observer.record().completed())),
           plan.within(fence(running)),
           observer.record().track(),

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.DoubleSupplier;
 import org.u2sa.cli.terminal.Terminal;
-import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.report.score.TrackSample;
 
 /**
  * Shows a run while it goes on. A terminal gets a panel redrawn in place, at most ten times a

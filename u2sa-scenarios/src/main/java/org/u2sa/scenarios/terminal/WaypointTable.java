@@ -6,11 +6,11 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.u2sa.cli.terminal.Terminal;
-import org.u2sa.scenarios.report.FlightFigures;
-import org.u2sa.scenarios.report.ObstacleResult;
-import org.u2sa.scenarios.report.RunOutcome;
-import org.u2sa.scenarios.report.RunScore;
-import org.u2sa.scenarios.report.WaypointResult;
+import org.u2sa.report.score.FlightFigures;
+import org.u2sa.report.score.ObstacleResult;
+import org.u2sa.report.score.RunOutcome;
+import org.u2sa.report.score.RunScore;
+import org.u2sa.report.score.WaypointResult;
 
 /** Prints how a run went: a line a waypoint, then the figures of the whole. */
 public final class WaypointTable {

@@ -7,7 +7,7 @@ import java.io.StringWriter;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.cli.terminal.Terminal;
-import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.report.score.TrackSample;
 
 class LiveStatusTest {
 
