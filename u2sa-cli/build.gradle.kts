@@ -11,7 +11,6 @@ dependencies {
     api(project(":u2sa-report"))
     api(libs.picocli)
     api(libs.logback)
-    api(libs.jackson.core)
     testImplementation(project(":u2sa-estimation"))
     testImplementation(project(":u2sa-mission"))
     testImplementation(project(":u2sa-planning"))

@@ -7,7 +7,6 @@ description = "Ground control: what joins a running system."
 dependencies {
     api(project(":u2sa-core"))
     api(project(":u2sa-report"))
-    api(libs.jackson.core)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.jackson.databind)
     testImplementation(libs.logback)

@@ -1,150 +1,104 @@
 package org.u2sa.cli.describe;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonGenerator;
-import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
-import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.u2sa.cli.describe.VehicleComposition.AnnouncedActuator;
+import java.util.Optional;
 import org.u2sa.cli.describe.VehicleComposition.ComposedService;
-import org.u2sa.cli.describe.VehicleComposition.HeardSource;
 import org.u2sa.core.launch.AutonomyLevels.Level;
+import org.u2sa.interfaces.JsonText;
 
 /** Formats a vehicle's composition as JSON. Unknown values are omitted. */
 final class DescriptionJson {
-  private final JsonGenerator json;
-
-  private DescriptionJson(JsonGenerator json) {
-    this.json = json;
-  }
+  private DescriptionJson() {}
 
   static String text(VehicleComposition vehicle) {
-    StringWriter text = new StringWriter();
-    try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
-      json.setPrettyPrinter(new DefaultPrettyPrinter());
-      new DescriptionJson(json).write(vehicle);
-    } catch (IOException e) {
-      throw new UncheckedIOException("writing into memory", e);
-    }
-    return text.toString();
-  }
-
-  private void write(VehicleComposition vehicle) throws IOException {
-    json.writeStartObject();
-    json.writeStringField("system", vehicle.systemId());
-    json.writeStringField("origin", vehicle.origin());
-    json.writeBooleanField("live", vehicle.live());
-    json.writeObjectFieldStart("autonomy");
+    JsonText autonomy = new JsonText();
     for (AutonomyEvidence.Finding finding : new AutonomyEvidence(vehicle).findings()) {
-      json.writeObjectFieldStart(finding.dimension());
-      if (finding.stated().isPresent()) {
-        level("stated", finding.stated().get());
-      }
-      level("shown", finding.shown());
-      json.writeStringField("because", finding.because());
-      json.writeEndObject();
+      autonomy.put(
+          finding.dimension(),
+          new JsonText()
+              .put("stated", finding.stated().map(DescriptionJson::level))
+              .put("shown", level(finding.shown()))
+              .put("because", finding.because()));
     }
-    json.writeEndObject();
-    json.writeArrayFieldStart("services");
-    for (ComposedService service : vehicle.services()) {
-      service(service, vehicle);
-    }
-    json.writeEndArray();
+    JsonText json =
+        new JsonText()
+            .put("system", vehicle.systemId())
+            .put("origin", vehicle.origin())
+            .put("live", vehicle.live())
+            .put("autonomy", autonomy)
+            .put(
+                "services",
+                vehicle.services().stream().map(each -> service(each, vehicle)).toList());
     if (vehicle.live()) {
-      heard(vehicle);
+      json.put("sources", sources(vehicle));
     }
-    actuators(vehicle);
-    json.writeEndObject();
+    return json.put("actuators", actuators(vehicle)).toString();
   }
 
-  private void level(String field, Level level) throws IOException {
-    json.writeObjectFieldStart(field);
-    json.writeNumberField("level", level.number());
-    json.writeStringField("name", level.words());
-    json.writeEndObject();
+  private static JsonText level(Level level) {
+    return new JsonText().put("level", level.number()).put("name", level.words());
   }
 
-  private void service(ComposedService service, VehicleComposition vehicle) throws IOException {
-    json.writeStartObject();
-    json.writeStringField("name", service.name());
-    text("role", service.role());
-    text("className", service.className());
-    text("configuration", service.configuration());
-    if (!service.variables().isEmpty()) {
-      texts("variables", service.variables());
-    }
-    if (!service.stated().isEmpty()) {
-      texts("states", service.stated());
-    }
-    json.writeArrayFieldStart("subscribes");
+  private static JsonText service(ComposedService service, VehicleComposition vehicle) {
+    List<JsonText> subscribes = new ArrayList<>();
     for (String channel : service.subscribes()) {
-      channel(channel, "from", vehicle.publishersOf(channel));
+      subscribes.add(
+          new JsonText().put("channel", channel).put("from", vehicle.publishersOf(channel)));
     }
-    json.writeEndArray();
-    json.writeArrayFieldStart("publishes");
+    List<JsonText> publishes = new ArrayList<>();
     for (String channel : service.publishes()) {
-      channel(channel, "to", vehicle.subscribersOf(channel));
+      publishes.add(
+          new JsonText().put("channel", channel).put("to", vehicle.subscribersOf(channel)));
     }
-    json.writeEndArray();
-    text("note", service.note());
-    json.writeEndObject();
+    return new JsonText()
+        .put("name", service.name())
+        .put("role", known(service.role()))
+        .put("className", known(service.className()))
+        .put("configuration", known(service.configuration()))
+        .put("variables", known(service.variables()))
+        .put("states", known(service.stated()))
+        .put("subscribes", subscribes)
+        .put("publishes", publishes)
+        .put("note", known(service.note()));
   }
 
-  private void channel(String channel, String direction, List<String> names) throws IOException {
-    json.writeStartObject();
-    json.writeStringField("channel", channel);
-    names(direction, names);
-    json.writeEndObject();
+  private static List<JsonText> sources(VehicleComposition vehicle) {
+    return vehicle.sources().stream()
+        .map(
+            source ->
+                new JsonText()
+                    .put("channel", source.channel())
+                    .put("sensor", known(source.sensor()))
+                    .put("type", source.type())
+                    .put("rateHz", source.rateHz())
+                    .put("fields", source.fields())
+                    .put("sigmas", texts(source.sigmas())))
+        .toList();
   }
 
-  private void heard(VehicleComposition vehicle) throws IOException {
-    json.writeArrayFieldStart("sources");
-    for (HeardSource source : vehicle.sources()) {
-      json.writeStartObject();
-      json.writeStringField("channel", source.channel());
-      text("sensor", source.sensor());
-      json.writeStringField("type", source.type());
-      json.writeNumberField("rateHz", source.rateHz());
-      names("fields", source.fields());
-      texts("sigmas", source.sigmas());
-      json.writeEndObject();
-    }
-    json.writeEndArray();
+  private static List<JsonText> actuators(VehicleComposition vehicle) {
+    return vehicle.actuators().stream()
+        .map(
+            actuator ->
+                new JsonText()
+                    .put("name", actuator.name())
+                    .put("announces", texts(actuator.facts())))
+        .toList();
   }
 
-  private void actuators(VehicleComposition vehicle) throws IOException {
-    json.writeArrayFieldStart("actuators");
-    for (AnnouncedActuator actuator : vehicle.actuators()) {
-      json.writeStartObject();
-      json.writeStringField("name", actuator.name());
-      texts("announces", actuator.facts());
-      json.writeEndObject();
-    }
-    json.writeEndArray();
+  private static Optional<String> known(String text) {
+    return Optional.of(text).filter(each -> !each.isEmpty());
   }
 
-  private void names(String field, List<String> names) throws IOException {
-    json.writeArrayFieldStart(field);
-    for (String name : names) {
-      json.writeString(name);
-    }
-    json.writeEndArray();
+  private static Optional<JsonText> known(Map<String, String> values) {
+    return values.isEmpty() ? Optional.empty() : Optional.of(texts(values));
   }
 
-  private void texts(String field, Map<String, String> values) throws IOException {
-    json.writeObjectFieldStart(field);
-    for (Map.Entry<String, String> value : values.entrySet()) {
-      json.writeStringField(value.getKey(), value.getValue());
-    }
-    json.writeEndObject();
-  }
-
-  private void text(String field, String value) throws IOException {
-    if (!value.isEmpty()) {
-      json.writeStringField(field, value);
-    }
+  private static JsonText texts(Map<String, String> values) {
+    JsonText json = new JsonText();
+    values.forEach(json::put);
+    return json;
   }
 }

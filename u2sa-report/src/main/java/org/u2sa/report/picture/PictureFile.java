@@ -44,9 +44,14 @@ public final class PictureFile {
 
   public static void png(OutputStream out, int width, int height, Consumer<Graphics2D> content)
       throws IOException {
+    png(out, image(width, height, content));
+  }
+
+  /** Writes an image that was drawn elsewhere. */
+  public static void png(OutputStream out, BufferedImage image) throws IOException {
     // ImageIO's own cache file needs a shutdown hook, which an interrupted run cannot have.
     try (ImageOutputStream png = new MemoryCacheImageOutputStream(out)) {
-      if (!ImageIO.write(image(width, height, content), "png", png)) {
+      if (!ImageIO.write(image, "png", png)) {
         throw new IOException("this Java has no writer for PNG");
       }
     }
