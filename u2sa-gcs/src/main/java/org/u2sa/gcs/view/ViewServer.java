@@ -29,16 +29,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.u2sa.gcs.command.RunFailedException;
-import org.u2sa.gcs.message.JsonReader;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
+import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.report.message.JsonReader;
 
 /**
  * Serves channels to viewers by the Foxglove WebSocket protocol, version 1: server info,
  * advertisements, status, messages. Reads subscriptions, and answers everything else with an error.
  */
-final class ViewServer implements AutoCloseable {
+public final class ViewServer implements AutoCloseable {
   private static final String SUBPROTOCOLS = "foxglove.sdk.v1,foxglove.websocket.v1";
   private static final int LONGEST_REQUEST = 1 << 16;
   private static final int LONGEST_FRAME = 1 << 20;
@@ -71,7 +71,7 @@ final class ViewServer implements AutoCloseable {
    * @param remarks receives connects and disconnects
    * @throws RunFailedException if the port is taken
    */
-  ViewServer(
+  public ViewServer(
       InetSocketAddress address,
       String name,
       String sessionId,
@@ -104,7 +104,7 @@ final class ViewServer implements AutoCloseable {
   }
 
   /** Address on which it listens. */
-  InetSocketAddress address() {
+  public InetSocketAddress address() {
     return (InetSocketAddress) listening.localAddress();
   }
 

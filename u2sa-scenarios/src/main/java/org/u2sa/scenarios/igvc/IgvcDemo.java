@@ -11,7 +11,7 @@ import org.u2sa.device.LidarSensor;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.report.Domain;
+import org.u2sa.report.score.Domain;
 import org.u2sa.scenarios.run.BoardServer;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;

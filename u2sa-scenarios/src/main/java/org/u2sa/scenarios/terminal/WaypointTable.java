@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
-import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.scenarios.report.FlightFigures;
-import org.u2sa.scenarios.report.ObstacleResult;
-import org.u2sa.scenarios.report.RunOutcome;
-import org.u2sa.scenarios.report.RunScore;
-import org.u2sa.scenarios.report.WaypointResult;
+import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.report.score.FlightFigures;
+import org.u2sa.report.score.ObstacleResult;
+import org.u2sa.report.score.RunOutcome;
+import org.u2sa.report.score.RunScore;
+import org.u2sa.report.score.WaypointResult;
 
 /** Prints the results of a run: one line per waypoint, then the overall metrics. */
 public final class WaypointTable {

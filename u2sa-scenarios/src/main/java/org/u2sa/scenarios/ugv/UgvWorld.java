@@ -9,7 +9,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.report.score.RunPlan;
 import org.u2sa.scenarios.run.LaserOnVehicle;
 import org.u2sa.scenarios.run.SimulatedSensors;
 import org.u2sa.sim.device.SimulatedLaser;
