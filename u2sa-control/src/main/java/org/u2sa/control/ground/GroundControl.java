@@ -13,7 +13,6 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * Common part of ground control systems: the navigation point relative to the vehicle now, the
@@ -112,7 +111,7 @@ final class GroundControl {
     if (state.xDot().isEmpty() || state.yDot().isEmpty() || state.psi().isEmpty()) {
       return OptionalDouble.empty();
     }
-    boolean northFirst = state.referenceFrame().equals(ReferenceFrame.LOCAL_NED);
+    boolean northFirst = state.referenceFrame().isLocal();
     double x = state.xDot().getAsDouble();
     double y = state.yDot().getAsDouble();
     double heading = state.psi().getAsDouble();
