@@ -162,7 +162,7 @@ public final class ThetaStar {
   }
 
   private void visit(CostGrid grid, int cell, int next, double goalNorth, double goalEast) {
-    if (closed[next] == search || !grid.isFree(next)) {
+    if (closed[next] == search || !grid.isFree(next) || grid.isClosed(cell, next)) {
       return;
     }
     GridFrame frame = grid.frame();
@@ -199,8 +199,14 @@ public final class ThetaStar {
     return row == 0 || column == 0 || row == frame.rows() - 1 || column == frame.columns() - 1;
   }
 
-  /** Cost from a cell to its neighbour: the mean of both along the distance of their centres. */
-  static double step(CostGrid grid, int from, int to) {
+  /**
+   * Cost from a cell to its neighbour: the mean of both along the distance of their centres;
+   * infinite between two cells where the vehicle would collide.
+   */
+  private static double step(CostGrid grid, int from, int to) {
+    if (grid.isClosed(from, to)) {
+      return Double.POSITIVE_INFINITY;
+    }
     int columns = grid.frame().columns();
     boolean diagonal = from / columns != to / columns && from % columns != to % columns;
     return 0.5
