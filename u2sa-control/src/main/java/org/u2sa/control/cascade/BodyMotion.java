@@ -42,6 +42,20 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
         new BodyMotion(attitude, frd(attitude, velocity(state)), attitude.bodyRates(euler)));
   }
 
+  /**
+   * Speed through air or water [m/s], on which the effect of control surfaces depends; where it is
+   * not measured, that over ground.
+   */
+  double speedThroughFluidMps(StateInformation state) {
+    return state.fluidxDot().isPresent()
+        ? Point.of(
+                state.fluidxDot().getAsDouble(),
+                state.fluidyDot().orElse(0.0),
+                state.fluidzDot().orElse(0.0))
+            .distance()
+        : velocity.distance();
+  }
+
   /** Velocity north, east, down [m/s]; in GLOBAL, states have east, north, up. */
   private static Point velocity(StateInformation state) {
     double x = state.xDot().orElseThrow();

@@ -55,6 +55,15 @@ class BodyMotionTest {
   }
 
   @Test
+  void speedThroughFluid_inACurrent_isThatOfTheFluid() {
+    StateInformation state = new StateInformation().xDot(0.3).yDot(0.4).psi(0.0);
+
+    assertThat(motion(state).speedThroughFluidMps(state)).isCloseTo(0.5, within(TINY));
+    state.fluidxDot(2.0).fluidyDot(-1.0).fluidzDot(2.0);
+    assertThat(motion(state).speedThroughFluidMps(state)).isCloseTo(3.0, within(TINY));
+  }
+
+  @Test
   void of_withoutHeadingOrVelocity_isUnknown() {
     StateInformation noHeading = new StateInformation().xDot(0.0).yDot(0.0);
     StateInformation noVelocity = new StateInformation().psi(0.0);
