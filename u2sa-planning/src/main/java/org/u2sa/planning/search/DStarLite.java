@@ -267,8 +267,15 @@ public final class DStarLite {
     return least;
   }
 
+  /** Infinite also between two cells where the vehicle would collide. */
   private double step(int a, int b, boolean diagonal) {
-    return 0.5 * ((double) cost[a] + cost[b]) * frame.cellM() * (diagonal ? DIAGONAL : 1.0);
+    double straight = 0.5 * ((double) cost[a] + cost[b]) * frame.cellM();
+    if (!diagonal) {
+      return straight;
+    }
+    int aside = b - a - (b > a ? frame.columns() : -frame.columns()); // in columns, from a to b
+    boolean isClosed = cost[a + aside] == NEVER && cost[b - aside] == NEVER;
+    return isClosed ? NEVER : DIAGONAL * straight;
   }
 
   /** Lower bound of the cost between a cell and the start: octile distance in the open [m]. */
