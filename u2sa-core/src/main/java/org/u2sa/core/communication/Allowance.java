@@ -21,10 +21,24 @@ final class Allowance {
    * @param burst how many may come at once; one at least
    */
   Allowance(double perS, double burst, long nowMicros) {
+    this(perS, burst, LEAST_BURST, nowMicros);
+  }
+
+  private Allowance(double perS, double burst, double leastBurst, long nowMicros) {
     this.perS = perS;
-    this.burst = Math.max(LEAST_BURST, burst);
+    this.burst = Math.max(leastBurst, burst);
     left = this.burst;
     asOfMicros = nowMicros;
+  }
+
+  /**
+   * An allowance of a thread's time.
+   *
+   * @param part of the time [0…1]
+   * @param burstS how much may be taken at once [s]
+   */
+  static Allowance ofTime(double part, double burstS, long nowMicros) {
+    return new Allowance(part, burstS, 0.0, nowMicros);
   }
 
   /** Whether anything is left; one may overdraw it once. */
