@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -124,12 +125,12 @@ public final class McapReader implements AutoCloseable {
 
   /** All schemas by ID. */
   public Map<Integer, McapSchema> schemas() {
-    return Map.copyOf(schemas);
+    return Collections.unmodifiableMap(schemas); // filled when the file was opened
   }
 
   /** All channels by ID. */
   public Map<Integer, McapChannel> channels() {
-    return Map.copyOf(channels);
+    return Collections.unmodifiableMap(channels);
   }
 
   /** Statistics of the file. */
