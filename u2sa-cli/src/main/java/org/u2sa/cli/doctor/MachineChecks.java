@@ -16,8 +16,8 @@ import org.u2sa.interfaces.time.Clock;
 /** The machine itself: Java, memory, disk, ports, clock, serial ports. */
 final class MachineChecks {
   private static final int OLDEST_JAVA = 17;
-  private static final long LEAST_HEAP = 256L << 20;
-  private static final long LEAST_DISK = 1L << 30;
+  private static final long MIN_HEAP = 256L << 20;
+  private static final long MIN_DISK = 1L << 30;
   private static final double MIB = 1 << 20;
   private static final double GIB = 1 << 30;
   private static final double WAIT_S = 0.02;
@@ -50,7 +50,7 @@ final class MachineChecks {
             "%.0f MiB of heap at most, %d processors",
             heap / MIB,
             Runtime.getRuntime().availableProcessors());
-    return heap < LEAST_HEAP
+    return heap < MIN_HEAP
         ? Finding.warning("memory", found, "give Java more: U2SA_JAVA_OPTS=-Xmx256m")
         : Finding.ok("memory", found);
   }
@@ -66,7 +66,7 @@ final class MachineChecks {
             there + " cannot be written to",
             "change to a folder of yours: runs write to out/");
       }
-      return free < LEAST_DISK
+      return free < MIN_DISK
           ? Finding.warning("disk", found, "make room: an hour of recording takes up to 120 MB")
           : Finding.ok("disk", found);
     } catch (IOException e) {

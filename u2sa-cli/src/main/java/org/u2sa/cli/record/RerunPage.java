@@ -14,7 +14,7 @@ import org.u2sa.report.page.Trace;
 
 /** Report page that overlays re-executed services' output on the recorded output. */
 final class RerunPage {
-  private static final int MOST_CHARTS = 12; // per channel
+  private static final int MAX_CHARTS = 12; // per channel
 
   private final Side recorded = new Side("recorded");
   private final Side now = new Side("now");
@@ -94,9 +94,9 @@ final class RerunPage {
                           .put("text", title + " " + RerunReport.text(first))
                           .put("bad", true)));
       List<NumberComparison> numbers = channel.numbers();
-      numbers.stream().limit(MOST_CHARTS).forEach(number -> add(title, startS, number));
-      if (numbers.size() > MOST_CHARTS) {
-        now.fact(title, numbers.size() - MOST_CHARTS + " more numbers differ");
+      numbers.stream().limit(MAX_CHARTS).forEach(number -> add(title, startS, number));
+      if (numbers.size() > MAX_CHARTS) {
+        now.fact(title, numbers.size() - MAX_CHARTS + " more numbers differ");
       }
     }
   }

@@ -12,7 +12,7 @@ import org.u2sa.recorder.execution.Rerun;
 
 /** Reports the results of re-executing services. */
 final class RerunReport {
-  private static final int MOST_FIELDS = 12; // per channel, in the text
+  private static final int MAX_FIELDS = 12; // per channel, in the text
 
   private final List<Rerun.Outcome> outcomes;
   private final double wallS;
@@ -85,7 +85,7 @@ final class RerunReport {
         int count = 0;
         for (NumberComparison field : channel.numbers()) {
           any = true;
-          if (count++ < MOST_FIELDS) {
+          if (count++ < MAX_FIELDS) {
             table.add(
                 outcome.execution(),
                 channel.name(),
@@ -95,9 +95,9 @@ final class RerunReport {
                 field.unit());
           }
         }
-        if (count > MOST_FIELDS) {
+        if (count > MAX_FIELDS) {
           table.add(
-              outcome.execution(), channel.name(), (count - MOST_FIELDS) + " more", "", "", "");
+              outcome.execution(), channel.name(), (count - MAX_FIELDS) + " more", "", "", "");
         }
       }
     }

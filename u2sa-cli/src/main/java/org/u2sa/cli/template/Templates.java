@@ -32,8 +32,8 @@ import org.u2sa.interfaces.xml.NearestNames;
 final class Templates implements AutoCloseable {
   static final String ABOUT = "about.txt";
   private static final String OURS = "U2SA";
-  private static final int MOST_FILES = 500;
-  private static final int MOST_BYTES = 4 << 20;
+  private static final int MAX_FILES = 500;
+  private static final int MAX_BYTES = 4 << 20;
 
   /** A folder of templates, on disk or in a jar. */
   private record Source(String origin, Path root) {}
@@ -148,7 +148,7 @@ final class Templates implements AutoCloseable {
     try (Stream<Path> walk = Files.walk(folder)) {
       for (Path path :
           walk.filter(each -> !Files.isDirectory(each, LinkOption.NOFOLLOW_LINKS))
-              .limit(MOST_FILES + 1)
+              .limit(MAX_FILES + 1)
               .toList()) {
         String place = folder.relativize(path).toString().replace('\\', '/');
         if (place.equals(ABOUT)) {
@@ -157,11 +157,11 @@ final class Templates implements AutoCloseable {
         byte[] content = read(path, origin + "/" + place);
         bytes += content.length;
         files.put(place, new File(origin + "/" + place, content));
-        if (bytes > MOST_BYTES || files.size() > MOST_FILES) {
+        if (bytes > MAX_BYTES || files.size() > MAX_FILES) {
           throw new BadInputException(
               String.format(
                   "%s: expected at most %s files with %s bytes together",
-                  origin, MOST_FILES, MOST_BYTES));
+                  origin, MAX_FILES, MAX_BYTES));
         }
       }
     } catch (IOException e) {
@@ -175,7 +175,7 @@ final class Templates implements AutoCloseable {
       throw new BadInputException(origin + ": expected a file, no link or device");
     }
     try (InputStream in = Files.newInputStream(path)) {
-      return in.readNBytes(MOST_BYTES + 1);
+      return in.readNBytes(MAX_BYTES + 1);
     } catch (IOException e) {
       throw new BadInputException(origin + ": " + e.getMessage(), e);
     }

@@ -16,15 +16,15 @@ import org.u2sa.interfaces.OneLine;
 public record Terminal(PrintWriter out, boolean redraws, boolean colours, int columns) {
 
   private static final int DEFAULT_COLUMNS = 80;
-  private static final int LEAST_COLUMNS = 20;
+  private static final int MIN_COLUMNS = 20;
 
   /**
    * @throws IllegalArgumentException if narrower than 20 columns
    */
   public Terminal {
-    if (columns < LEAST_COLUMNS) {
+    if (columns < MIN_COLUMNS) {
       throw new IllegalArgumentException(
-          "columns: " + columns + ", expected " + LEAST_COLUMNS + " or more");
+          "columns: " + columns + ", expected " + MIN_COLUMNS + " or more");
     }
   }
 
@@ -50,7 +50,7 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
     if (text == null || !text.matches("[0-9]{1,5}")) {
       return DEFAULT_COLUMNS;
     }
-    return Math.max(LEAST_COLUMNS, Integer.parseInt(text));
+    return Math.max(MIN_COLUMNS, Integer.parseInt(text));
   }
 
   /** {@code text} in bold, if supported. */

@@ -23,7 +23,6 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.ObjectList;
-
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.Condition;

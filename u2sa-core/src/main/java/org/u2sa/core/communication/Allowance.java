@@ -9,7 +9,7 @@ import org.u2sa.interfaces.time.Clock;
  */
 final class Allowance {
   private static final double BURST_S = 0.25;
-  private static final double LEAST_BURST = 1.0; // even at low rates
+  private static final double MIN_BURST = 1.0; // even at low rates
 
   private final double perS;
   private final double burst;
@@ -24,7 +24,7 @@ final class Allowance {
    * @param burst burst size; at least one
    */
   Allowance(double perS, double burst, long nowMicros) {
-    this(perS, burst, LEAST_BURST, nowMicros);
+    this(perS, burst, MIN_BURST, nowMicros);
   }
 
   private Allowance(double perS, double burst, double leastBurst, long nowMicros) {

@@ -55,7 +55,7 @@ final class ConnectionFilter implements AutoCloseable {
 
   private static final long REFUSE_AGAIN_AFTER_MS = 10;
 
-  private static final int LEAST_READ = 512;
+  private static final int MIN_READ = 512;
 
   private static final double TOTAL_BURST_S = 0.01; // how long a flood may delay other clients
 
@@ -207,7 +207,7 @@ final class ConnectionFilter implements AutoCloseable {
           .setOption(
               ChannelOption.RCVBUF_ALLOCATOR,
               new AdaptiveRecvByteBufAllocator(
-                      LEAST_READ, BrokerLimits.READ_AT_ONCE / 2, BrokerLimits.READ_AT_ONCE)
+                      MIN_READ, BrokerLimits.READ_AT_ONCE / 2, BrokerLimits.READ_AT_ONCE)
                   .maxMessagesPerRead(1));
       child.attr(FILTERED).set(true);
       child.pipeline().addFirst(new Furnisher());

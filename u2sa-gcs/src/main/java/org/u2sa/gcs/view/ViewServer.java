@@ -43,9 +43,9 @@ public final class ViewServer implements AutoCloseable {
   private static final int LONGEST_REQUEST = 1 << 16;
   private static final int LONGEST_FRAME = 1 << 20;
   private static final WriteBufferWaterMark BUFFER = new WriteBufferWaterMark(1 << 20, 4 << 20);
-  private static final int MOST_VIEWERS = 32;
+  private static final int MAX_VIEWERS = 32;
   private static final int MAX_CHANNELS = 2048; // of a running system
-  private static final int MAX_SOCKETS = 2 * MOST_VIEWERS; // before and after the handshake
+  private static final int MAX_SOCKETS = 2 * MAX_VIEWERS; // before and after the handshake
   private static final int HANDSHAKE_WITHIN_S = 10;
   private static final int END_MS = 500;
 
@@ -251,8 +251,8 @@ public final class ViewServer implements AutoCloseable {
         close(context, "expected one of the subprotocols " + SUBPROTOCOLS);
         return;
       }
-      if (viewers.size() >= MOST_VIEWERS) {
-        close(context, "there are " + MOST_VIEWERS + " viewers already");
+      if (viewers.size() >= MAX_VIEWERS) {
+        close(context, "there are " + MAX_VIEWERS + " viewers already");
         return;
       }
       viewer = new ViewerSession(context.channel());

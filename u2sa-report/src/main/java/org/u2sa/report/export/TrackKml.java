@@ -17,7 +17,7 @@ import org.u2sa.report.score.WaypointResult;
  */
 public final class TrackKml {
 
-  private static final int MOST_POINTS = 10_000; // viewers slow down beyond this
+  private static final int MAX_POINTS = 10_000; // viewers slow down beyond this
 
   private static final String STYLES =
       """
@@ -38,7 +38,7 @@ public final class TrackKml {
     boolean flies = plan.domain() == Domain.AIR;
     if (!track.isEmpty()) {
       beginLine(out, plan.domain().moved(), "flown", flies, flies ? "extrude" : "tessellate");
-      int step = 1 + track.size() / MOST_POINTS;
+      int step = 1 + track.size() / MAX_POINTS;
       for (int i = 0; i < track.size(); i += step) {
         TrackSample s = track.get(i);
         coordinates(out, s.longitudeDeg(), s.latitudeDeg(), s.altitudeM());

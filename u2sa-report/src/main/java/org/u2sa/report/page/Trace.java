@@ -9,7 +9,7 @@ import org.u2sa.interfaces.JsonText;
 
 /** A quantity over time, decimated for drawing: each interval keeps its minimum and maximum. */
 public final class Trace {
-  private static final int MOST_POINTS = 1_600;
+  private static final int MAX_POINTS = 1_600;
   private static final double DIGITS = 1e5;
   private static final double SMALL = 1e-3;
   private static final MathContext SMALL_DIGITS = new MathContext(6);
@@ -84,14 +84,14 @@ public final class Trace {
 
   /** The points to draw, in order. */
   public int[] kept() {
-    if (size <= MOST_POINTS) {
+    if (size <= MAX_POINTS) {
       int[] all = new int[size];
       for (int i = 0; i < size; i++) {
         all[i] = i;
       }
       return all;
     }
-    int stretches = MOST_POINTS / 2;
+    int stretches = MAX_POINTS / 2;
     List<Integer> kept = new ArrayList<>();
     for (int s = 0; s < stretches; s++) {
       int from = (int) ((long) s * size / stretches);

@@ -25,7 +25,7 @@ public final class FigureChart {
   private static final int HEIGHT = 300;
   private static final double LEFT = 60.0;
   private static final double BOTTOM = 50.0;
-  private static final int MOST_BINS = 40;
+  private static final int MAX_BINS = 40;
   private static final Color BAR = new Color(0x31688e);
   private static final Color BOX = new Color(0xa9c4d8);
 
@@ -39,7 +39,7 @@ public final class FigureChart {
    */
   public static String histogram(String name, double[] values) {
     HistogramDataset data = new HistogramDataset();
-    int bins = Math.max(5, Math.min(MOST_BINS, (int) Math.ceil(2.0 * Math.cbrt(values.length))));
+    int bins = Math.max(5, Math.min(MAX_BINS, (int) Math.ceil(2.0 * Math.cbrt(values.length))));
     data.addSeries(name, values, bins); // Rice's rule
     NumberAxis runs = new NumberAxis("runs");
     runs.setStandardTickUnits(NumberAxis.createIntegerTickUnits());

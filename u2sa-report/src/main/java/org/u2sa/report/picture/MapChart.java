@@ -41,8 +41,8 @@ import org.u2sa.report.score.TrackSample;
 final class MapChart {
   private static final double MARGIN = 1.10; // factor on the extent
   private static final double M_PER_KM = 1000.0; // smaller maps use metres
-  private static final int MOST_GRID_LINES = 12;
-  private static final int MOST_NAMES = 30; // with more waypoints, only numbers
+  private static final int MAX_GRID_LINES = 12;
+  private static final int MAX_NAMES = 30; // with more waypoints, only numbers
   private static final double KEY_SHARE = 0.16; // of the map's width, for the colour key
   private static final int KEY_NUMBERS = 5;
   private static final double KEY_HEIGHT = 64.0; // px
@@ -82,7 +82,7 @@ final class MapChart {
                 + " east and north of "
                 + (plan.home().isPresent() ? "home" : "the first waypoint"));
     NumberAxis north = new NumberAxis();
-    NumberTickUnit grid = roundStep(widthM / unitM / MOST_GRID_LINES);
+    NumberTickUnit grid = roundStep(widthM / unitM / MAX_GRID_LINES);
     range(east, grid, extent.getCenterX(), widthM);
     range(north, grid, extent.getCenterY(), heightM);
     plot = ChartStyle.plot(east, north, TrackPicture.LEFT, TrackPicture.BELOW);
@@ -244,7 +244,7 @@ final class MapChart {
                 at.getX() - radius, at.getY() - radius, 2.0 * radius, 2.0 * radius));
       }
       for (WaypointSign sign : signs) {
-        boolean crowded = signs.size() > MOST_NAMES;
+        boolean crowded = signs.size() > MAX_NAMES;
         String name = crowded ? String.valueOf(sign.index() + 1) : sign.numberedName();
         name(graphics, placer, pixel(at(sign.waypoint()), area), radius(sign), name);
       }

@@ -32,8 +32,8 @@ final class ObstacleLayer {
   private static final int SIDES = 48;
   private static final int WAY_STEPS = 24;
   private static final double WAY_S = 60.0; // before and after the closest approach
-  private static final double LEAST_RADIUS_M = 0.05; // of point objects
-  private static final int MOST_NAMES = 20;
+  private static final double MIN_RADIUS_M = 0.05; // of point objects
+  private static final int MAX_NAMES = 20;
 
   /** Chart coordinates of a global position. */
   @FunctionalInterface
@@ -75,7 +75,7 @@ final class ObstacleLayer {
    */
   List<Name> names() {
     List<Name> names = new ArrayList<>();
-    for (int i = 0; i < results.size() && results.size() <= MOST_NAMES; i++) {
+    for (int i = 0; i < results.size() && results.size() <= MAX_NAMES; i++) {
       ObstacleResult result = results.get(i);
       ObjectDescription then =
           Surroundings.after(plan.surroundings().objects().get(i), result.timeS());
@@ -163,7 +163,7 @@ final class ObstacleLayer {
     } else if (object instanceof Circle circle) {
       radius = circle.radius();
     }
-    return Math.max(LEAST_RADIUS_M, radius);
+    return Math.max(MIN_RADIUS_M, radius);
   }
 
   /** Point offset from the centre [m] along the frame's axes; east and north in global frames. */

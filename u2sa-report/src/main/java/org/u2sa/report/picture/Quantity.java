@@ -29,10 +29,10 @@ record Quantity(
     String plannedName,
     Function<RunPlan.Waypoint, OptionalDouble> planned) {
 
-  private static final double LEAST_ALTITUDE_SPAN_M = 100.0;
-  private static final double LEAST_SPEED_SPAN_MPS = 0.5;
-  private static final double LEAST_OFF_TRACK_M = 0.5;
-  private static final double MOST_OFF_TRACK_M = 2.0; // jumps between two legs
+  private static final double MIN_ALTITUDE_SPAN_M = 100.0;
+  private static final double MIN_SPEED_SPAN_MPS = 0.5;
+  private static final double MIN_OFF_TRACK_M = 0.5;
+  private static final double MAX_OFF_TRACK_M = 2.0; // jumps between two legs
 
   /** Quantity that colours the track on the map. */
   static Quantity onMap(RunPlan plan, List<TrackSample> track) {
@@ -68,7 +68,7 @@ record Quantity(
         "altitude above sea level",
         "m",
         low,
-        Math.max(high, low + LEAST_ALTITUDE_SPAN_M),
+        Math.max(high, low + MIN_ALTITUDE_SPAN_M),
         TrackSample::altitudeM,
         "of the waypoint flown to",
         RunPlan.Waypoint::altitudeM);
@@ -80,7 +80,7 @@ record Quantity(
         "speed over ground",
         "m/s",
         0.0,
-        Math.max(most, LEAST_SPEED_SPAN_MPS),
+        Math.max(most, MIN_SPEED_SPAN_MPS),
         TrackSample::groundSpeedMps,
         "",
         waypoint -> OptionalDouble.empty());
@@ -88,7 +88,7 @@ record Quantity(
 
   private static Quantity offTrack(List<TrackSample> track) {
     double most = track.stream().mapToDouble(s -> Math.abs(s.crossTrackM())).max().orElse(0.0);
-    double bound = Math.max(LEAST_OFF_TRACK_M, Math.min(MOST_OFF_TRACK_M, most));
+    double bound = Math.max(MIN_OFF_TRACK_M, Math.min(MAX_OFF_TRACK_M, most));
     return new Quantity(
         "to the right of the line",
         "m",

@@ -32,7 +32,7 @@ final class RunMap {
   private static final FieldPath PSI = FieldPath.parse("psi");
   private static final FieldPath POINTS = FieldPath.parse("points");
   private static final double POINT_M = 0.3;
-  private static final int MOST_OBJECTS = 2_000;
+  private static final int MAX_OBJECTS = 2_000;
 
   private final Trace east = new Trace("east");
   private final Trace north = new Trace("north");
@@ -139,7 +139,7 @@ final class RunMap {
   }
 
   private void keep(ObjectDescription object, Point place) {
-    if (objects.size() < MOST_OBJECTS || objects.containsKey(object.uid())) {
+    if (objects.size() < MAX_OBJECTS || objects.containsKey(object.uid())) {
       objects.put(object.uid(), shape(object, place));
     }
   }

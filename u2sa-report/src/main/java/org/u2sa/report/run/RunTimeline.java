@@ -22,7 +22,7 @@ import org.u2sa.report.page.Trace;
 
 /** Timeline of a run: events, and the condition of each service. */
 final class RunTimeline {
-  private static final int MOST_EVENTS = 2_000;
+  private static final int MAX_EVENTS = 2_000;
 
   /** An event. */
   private record Event(double timeS, String kind, boolean bad, String text) {}
@@ -112,7 +112,7 @@ final class RunTimeline {
 
   /** Adds an event. */
   void add(double timeS, String kind, boolean bad, String text) {
-    if (events.size() >= MOST_EVENTS) {
+    if (events.size() >= MAX_EVENTS) {
       leftOut++;
       return;
     }

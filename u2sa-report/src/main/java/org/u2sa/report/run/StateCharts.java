@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.frame.Point;
@@ -16,7 +15,7 @@ import org.u2sa.report.page.Trace;
 
 /** Charts of the estimated state over time, compared with ground truth if known. */
 final class StateCharts {
-  private static final int MOST_ACTUATORS = 12;
+  private static final int MAX_ACTUATORS = 12;
 
   private final RunMap map;
   private final TruthTrack truth; // null if unknown
@@ -119,7 +118,7 @@ final class StateCharts {
   }
 
   void take(double timeS, PercentageCommand command) {
-    if (actuators.size() < MOST_ACTUATORS || actuators.containsKey(command.actuatorName())) {
+    if (actuators.size() < MAX_ACTUATORS || actuators.containsKey(command.actuatorName())) {
       actuators
           .computeIfAbsent(command.actuatorName(), Trace::new)
           .add(timeS, command.percentage());

@@ -14,7 +14,7 @@ public final class Track {
   /** Capacity for two hours at 20 Hz, some 20 MB. */
   public static final int DEFAULT_CAPACITY = 150_000;
 
-  private static final int LEAST_CAPACITY = 4;
+  private static final int MIN_CAPACITY = 4;
   private static final long LARGEST_STRIDE = 1L << 40; // thinning may never end
 
   private final int capacity;
@@ -31,9 +31,9 @@ public final class Track {
    * @throws IllegalArgumentException if less than 4
    */
   public Track(int capacity) {
-    if (capacity < LEAST_CAPACITY) {
+    if (capacity < MIN_CAPACITY) {
       throw new IllegalArgumentException(
-          "capacity: " + capacity + ", expected " + LEAST_CAPACITY + " or more");
+          "capacity: " + capacity + ", expected " + MIN_CAPACITY + " or more");
     }
     this.capacity = capacity;
   }

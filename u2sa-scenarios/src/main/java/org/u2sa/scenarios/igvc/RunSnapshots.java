@@ -5,7 +5,6 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-
 import org.u2sa.device.MountingPose;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
