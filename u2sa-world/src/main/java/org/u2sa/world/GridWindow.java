@@ -14,7 +14,6 @@ final class GridWindow {
   private byte[] spare;
   private long left;
   private long bottom;
-  private long revision;
 
   /**
    * @param resolution side of a cell [m]
@@ -30,7 +29,6 @@ final class GridWindow {
   /** Forgets all. */
   void clear() {
     Arrays.fill(cells, OccupancyGrid.UNKNOWN);
-    revision++;
   }
 
   /** Puts the middle at a place [m from the anchor] if it is further than an eighth of the side. */
@@ -82,11 +80,6 @@ final class GridWindow {
     return y / resolution - bottom;
   }
 
-  /** Grows whenever cells change by other means than by writing to {@link #cells}. */
-  long revision() {
-    return revision;
-  }
-
   /** Side of a cell [m]. */
   double resolution() {
     return resolution;
@@ -113,7 +106,6 @@ final class GridWindow {
 
   /** Takes over the cells of a message in the same frame, with the same resolution. */
   void fill(OccupancyGrid message) {
-    revision++;
     byte[] from = message.cells();
     int columns = message.columns();
     long dx = Math.round(message.left() / resolution) - left;

@@ -1,7 +1,6 @@
 package org.u2sa.world;
 
 import java.util.Arrays;
-import java.util.function.IntConsumer;
 
 /** Cells of a window that one scan changes, each once, with what they held before. */
 final class MarkedCells {
@@ -44,13 +43,6 @@ final class MarkedCells {
     cells[count] = cell;
     before[count++] = held;
     all[cell] = LogOdds.MARK;
-  }
-
-  /** Hands out each marked cell. */
-  void forEach(IntConsumer taker) {
-    for (int i = 0; i < count; i++) {
-      taker.accept(cells[i]);
-    }
   }
 
   /** Gives each marked cell its new value, by the one it held less {@link Byte#MIN_VALUE}. */
