@@ -16,7 +16,6 @@ final class GridWindow {
   private byte[] spare;
   private long left;
   private long bottom;
-  private long revision;
 
   /**
    * @param resolution side of a cell [m]
@@ -32,7 +31,6 @@ final class GridWindow {
   /** Resets all cells to unknown. */
   void clear() {
     Arrays.fill(cells, OccupancyGrid.UNKNOWN);
-    revision++;
   }
 
   /** Recentres on a point [m from the anchor] if it is more than an eighth of the side away. */
@@ -84,11 +82,6 @@ final class GridWindow {
     return y / resolution - bottom;
   }
 
-  /** Grows whenever cells change by other means than by writing to {@link #cells}. */
-  long revision() {
-    return revision;
-  }
-
   /** Side of a cell [m]. */
   double resolution() {
     return resolution;
@@ -115,7 +108,6 @@ final class GridWindow {
 
   /** Copies the cells of a message with the same frame and resolution. */
   void fill(OccupancyGrid message) {
-    revision++;
     byte[] from = message.cells();
     int columns = message.columns();
     long dx = Math.round(message.left() / resolution) - left;

@@ -1,7 +1,6 @@
 package org.u2sa.world.grid;
 
 import java.util.Arrays;
-import java.util.function.IntConsumer;
 
 /** Cells of a window that one scan changes, each once, with their previous values. */
 final class MarkedCells {
@@ -44,13 +43,6 @@ final class MarkedCells {
     cells[count] = cell;
     before[count++] = held;
     all[cell] = LogOdds.MARK;
-  }
-
-  /** Passes each marked cell to a consumer. */
-  void forEach(IntConsumer taker) {
-    for (int i = 0; i < count; i++) {
-      taker.accept(cells[i]);
-    }
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.u2sa.world.grid;
 
+import java.nio.ByteBuffer;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,7 +45,8 @@ public final class ScanEntry {
   private final GridWindow window;
   private final LogOdds odds;
   private final PolygonFill polygon;
-  private final FreestBlocks blocks;
+  private final ByteBuffer eight; // view of the window's cells, eight at a time
+  private final long eightFreest;
   private final Map<String, FreeRanges> scanners = // by sensor, in order of last use
       new LinkedHashMap<>(16, 0.75f, true) {
         @Override
@@ -59,7 +61,8 @@ public final class ScanEntry {
     this.window = window;
     this.odds = odds;
     polygon = new PolygonFill(window.side());
-    blocks = new FreestBlocks(window, odds.freest());
+    eight = ByteBuffer.wrap(window.cells());
+    eightFreest = (odds.freest() & 0xFFL) * 0x0101_0101_0101_0101L;
     hits = new MarkedCells(window, LogOdds.MARK);
     passed = new MarkedCells(window, odds.freest());
   }
@@ -89,13 +92,11 @@ public final class ScanEntry {
       parts[part].enterEnds(ranges, returns);
     }
     free.cut(MARGIN * window.resolution());
-    blocks.begin();
     for (Part part : parts) {
       part.enterFree();
     }
     polygon.fill(this::pass);
     passed.replace(odds.passed());
-    hits.forEach(blocks::leave);
     hits.replace(odds.ended());
     return beams;
   }
@@ -116,7 +117,7 @@ public final class ScanEntry {
     int end = row * window.side() + to + 1;
     for (int k = row * window.side() + from; k < end; ) {
       int block = Math.min(end, k + Long.BYTES);
-      if (block - k == Long.BYTES && blocks.eightAreFreest(k)) {
+      if (block - k == Long.BYTES && eight.getLong(k) == eightFreest) {
         k = block;
         continue;
       }
@@ -239,45 +240,14 @@ public final class ScanEntry {
       }
       double first = nearest + from * step;
       double other = (isSteep ? x : y) + (first + 0.5 - start) * slope;
-      long across = (long) Math.floor(other * FRACTIONS);
-      long acrossStep = (long) (step * slope * FRACTIONS);
-      int line = (int) first;
-      for (int left = (int) (to - from), run; left > 0; left -= run) {
-        int within = line & (FreestBlocks.SIDE - 1);
-        run = Math.min(left, step > 0 ? FreestBlocks.SIDE - within : within + 1);
-        if (!passesFreest(isSteep, line, across, across + (run - 1) * acrossStep)) {
-          passEach(isSteep, line, step, run, across, acrossStep);
-        }
-        line += run * step;
-        across += run * acrossStep;
-      }
-    }
-
-    /**
-     * Whether the blocks that a beam crosses in one row or column of them hold only freest cells.
-     */
-    private boolean passesFreest(boolean isSteep, int line, long across, long lastAcross) {
-      int one = (int) (across >> FRACTION_BITS);
-      int two = (int) (lastAcross >> FRACTION_BITS);
-      int side = window.side();
-      if (one < 0 || two < 0 || one >= side || two >= side) {
-        return false;
-      }
-      return isSteep
-          ? blocks.areFreest(one, line) && blocks.areFreest(two, line)
-          : blocks.areFreest(line, one) && blocks.areFreest(line, two);
-    }
-
-    private void passEach(
-        boolean isSteep, int line, int step, int run, long firstAcross, long acrossStep) {
-      int side = window.side();
       int stride = step * (isSteep ? side : 1);
       int otherStride = isSteep ? 1 : side;
-      int cell = line * (isSteep ? side : 1);
+      int cell = (int) first * (isSteep ? side : 1);
       byte[] cells = window.cells();
       byte freest = odds.freest(); // most cells: not worth a call
-      long across = firstAcross;
-      for (int left = run; left > 0; left--) {
+      long across = (long) Math.floor(other * FRACTIONS);
+      long acrossStep = (long) (step * slope * FRACTIONS);
+      for (int left = (int) (to - from); left > 0; left--) {
         int at = (int) (across >> FRACTION_BITS);
         if (at >= 0 && at < side && cells[cell + at * otherStride] != freest) {
           passed.mark(cell + at * otherStride);

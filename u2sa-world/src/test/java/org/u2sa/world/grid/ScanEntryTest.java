@@ -172,43 +172,6 @@ class ScanEntryTest {
     assertThat(at(grid, between.x(), between.y())).isEqualTo(OccupancyGrid.UNKNOWN);
   }
 
-  /** Makes all cells before the vehicle the freest, and has beams that are far apart look again. */
-  private void freeAllAhead() {
-    double[] dense = new double[101];
-    Arrays.fill(dense, 8.0);
-    for (int n = 0; n < 10; n++) {
-      enter(scan(-0.5, 0.01, dense), vehicle(0.0, 0.0, 0.0));
-    }
-    enter(scan(-0.5, 0.5, 8.0, 8.0, 8.0), vehicle(0.0, 0.0, 0.0));
-  }
-
-  @Test
-  void enter_obstacleAmongFreestCells_isClearedByBeamsFarApart() {
-    freeAllAhead();
-    for (int n = 0; n < 6; n++) {
-      enter(scan(-0.5, 0.5, 8.0, 5.05, 8.0), vehicle(0.0, 0.0, 0.0));
-    }
-    OccupancyGrid there = window.message(MapFrame.BODY);
-    assertThat(there.cell(150 + 50, 150)).isGreaterThan((byte) 0);
-
-    OccupancyGrid gone = null;
-    for (int n = 0; n < 20; n++) {
-      gone = enter(scan(-0.5, 0.5, 8.0, 8.0, 8.0), vehicle(0.0, 0.0, 0.0));
-    }
-    assertThat(gone.cell(150 + 50, 150)).isLessThan((byte) 0);
-  }
-
-  @Test
-  void enter_windowMovedFromFreestCells_beamsFarApartFreeTheNewOnes() {
-    freeAllAhead();
-
-    OccupancyGrid grid = enter(scan(-0.5, 0.5, 8.0, 8.0, 8.0), vehicle(5.0, 0.0, 0.0));
-
-    for (double x = 8.25; x < 12.8; x += 0.1) {
-      assertThat(at(grid, x, 0.0)).as("%s m ahead", x).isEqualTo((byte) -8);
-    }
-  }
-
   @Test
   void enter_beamsFarApartBeyondTheWindow_freesOneCellOfEachRowOrColumnOnTheirWay() {
     double[] far = new double[36];
