@@ -47,8 +47,7 @@ class McapReaderTest {
   @Test
   void channels_askedForWithEachMessage_areNotCopied() throws IOException {
     Path file = folder.resolve("a.mcap");
-    SmallRecording.write(
-        file, SmallRecording.options(ChunkCompression.LZ4, SMALL_CHUNKS), SEVERAL);
+    SmallRecording.write(file, SmallRecording.options(ChunkCompression.LZ4, SMALL_CHUNKS), SEVERAL);
     try (McapReader reader = McapReader.open(file)) {
       assertThat(reader.channels()).isSameAs(reader.channels());
       assertThat(reader.schemas()).isSameAs(reader.schemas());
