@@ -5,16 +5,17 @@ import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.lang.management.ManagementFactory;
+import java.lang.reflect.Method;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.u2sa.gcs.Main;
 
 /**
  * Runs demos in lockstep in one virtual machine, one for each line of standard input, such as {@code
@@ -24,6 +25,9 @@ import org.u2sa.gcs.Main;
 final class Lockstep {
   private static final Pattern SIMULATED = Pattern.compile("\"simSeconds\" : ([0-9.]+)");
   private static final Pattern WALL = Pattern.compile("\"wallSeconds\" : ([0-9.]+)");
+
+  /** The program's class, now and in versions before u2sa-cli. */
+  private static final List<String> MAINS = List.of("org.u2sa.cli.Main", "org.u2sa.gcs.Main");
 
   private Lockstep() {}
 
@@ -35,11 +39,12 @@ final class Lockstep {
     Path out = Files.createTempDirectory("u2sa-lockstep");
     OperatingSystemMXBean system =
         (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+    Method run = run();
     for (String line = asked.readLine(); line != null; line = asked.readLine()) {
       String[] command = (line + " --port 0 --out " + out).split(" ");
       try (Switches switches = new Switches()) {
         long cpu = cpuNanosOfOthers(system);
-        int exit = Main.run(nowhere, errors, command);
+        int exit = (Integer) run.invoke(null, nowhere, errors, command);
         double cpuS = (cpuNanosOfOthers(system) - cpu) / 1e9;
         String summary = Files.readString(out.resolve("summary.json"));
         System.out.printf(
@@ -52,6 +57,18 @@ final class Lockstep {
             switches.count());
       }
     }
+  }
+
+  private static Method run() throws ReflectiveOperationException {
+    for (String main : MAINS) {
+      try {
+        return Class.forName(main)
+            .getMethod("run", PrintWriter.class, PrintWriter.class, String[].class);
+      } catch (ClassNotFoundException e) {
+        continue; // another version's name
+      }
+    }
+    throw new ClassNotFoundException("none of " + MAINS);
   }
 
   /** Without this thread's, which reads files before the run and draws reports after it. */

@@ -2,33 +2,12 @@ plugins {
     id("u2sa.java-conventions")
 }
 
-description = "Ground control: the command line and what joins a running system."
+description = "Ground control: what joins a running system."
 
 dependencies {
-    api(project(":u2sa-control"))
     api(project(":u2sa-core"))
-    api(project(":u2sa-recorder"))
-    api(libs.picocli)
-    api(libs.logback)
-    api(libs.jackson.core)
-    testImplementation(project(":u2sa-estimation"))
-    testImplementation(project(":u2sa-mission"))
-    testImplementation(project(":u2sa-planning"))
-    testImplementation(project(":u2sa-world"))
+    api(project(":u2sa-report"))
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.jackson.databind)
-    testImplementation(libs.junit.platform.launcher)
-}
-
-// version.properties says ${project.version}, as Maven's filtering understands it.
-tasks.processResources {
-    val versions = mapOf("project" to mapOf("version" to project.version.toString()))
-    inputs.property("versions", versions)
-    filesMatching("**/version.properties") {
-        expand(versions)
-    }
-    from(rootDir) { // projects for Gradle get this project's own wrapper
-        include("gradlew", "gradlew.bat", "gradle/wrapper/*")
-        into("org/u2sa/gcs/template/templates/gradle")
-    }
+    testImplementation(libs.logback)
 }

@@ -14,15 +14,10 @@ dependencies {
     api(project(":u2sa-vision"))
     api(project(":u2sa-drivers"))
     api(project(":u2sa-sim"))
-    api(project(":u2sa-gcs"))
+    api(project(":u2sa-report"))
+    api(project(":u2sa-cli"))
     api(project(":u2sa-flightgear"))
     api(libs.jackson.core)
-    api(libs.geographiclib)
-    // Without what draws images and fonts within pictures.
-    api(libs.batik.svggen) {
-        exclude(group = "org.apache.xmlgraphics", module = "xmlgraphics-commons")
-    }
-    api(libs.jfreechart)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
     testImplementation(libs.jackson.databind)
@@ -32,7 +27,7 @@ dependencies {
 tasks.register<JavaExec>("run") {
     description = "Runs the command line."
     group = "application"
-    mainClass.set("org.u2sa.gcs.Main")
+    mainClass.set("org.u2sa.cli.Main")
     classpath = sourceSets.main.get().runtimeClasspath
     workingDir = rootDir
     systemProperty("u2sa.home", rootDir.path)

@@ -46,7 +46,7 @@ with tempfile.TemporaryDirectory() as folder:
         reader.join()
         published = [int(line.split()[1]) / 1e6 for line in lines if line.endswith("\n")]
         whole = run / "whole.mcap"
-        subprocess.run(java + ["org.u2sa.gcs.Main", "recover", str(run / "recording.mcap"), "--out", str(whole)], check=True,
+        subprocess.run(java + ["org.u2sa.cli.Main", "recover", str(run / "recording.mcap"), "--out", str(whole)], check=True,
                        stdout=subprocess.DEVNULL)
         with open(whole, "rb") as stream:
             found = [round(cbor2.loads(message.data)["z"])

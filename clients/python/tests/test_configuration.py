@@ -112,6 +112,19 @@ class ConfigurationTest(unittest.TestCase):
             with self.subTest(text), self.assertRaises(BadConfiguration):
                 Configuration(VARIABLES, self.file)
 
+    def test_a_value_in_another_unit_is_refused(self):
+        for name, unit, expected in (("ANGLE", "deg", "0.5 deg: units are not converted here; expected rad"),
+                                     ("GAIN", "%", "0.5 %: units are not converted here; expected no unit")):
+            self.file.write_text(f'<configuration><variable name="{name}" value="0.5" unit="{unit}"/></configuration>',
+                                 encoding="utf-8")
+            with self.subTest(name), self.assertRaisesRegex(BadConfiguration, expected):
+                Configuration((*VARIABLES, Variable("ANGLE", 0.1, "rad")), self.file)
+
+    def test_a_value_in_the_variables_own_unit_is_taken(self):
+        self.file.write_text('<configuration><variable name="ANGLE" value="0.5" unit="rad"/></configuration>',
+                             encoding="utf-8")
+        self.assertEqual(Configuration((Variable("ANGLE", 0.1, "rad"),), self.file)["ANGLE"], 0.5)
+
     def test_files_without_end_or_beginning_are_refused(self):
         pipe = self.file.with_name("pipe.xml")
         os.mkfifo(pipe)

@@ -100,8 +100,12 @@ class Configuration:
         self._values: Dict[str, Value] = {variable.name: variable.default for variable in variables}
         self._file = file
         self._log = AuditLog(file, service)
-        for name, text in _stated(file).items() if file is not None else ():
+        for name, (text, unit) in _stated(file).items() if file is not None else ():
             self._values[name] = self._parsed(name, text)
+            own = self._variables[name].unit
+            if unit != "" and unit != own:
+                raise BadConfiguration(f'{file}, variable "{name}": {text} {unit}: units are not converted here; '
+                                       + (f"expected {own}" if own else "expected no unit"))
 
     @property
     def revision(self) -> int:
@@ -183,16 +187,16 @@ class Configuration:
             raise BadConfiguration(f'{where}variable "{name}": {e}') from e
 
 
-def _stated(file: pathlib.Path) -> Dict[str, str]:
-    """Variables of the file by name."""
-    stated: Dict[str, str] = {}
+def _stated(file: pathlib.Path) -> Dict[str, Tuple[str, str]]:
+    """Value and unit of the file's variables by name; no unit: ""."""
+    stated: Dict[str, Tuple[str, str]] = {}
     for element in _root(file).iter("variable"):
         name, value = element.get("name"), element.get("value")
         if name is None or value is None:
             raise BadConfiguration(f'{file}: a <variable> lacks "name" or "value"')
         if name in stated:
             raise BadConfiguration(f'{file}, variable "{name}": stands twice')
-        stated[name] = value
+        stated[name] = (value, element.get("unit", ""))
     return stated
 
 

@@ -15,7 +15,7 @@ from .programs import HOME, Refused, find, java_program, run
 SCRIPTS = HOME / "scripts" / "android"
 TOOLS = reactor.BUILT / "proof"
 SIGNATURES = TOOLS / "gummy-bears-api-26.signature"
-MAIN = "org.u2sa.gcs.Main"
+MAIN = "org.u2sa.cli.Main"
 # The demos whose vehicles a phone can carry: the camera's perception of demo igvc is not in the application.
 DEMOS = ("cessna", "ugv")
 # What a run's speed decides, not its mission.

@@ -17,8 +17,8 @@ import org.u2sa.service.ServiceContext;
  */
 public final class BarometerSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
-  private static final double LEAST_PA = 5_000.0; // 20 km; lower pressures are implausible
-  private static final double MOST_PA = 120_000.0;
+  private static final double MIN_PA = 5_000.0; // 20 km; lower pressures are implausible
+  private static final double MAX_PA = 120_000.0;
 
   private static final Devices.Usual USUAL =
       new Devices.Usual(
@@ -76,11 +76,11 @@ public final class BarometerSensor extends ProprioceptiveSensor {
   }
 
   private void use(Pressure pressure) {
-    if (!(pressure.pascals() >= LEAST_PA && pressure.pascals() <= MOST_PA)) {
+    if (!(pressure.pascals() >= MIN_PA && pressure.pascals() <= MAX_PA)) {
       if (Long.bitCount(++refused) == 1) { // 1, 2, 4, 8…: limits the log
         trouble(
             ("the barometer says " + pressure.pascals() + " Pa, which is outside ")
-                + (LEAST_PA + "…" + MOST_PA + " Pa (" + refused + " times so far)"));
+                + (MIN_PA + "…" + MAX_PA + " Pa (" + refused + " times so far)"));
       }
       return;
     }

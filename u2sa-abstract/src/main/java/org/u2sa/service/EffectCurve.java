@@ -17,8 +17,10 @@ public record EffectCurve(double deadband, double exponent, double forwardN, dou
   /** Linear curve with unknown force. */
   public static final EffectCurve LINEAR = new EffectCurve(0.0, 1.0, Double.NaN, Double.NaN);
 
+  /** Smaller effects leave the actuator unmoved. */
+  public static final double MIN_SHARE = 1.0e-3;
+
   private static final double FULL_PERCENT = 100.0;
-  private static final double LEAST_SHARE = 1.0e-3; // smaller effects leave the actuator unmoved
 
   /** The curve that an actuator announced. */
   public static EffectCurve of(ActuatorAnnouncement announced) {
@@ -31,7 +33,7 @@ public record EffectCurve(double deadband, double exponent, double forwardN, dou
   /** The command for a share of the full effect, −1…1, as a percentage, −100…100. */
   public double percent(double share) {
     double size = Math.min(1.0, Math.abs(share));
-    if (size < LEAST_SHARE) {
+    if (size < MIN_SHARE) {
       return 0.0;
     }
     double grown = exponent == 1.0 ? size : Math.pow(size, 1.0 / exponent);

@@ -87,7 +87,8 @@ public abstract class ControlSystem extends EventDrivenService {
   /**
    * Commands the actuators, by {@link #command}. Called for each state newer than the previous one.
    *
-   * @param state the newest estimate
+   * @param state the newest estimate; in GLOBAL or LOCAL_NED, whichever frame of the earth or of a
+   *     local plane it came in
    * @param point target, in the vehicle's own frame (BODY) at the point's timestamp; empty if
    *     absent or stale
    */
@@ -151,7 +152,19 @@ public abstract class ControlSystem extends EventDrivenService {
     }
     heardStateMicros = clock().micros();
     begin(false);
-    take(state);
+    take(fromNorth(state));
+  }
+
+  /**
+   * The state in GLOBAL or LOCAL_NED, where psi is clockwise from north. One on a grid whose place
+   * is unknown, which the conversion needs, stays as it is.
+   */
+  private static StateInformation fromNorth(StateInformation state) {
+    if (state.referenceFrame().equals(ReferenceFrame.LOCAL_ENU)) {
+      return state.in(ReferenceFrame.LOCAL_NED);
+    }
+    boolean isPlaced = state.x().isPresent() && state.y().isPresent();
+    return state.referenceFrame().isUtm() && isPlaced ? state.in(ReferenceFrame.GLOBAL) : state;
   }
 
   private void take(StateInformation state) {
@@ -210,9 +223,7 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   private static Point ned(Point body, StateInformation state) {
-    boolean local = state.referenceFrame().isLocal();
-    StateInformation ned = state.in(local ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL);
-    return new Attitude(ned.phi().orElse(0.0), ned.theta().orElse(0.0), ned.psi().orElse(0.0))
+    return new Attitude(state.phi().orElse(0.0), state.theta().orElse(0.0), state.psi().orElse(0.0))
         .nedOf(body);
   }
 

@@ -9,7 +9,6 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -124,12 +123,10 @@ public final class VelocityControl extends ControlSystem {
    * heading.
    */
   private static Optional<Point> ahead(Point ned, StateInformation state) {
-    boolean local = state.referenceFrame().isLocal();
-    StateInformation turned = state.in(local ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL);
-    if (turned.psi().isEmpty()) {
+    if (state.psi().isEmpty()) {
       return Optional.empty();
     }
-    Point level = new Attitude(0.0, 0.0, turned.psi().getAsDouble()).levelOf(ned);
+    Point level = new Attitude(0.0, 0.0, state.psi().getAsDouble()).levelOf(ned);
     return Optional.of(Point.of(level.x(), level.y(), -level.z()));
   }
 

@@ -15,6 +15,13 @@ import java.util.zip.Inflater;
 final class GridCells {
   static final int MAX_SIDE = 4_096;
   static final int MAX_CELLS = MAX_SIDE * MAX_SIDE;
+
+  /**
+   * Heap that a process needs for each cell of the grids that it receives [bytes]: the grid itself,
+   * its successor, and a planner's maps, with room for everything else.
+   */
+  private static final int HEAP_BYTES_PER_CELL = 64;
+
   private static final int PIECE_BYTES = 48_000; // a multiple of 3: Base64 pads the last piece only
   private static final int BUFFER_BYTES = 16_384;
 
@@ -62,6 +69,25 @@ final class GridCells {
    * @throws IllegalStateException naming what is wrong
    */
   static byte[] unpack(List<String> pieces, int columns, int rows) {
+    return unpack(pieces, columns, rows, maxReceived(Runtime.getRuntime().maxMemory()));
+  }
+
+  /** Maximum cells of a received grid in a process with a heap of that many bytes. */
+  static long maxReceived(long heapBytes) {
+    return Math.min(MAX_CELLS, heapBytes / HEAP_BYTES_PER_CELL);
+  }
+
+  static byte[] unpack(List<String> pieces, int columns, int rows, long maxCells) {
+    if ((long) columns * rows > maxCells) {
+      throw broken(
+          columns
+              + " × "
+              + rows
+              + " are more than the "
+              + maxCells
+              + " for which the heap suffices",
+          null);
+    }
     byte[] cells = new byte[columns * rows];
     Inflater inflater = new Inflater();
     try {

@@ -3,6 +3,7 @@ package org.u2sa.mission;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -21,10 +22,14 @@ import org.u2sa.messages.goal.GoalResult;
 final class Followers {
   private final GoalBook book;
   private final List<String> order; // empty if the mission is linked by next
+  private final Map<String, Integer> places = new HashMap<>(); // of the names in order
 
   Followers(GoalBook book, List<String> order) {
     this.book = book;
     this.order = List.copyOf(order);
+    for (String name : order) {
+      places.put(name, places.size());
+    }
   }
 
   /** Names in file order; empty if a goal has a {@code next}. */
@@ -90,8 +95,8 @@ final class Followers {
 
   private List<String> otherwise(String uid) {
     List<String> next = book.goal(uid).next();
-    int place = order.indexOf(uid);
-    return !next.isEmpty() || place < 0 || place + 1 == order.size()
+    Integer place = places.get(uid);
+    return !next.isEmpty() || place == null || place + 1 == order.size()
         ? known(next)
         : Collections.singletonList(order.get(place + 1));
   }

@@ -1,8 +1,11 @@
 package org.u2sa.mission;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Deque;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -74,25 +77,31 @@ final class GoalGraph {
     return warnings;
   }
 
-  /** Goals from which no end of the mission is reachable, whatever their results. */
+  /**
+   * Goals from which no end of the mission is reachable, whatever their results: all but those that
+   * end it and what leads to them, found backwards, so that each link is looked at once.
+   */
   private Set<String> endless(Set<String> reachable) {
-    Set<String> ending = new LinkedHashSet<>();
-    boolean grows = true;
-    while (grows) {
-      grows = false;
-      for (String name : reachable) {
-        boolean ends =
-            !ending.contains(name)
-                && followers.possible(name).values().stream()
-                    .anyMatch(next -> next.isEmpty() || !Collections.disjoint(next, ending));
-        if (ends || !ending.contains(name) && leadsFurther(name)) {
-          ending.add(name);
-          grows = true;
+    Map<String, List<String>> before = new HashMap<>();
+    Deque<String> open = new ArrayDeque<>();
+    for (String name : reachable) {
+      for (List<String> next : followers.possible(name).values()) {
+        next.forEach(one -> before.computeIfAbsent(one, any -> new ArrayList<>()).add(name));
+        if (next.isEmpty()) {
+          open.add(name);
         }
+      }
+      if (leadsFurther(name)) {
+        open.add(name);
       }
     }
     Set<String> endless = new LinkedHashSet<>(reachable);
-    endless.removeAll(ending);
+    while (!open.isEmpty()) {
+      String ending = open.remove();
+      if (endless.remove(ending)) {
+        open.addAll(before.getOrDefault(ending, Collections.emptyList()));
+      }
+    }
     return endless;
   }
 

@@ -23,7 +23,7 @@ final class GoalLinks {
 
   private static final String IF = "if";
   private static final Map<String, GoalResult> RESULTS = new LinkedHashMap<>();
-  private static final int MOST_TIMES = 1_000_000;
+  private static final int MAX_TIMES = 1_000_000;
 
   static {
     RESULTS.put("done", GoalResult.DONE);
@@ -107,8 +107,8 @@ final class GoalLinks {
     String text = repeat.attribute("times");
     if (!text.matches("[0-9]{1,7}")
         || Long.parseLong(text) < 1
-        || Long.parseLong(text) > MOST_TIMES) {
-      throw repeat.error("times: \"" + text + "\"; expected 1…" + MOST_TIMES);
+        || Long.parseLong(text) > MAX_TIMES) {
+      throw repeat.error("times: \"" + text + "\"; expected 1…" + MAX_TIMES);
     }
     return Long.parseLong(text);
   }

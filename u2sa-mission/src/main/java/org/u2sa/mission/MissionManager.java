@@ -161,6 +161,7 @@ public final class MissionManager extends PeriodicService {
     try {
       progress.begin(load());
       reports.forget();
+      resumable.forgetOther();
     } catch (BadInputException e) {
       log(LogLevelEnum.ERROR, e.getMessage() + ": mission unchanged");
       return;
@@ -235,11 +236,14 @@ public final class MissionManager extends PeriodicService {
         .report(requestId, resumable.where().or(() -> progress.backTo()));
   }
 
-  /** Ends a pause, or else returns to where the mission was left. Returns a description. */
+  /**
+   * Ends a pause, or else goes on where the process before ended, or returns to where the mission
+   * was left. Returns a description.
+   */
   String resumeMission() {
-    Optional<MissionProgress> saved = resumable.taken();
-    saved.ifPresent(before -> progress = before);
     boolean wasPaused = progress.isPaused() && !progress.mission().isOver();
+    Optional<MissionProgress> saved = wasPaused ? Optional.empty() : resumable.taken();
+    saved.ifPresent(before -> progress = before);
     progress.pause(false);
     if (saved.isEmpty() && !wasPaused && !progress.goBack()) {
       throw new BadInputException(

@@ -3,13 +3,11 @@ package org.u2sa.mission;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
@@ -125,7 +123,8 @@ final class MissionReader {
       }
     }
     Map<String, GoalElement> goals = new LinkedHashMap<>();
-    read.forEach(goal -> add(goals, read, taken, goal, complete));
+    FreeNumbers numbers = new FreeNumbers(read, taken);
+    read.forEach(goal -> add(goals, numbers, goal, complete));
     if (goals.isEmpty()) {
       throw root.error(
           "holds no goals; expected at least one, such as <waypoint><x>…</x><y>…</y></waypoint>");
@@ -134,18 +133,11 @@ final class MissionReader {
   }
 
   private void add(
-      Map<String, GoalElement> goals,
-      List<GoalElement> read,
-      Collection<String> taken,
-      GoalElement goal,
-      boolean complete) {
+      Map<String, GoalElement> goals, FreeNumbers numbers, GoalElement goal, boolean complete) {
     if (complete && lacksThreshold(goal)) {
       defaultThresholdM.ifPresent(((Waypoint) goal.message())::horizontalThreshold);
     }
-    if (goal.field("uid").isEmpty()) {
-      int number = read.indexOf(goal) + 1;
-      goal.message().uid(taken.isEmpty() ? String.valueOf(number) : freeNumber(goals, read, taken));
-    }
+    numbers.next(goal).ifPresent(goal.message()::uid);
     GoalElement other = goals.putIfAbsent(goal.message().uid(), goal);
     if (other != null) {
       throw goal.field("uid")
@@ -157,19 +149,6 @@ final class MissionReader {
                   + goal.message().uid()
                   + "\" already; names must differ (without one, a goal's name is its number in the file)");
     }
-  }
-
-  /** The first number that names no goal, neither of the mission nor of those that are added. */
-  private static String freeNumber(
-      Map<String, GoalElement> named, List<GoalElement> added, Collection<String> taken) {
-    Set<String> names = new HashSet<>(taken);
-    names.addAll(named.keySet());
-    added.forEach(goal -> goal.field("uid").ifPresent(uid -> names.add(goal.message().uid())));
-    int number = 1;
-    while (names.contains(String.valueOf(number))) {
-      number++;
-    }
-    return String.valueOf(number);
   }
 
   private static boolean lacksThreshold(GoalElement goal) {

@@ -17,6 +17,7 @@ final class Resumable {
   private final SavedMission saved;
   private final Supplier<MissionSettings> settings;
   private Optional<MissionProgress> found = Optional.empty();
+  private String foundDigest = ""; // of the mission whose progress was loaded
   private long notSaved;
 
   Resumable(MissionManager manager, SavedMission saved, Supplier<MissionSettings> settings) {
@@ -35,6 +36,7 @@ final class Resumable {
       return Optional.empty();
     }
     try {
+      foundDigest = SavedMission.digest(file());
       found = saved.read(file(), settings.get().loop(), settings.get().options());
     } catch (IOException e) {
       manager.log(LogLevelEnum.WARN, e.getMessage() + ": starting the mission from its first goal");
@@ -62,6 +64,21 @@ final class Resumable {
     Optional<MissionProgress> taken = found;
     found = Optional.empty();
     return taken;
+  }
+
+  /** Discards the loaded progress if it is of another mission than the one that begins now. */
+  void forgetOther() {
+    found = found.filter(before -> isOf(file()));
+  }
+
+  private boolean isOf(Path mission) {
+    try {
+      return SavedMission.digest(mission).equals(foundDigest);
+    } catch (IOException e) {
+      manager.log(
+          LogLevelEnum.WARN, e + ": the order resume no longer goes on at " + where().orElse(""));
+      return false;
+    }
   }
 
   /** Where {@link #taken} would resume, in words. */

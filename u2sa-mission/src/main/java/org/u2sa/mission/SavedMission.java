@@ -83,7 +83,8 @@ final class SavedMission {
     Files.deleteIfExists(file);
   }
 
-  private static String digest(Path mission) throws IOException {
+  /** Digest of a mission's file, which tells missions apart. */
+  static String digest(Path mission) throws IOException {
     try {
       StringBuilder hex = new StringBuilder();
       for (byte each : MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(mission))) {

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
@@ -96,6 +98,48 @@ class SavedMissionTest extends ThreeWaypoints {
 
     assertThat(resume().outcome()).isEqualTo("resumed at [3]");
     assertThat(current()).containsExactly("3");
+  }
+
+  private MissionOrderResult pause() {
+    kit.publish(
+        Channels.MISSION,
+        new MissionOrder().requestId("p").action(MissionAction.PAUSE).operator("anna"));
+    return (MissionOrderResult) kit.latest(Channels.MISSION).orElseThrow();
+  }
+
+  @Test
+  void ordered_pausedInTheNextProcess_resumeEndsThePauseFirst() {
+    kit.with("RESUME", "ORDERED");
+    MissionManager before = kit.start(MissionManager::new);
+    complete("1");
+    complete("2");
+    nextProcess(before);
+    assertThat(pause().accepted()).isTrue();
+
+    assertThat(resume().outcome()).isEqualTo("resumed at [1]");
+    assertThat(current()).containsExactly("1");
+  }
+
+  @Test
+  void ordered_anotherMissionIsSet_isNotResumed() throws IOException {
+    kit.with("RESUME", "ORDERED");
+    MissionManager before = kit.start(MissionManager::new);
+    complete("1");
+    nextProcess(before);
+    Path other =
+        Files.writeString(
+            directory.resolve("other.xml"),
+            "<mission><waypoint><name>other</name><x>1</x></waypoint></mission>");
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange()
+            .serviceName("MissionManager")
+            .variableName("MISSION")
+            .value(other.toString()));
+    assertThat(current()).containsExactly("other");
+
+    assertThat(resume().accepted()).isFalse();
+    assertThat(current()).containsExactly("other");
   }
 
   @Test

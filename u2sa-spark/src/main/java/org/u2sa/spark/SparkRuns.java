@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.BiConsumer;
-import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.scenarios.campaign.RunAnswer;
 import org.u2sa.scenarios.campaign.RunBackend;
 import org.u2sa.scenarios.campaign.RunLine;

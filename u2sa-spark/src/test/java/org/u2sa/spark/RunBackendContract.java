@@ -17,7 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.cli.command.ExitCode;
 import org.u2sa.scenarios.campaign.RunAnswer;
 import org.u2sa.scenarios.campaign.RunBackend;
 import org.u2sa.scenarios.campaign.RunRequest;

@@ -1,7 +1,7 @@
 package org.u2sa.spark;
 
 import java.util.List;
-import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.cli.command.CommandProvider;
 
 /** Adds {@link TrialCommand} where tests are on the class path. */
 public final class TrialCommands implements CommandProvider {

@@ -53,12 +53,24 @@ final class HouseRules {
           Map.entry("mission", List.of("messages", "interfaces", "service", "device")),
           Map.entry("planning", List.of("messages", "interfaces", "service", "device")),
           Map.entry("control", List.of("messages", "interfaces", "service", "device")),
-          Map.entry("drivers", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("mavlink", List.of()),
+          Map.entry("drivers", List.of("messages", "interfaces", "service", "device", "mavlink")),
           Map.entry("vision", List.of("messages", "interfaces", "service", "device", "world")),
           Map.entry("sim", List.of("messages", "interfaces", "service", "device")),
           Map.entry("recorder", List.of("messages", "interfaces", "service")),
+          Map.entry("report", List.of("messages", "interfaces", "recorder")),
+          Map.entry("gcs", List.of("messages", "interfaces", "service", "recorder", "report")),
           Map.entry(
-              "gcs", List.of("messages", "interfaces", "service", "control", "core", "recorder")),
+              "cli",
+              List.of(
+                  "messages",
+                  "interfaces",
+                  "service",
+                  "control",
+                  "core",
+                  "recorder",
+                  "report",
+                  "gcs")),
           Map.entry(
               "flightgear",
               List.of("messages", "interfaces", "service", "mission", "control", "sim")),
@@ -78,9 +90,11 @@ final class HouseRules {
                   "drivers",
                   "recorder",
                   "sim",
+                  "report",
                   "gcs",
+                  "cli",
                   "flightgear")),
-          Map.entry("spark", List.of("interfaces", "gcs", "scenarios")),
+          Map.entry("spark", List.of("interfaces", "cli", "scenarios")),
           Map.entry(
               "android",
               List.of(
@@ -147,8 +161,8 @@ final class HouseRules {
             "com.fasterxml.jackson.dataformat.xml.."));
     rules.put(
         "BoofCV", confined("vision.calibration", "boofcv..", "georegression..", "org.ddogleg.."));
-    rules.put("SVG", confined("scenarios.report", "org.apache.batik..", "org.w3c.dom.."));
-    rules.put("charts", confined("scenarios.report", "org.jfree.."));
+    rules.put("SVG", confined("report.picture", "org.apache.batik..", "org.w3c.dom.."));
+    rules.put("charts", confined("report.picture", "org.jfree.."));
     rules.put("Spark", confined("spark", "org.apache.spark..", "scala.."));
     rules.put("no circles between packages", noCircles());
     rules.put("one clock", oneClock());

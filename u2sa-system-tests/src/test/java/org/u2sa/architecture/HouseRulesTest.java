@@ -60,10 +60,13 @@ class HouseRulesTest {
                 "planning",
                 "control",
                 "core",
+                "mavlink",
                 "drivers",
                 "recorder",
                 "sim",
+                "report",
                 "gcs",
+                "cli",
                 "flightgear",
                 "scenarios",
                 "spark"))

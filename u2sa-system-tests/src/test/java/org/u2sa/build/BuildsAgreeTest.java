@@ -61,7 +61,7 @@ class BuildsAgreeTest {
           u2sa-spark/build.gradle.kts      | isTransitive = false                      | exclude(group = "x")                      | dependency of u2sa-spark only in Maven: org.scala-lang:scala-library
           u2sa-interfaces/build.gradle.kts | api(libs.paho)                            | // gone                                   | dependency of u2sa-interfaces only in Maven: org.eclipse.paho
           u2sa-core/pom.xml                | <scope>test</scope>                       | <scope>compile</scope>                    | dependency of u2sa-core only in Maven: org.u2sa:u2sa-abstract:test-fixtures
-          u2sa-scenarios/build.gradle.kts  | module = "xmlgraphics-commons"            | module = "jackson-core"                   | org.apache.xmlgraphics:jackson-core
+          u2sa-report/build.gradle.kts     | module = "xmlgraphics-commons"            | module = "jackson-core"                   | org.apache.xmlgraphics:jackson-core
           u2sa-bom/build.gradle.kts        | api(project(":u2sa-core"))                | // gone                                   | BOM only in Maven: u2sa-core
           u2sa-bom/build.gradle.kts        | listOf("u2sa-abstract")                   | listOf<String>()                          | BOM only in Maven: u2sa-abstract:test-jar:test-fixtures
           u2sa-bom/build.gradle.kts        | "type" to "test-jar",                     | // gone                                   | BOM only in Maven: u2sa-abstract:test-jar:test-fixtures

@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.gcs.Main;
+import org.u2sa.cli.Main;
 
 /**
  * Code on the pages is code that is compiled and tested: files of the repository, and in the

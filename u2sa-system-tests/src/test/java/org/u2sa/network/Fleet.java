@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
-import org.u2sa.gcs.Main;
+import org.u2sa.cli.Main;
 
 /**
  * Ground vehicles and a ground station, each a host of its own with a broker of its own, by the

@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.u2sa.cli.Main;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.gcs.Main;
 
 /**
  * The Cessna's system on three hosts, from one system file: {@code hub} carries the broker, mission

@@ -7,7 +7,7 @@ import kotlin.math.pow
 import org.u2sa.android.vehicle.VehicleSnapshot
 import org.u2sa.messages.frame.Geodetic
 
-private const val LEAST_EXTENT_M = 20.0
+private const val MIN_EXTENT_M = 20.0
 private const val SCALE_BAR_PART = 0.3
 
 /** Maps a snapshot to an image, north up, so that everything fits with a margin. */
@@ -22,8 +22,8 @@ internal class TrackGeometry(snapshot: VehicleSnapshot, private val width: Doubl
 
     /** Scale [px/m]. */
     val pixelsPerMetre: Double = min(
-        (width - 2.0 * margin) / maxOf(east - west, LEAST_EXTENT_M),
-        (height - 2.0 * margin) / maxOf(north - south, LEAST_EXTENT_M),
+        (width - 2.0 * margin) / maxOf(east - west, MIN_EXTENT_M),
+        (height - 2.0 * margin) / maxOf(north - south, MIN_EXTENT_M),
     ).coerceAtLeast(0.0)
 
     /** Whether there is anything to draw. */

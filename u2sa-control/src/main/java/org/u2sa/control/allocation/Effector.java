@@ -12,6 +12,12 @@ import org.u2sa.service.EffectCurve;
  */
 public final class Effector {
   private static final double FULL_PERCENT = 100.0;
+
+  /**
+   * A rate that takes several steps to the least effect that is commanded would never get there.
+   */
+  private static final double MIN_SHARE = 1.001 * EffectCurve.MIN_SHARE;
+
   private static final double SLOWEST = 0.1; // of the reference speed; no model holds below
 
   private final String name;
@@ -154,12 +160,14 @@ public final class Effector {
 
   /** Minimum share reachable from a percentage within a time [s]. */
   double lowestFrom(double percent, double stepS) {
-    return Math.max(lowest, share(stand(percent, -1.0) - ratePerS * stepS));
+    double reached = share(stand(percent, -1.0) - ratePerS * stepS);
+    return Math.max(lowest, reached < 0.0 ? Math.min(reached, -MIN_SHARE * astern) : reached);
   }
 
   /** Maximum share reachable from a percentage within a time [s]. */
   double highestFrom(double percent, double stepS) {
-    return Math.min(highest, share(stand(percent, 1.0) + ratePerS * stepS));
+    double reached = share(stand(percent, 1.0) + ratePerS * stepS);
+    return Math.min(highest, reached > 0.0 ? Math.max(reached, MIN_SHARE) : reached);
   }
 
   /** Skips the dead band, where nothing moves. */

@@ -115,6 +115,7 @@ public final class AllocatingControl extends ControlSystem {
   private boolean isBlind;
   private boolean wentBySight; // at the previous step
   private boolean takesOver;
+  private double fluidMps; // speed of the newest state through air or water
   private OptionalDouble headingBefore = OptionalDouble.empty();
 
   /** Called by the launcher. */
@@ -156,6 +157,7 @@ public final class AllocatingControl extends ControlSystem {
       neutral().forEach(this::command);
       return;
     }
+    fluidMps = motion.get().speedThroughFluidMps(state);
     drive(motion.get(), wayToGo(state, point), point.flatMap(to -> speed(to)));
   }
 
@@ -193,7 +195,7 @@ public final class AllocatingControl extends ControlSystem {
 
   private void drive(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps) {
     if (takesOver) {
-      cascade.takeOver(motion, way, speedMps, presentWrench(motion));
+      cascade.takeOver(motion, way, speedMps, presentWrench());
       takesOver = false;
     }
     double[] wanted = cascade.step(motion, way, speedMps, stepS());
@@ -201,7 +203,7 @@ public final class AllocatingControl extends ControlSystem {
     tuner
         .step(isArmedBySomebody && !wentBySight, left, wanted, cascade.measured(), mass, stepS())
         .ifPresent(words -> log(words));
-    allocator.allocate(wanted, stepS(), motion.velocity().distance());
+    allocator.allocate(wanted, stepS(), fluidMps);
     cascade.attained(allocator, stepS());
     tuner.tuned().ifPresent(cascade::rest);
     if (wentBySight) {
@@ -244,11 +246,11 @@ public final class AllocatingControl extends ControlSystem {
   }
 
   /** Wrench of the last commands, including those of another control system. */
-  private double[] presentWrench(BodyMotion motion) {
+  private double[] presentWrench() {
     allocator
         .effectors()
         .forEach(each -> allocator.commanded(each.name(), lastCommand(each.name()).orElse(0.0)));
-    return allocator.present(motion.velocity().distance());
+    return allocator.present(fluidMps);
   }
 
   /** Vector to the point: north, east, down [m]. */

@@ -6,7 +6,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * Motion of the vehicle along and about its forward, right and down axes.
@@ -17,7 +16,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  */
 record BodyMotion(Attitude attitude, Point velocity, Point rates) {
   /**
-   * Creates the motion from a state.
+   * Creates the motion from a state in GLOBAL or LOCAL_NED.
    *
    * @param before heading of the previous state [rad], to derive the yaw rate if the state lacks it
    * @param stepS time since the previous state [s]; 0 if unknown
@@ -27,26 +26,34 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
     if (state.referenceFrame().isBody()) {
       return Optional.empty();
     }
-    StateInformation ned = ned(state);
-    if (ned.psi().isEmpty() || ned.xDot().isEmpty() || ned.yDot().isEmpty()) {
+    if (state.psi().isEmpty() || state.xDot().isEmpty() || state.yDot().isEmpty()) {
       return Optional.empty();
     }
-    double heading = ned.psi().getAsDouble();
-    Attitude attitude = new Attitude(ned.phi().orElse(0.0), ned.theta().orElse(0.0), heading);
+    double heading = state.psi().getAsDouble();
+    Attitude attitude = new Attitude(state.phi().orElse(0.0), state.theta().orElse(0.0), heading);
     double yawRate = 0.0;
-    if (ned.psiDot().isPresent()) {
-      yawRate = ned.psiDot().getAsDouble();
+    if (state.psiDot().isPresent()) {
+      yawRate = state.psiDot().getAsDouble();
     } else if (before.isPresent() && stepS > 0.0) {
       yawRate = Math.IEEEremainder(heading - before.getAsDouble(), 2.0 * Math.PI) / stepS;
     }
-    Point euler = Point.of(ned.phiDot().orElse(0.0), ned.thetaDot().orElse(0.0), yawRate);
+    Point euler = Point.of(state.phiDot().orElse(0.0), state.thetaDot().orElse(0.0), yawRate);
     return Optional.of(
-        new BodyMotion(attitude, frd(attitude, velocity(ned)), attitude.bodyRates(euler)));
+        new BodyMotion(attitude, frd(attitude, velocity(state)), attitude.bodyRates(euler)));
   }
 
-  private static StateInformation ned(StateInformation state) {
-    boolean local = state.referenceFrame().isLocal();
-    return state.in(local ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL);
+  /**
+   * Speed through air or water [m/s], on which the effect of control surfaces depends; where it is
+   * not measured, that over ground.
+   */
+  double speedThroughFluidMps(StateInformation state) {
+    return state.fluidxDot().isPresent()
+        ? Point.of(
+                state.fluidxDot().getAsDouble(),
+                state.fluidyDot().orElse(0.0),
+                state.fluidzDot().orElse(0.0))
+            .distance()
+        : velocity.distance();
   }
 
   /** Velocity north, east, down [m/s]; in GLOBAL, states have east, north, up. */
@@ -68,15 +75,17 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
 
   /**
    * Displacement between the positions of two states: north, east, down [m]; empty if one is
-   * absent. A height absent from one of them counts as unchanged.
+   * absent, or if they are in different frames. A height absent from one of them counts as
+   * unchanged.
    */
   static Optional<Point> displacement(StateInformation then, StateInformation now) {
-    if (!hasPlace(then) || !hasPlace(now)) {
+    boolean isAlike = then.referenceFrame().equals(now.referenceFrame());
+    if (!isAlike || !hasPlace(then) || !hasPlace(now)) {
       return Optional.empty();
     }
     boolean hasHeight = then.z().isPresent() && now.z().isPresent();
-    Point from = place(ned(then), hasHeight);
-    Point to = place(ned(now), hasHeight);
+    Point from = place(then, hasHeight);
+    Point to = place(now, hasHeight);
     return Optional.of(
         then.referenceFrame().isLocal()
             ? to.minus(from)

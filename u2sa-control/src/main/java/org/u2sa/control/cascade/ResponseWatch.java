@@ -21,12 +21,12 @@ final class ResponseWatch {
   private static final double MEMORY_S = 1.5;
   private static final double SETTLES_S = 12.0; // settling time after a change of actuators
   private static final double SURE_S = 1.0;
-  private static final double LEAST_LOSS = 0.25; // smaller losses may be errors of the masses
+  private static final double MIN_LOSS = 0.25; // smaller losses may be errors of the masses
   private static final double ALL_LOST = 0.6; // tracking of usual loads hides the rest
-  private static final double MOST_LOSS = 1.5;
-  private static final double LEAST_FIT = 0.85;
+  private static final double MAX_LOSS = 1.5;
+  private static final double MIN_FIT = 0.85;
   private static final double CLEARLY = 0.1; // margin over the next best match
-  private static final double LEAST_EFFECT = 0.01; // mean share of the actuators' maximum
+  private static final double MIN_EFFECT = 0.01; // mean share of the actuators' maximum
 
   private final double[] force = new double[DegreeOfFreedom.COUNT];
   private final double[] velocity = new double[DegreeOfFreedom.COUNT];
@@ -121,7 +121,7 @@ final class ResponseWatch {
     double bestFit = 0.0;
     double nextFit = 0.0;
     for (int i = 0; i < own.length; i++) {
-      boolean isAtWork = own[i] > LEAST_EFFECT * LEAST_EFFECT * MEMORY_S;
+      boolean isAtWork = own[i] > MIN_EFFECT * MIN_EFFECT * MEMORY_S;
       double fit =
           isAtWork && missing > 0.0 ? common[i] * Math.abs(common[i]) / (own[i] * missing) : 0.0;
       if (fit > bestFit) {
@@ -135,10 +135,10 @@ final class ResponseWatch {
     boolean isLikely =
         best >= 0
             && sinceS > SETTLES_S
-            && bestFit > LEAST_FIT
+            && bestFit > MIN_FIT
             && bestFit > nextFit + CLEARLY
-            && common[best] > LEAST_LOSS * own[best]
-            && common[best] < MOST_LOSS * own[best];
+            && common[best] > MIN_LOSS * own[best]
+            && common[best] < MAX_LOSS * own[best];
     sureS = isLikely && best == suspect ? sureS + stepS : 0.0;
     suspect = isLikely ? best : -1;
     if (sureS < SURE_S) {

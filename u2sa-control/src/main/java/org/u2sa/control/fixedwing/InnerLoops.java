@@ -12,8 +12,8 @@ import org.u2sa.service.HandOver;
  * the rudder; and the current rudder and throttle.
  */
 final class InnerLoops {
-  private static final double LEAST_SCALE = 0.6;
-  private static final double MOST_SCALE = 1.6;
+  private static final double MIN_SCALE = 0.6;
+  private static final double MAX_SCALE = 1.6;
   private static final double RUDDER_RATE =
       2.0; // full travel a second is half a second stop to stop
 
@@ -36,7 +36,7 @@ final class InnerLoops {
   /** Scale of surface gains, which hold at one speed: effectiveness changes with speed. */
   private double scale(FlightState state) {
     double speed = Math.max(1.0, state.calibratedAirspeedMps());
-    return Limit.within(LEAST_SCALE, tuning.guidance().referenceSpeed() / speed, MOST_SCALE);
+    return Limit.within(MIN_SCALE, tuning.guidance().referenceSpeed() / speed, MAX_SCALE);
   }
 
   /** Bank set point [rad]. */

@@ -99,7 +99,7 @@ public final class ThesisControl extends ControlSystem {
             double cruiseThrottle) {}
 
     private static final double FULL_DIFFERENTIAL_M = 1_000.0 * 0.3048; // 4.5.2.4: full climb
-    private static final double LEAST_DIFFERENTIAL_M = 10.0 * 0.3048; // 4.5.2.4: hold altitude
+    private static final double MIN_DIFFERENTIAL_M = 10.0 * 0.3048; // 4.5.2.4: hold altitude
 
     private final Parameters parameters;
 
@@ -134,8 +134,8 @@ public final class ThesisControl extends ControlSystem {
 
     /** Altitude differential scaled to −1…1: 0 below 10 ft, full from 1000 ft (4.5.2.4). */
     static double differential(double metres) {
-      double beyond = Math.abs(metres) - LEAST_DIFFERENTIAL_M;
-      double share = beyond / (FULL_DIFFERENTIAL_M - LEAST_DIFFERENTIAL_M);
+      double beyond = Math.abs(metres) - MIN_DIFFERENTIAL_M;
+      double share = beyond / (FULL_DIFFERENTIAL_M - MIN_DIFFERENTIAL_M);
       return Math.copySign(Limit.within(0.0, share, 1.0), metres);
     }
   }

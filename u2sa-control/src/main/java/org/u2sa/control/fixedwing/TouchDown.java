@@ -69,7 +69,7 @@ final class TouchDown {
   private static final double NO_LIFT_MPS = 22.0; // below this airspeed it does not lift off
   private static final double THROTTLE_PER_SINK = 0.25; // [s/m]
   private static final double SPARE_SINK_MPS = 0.8; // excess sink rate without power
-  private static final double MOST_THROTTLE = 0.6;
+  private static final double MAX_THROTTLE = 0.6;
 
   private final Parameters parameters;
   private final GroundSteering steering;
@@ -113,7 +113,7 @@ final class TouchDown {
     double power =
         wheels
             ? 0.0
-            : Limit.within(0.0, THROTTLE_PER_SINK * (excess - SPARE_SINK_MPS), MOST_THROTTLE);
+            : Limit.within(0.0, THROTTLE_PER_SINK * (excess - SPARE_SINK_MPS), MAX_THROTTLE);
     loops.throttleTowards(power, dtS);
     loops.pitch(flare.pitchRad(state, dtS));
     double elevator = loops.elevator(state, dtS);

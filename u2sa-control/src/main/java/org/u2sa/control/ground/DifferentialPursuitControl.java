@@ -141,7 +141,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
         balance.step(
             new WheelShares(
                 motor.share(wheels.leftMps()) + slope, motor.share(wheels.rightMps()) + slope),
-            drive.speedMps() > 0.0 ? motor.share(told.speedMps()) + slope : 0.0,
+            drive.speedMps() != 0.0 ? motor.share(told.speedMps()) + slope : 0.0,
             demand.yawErrorRadPerS(),
             feedback(motor),
             stepS());

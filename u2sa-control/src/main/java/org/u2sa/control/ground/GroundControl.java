@@ -12,7 +12,6 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.ArmingState;
 
 /**
@@ -112,7 +111,7 @@ final class GroundControl {
     if (state.xDot().isEmpty() || state.yDot().isEmpty() || state.psi().isEmpty()) {
       return OptionalDouble.empty();
     }
-    boolean northFirst = state.referenceFrame().equals(ReferenceFrame.LOCAL_NED);
+    boolean northFirst = state.referenceFrame().isLocal();
     double x = state.xDot().getAsDouble();
     double y = state.yDot().getAsDouble();
     double heading = state.psi().getAsDouble();

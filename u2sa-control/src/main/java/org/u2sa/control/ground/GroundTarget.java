@@ -6,7 +6,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * Target of a ground vehicle relative to its current pose, in the horizontal plane.
@@ -30,7 +29,7 @@ record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, bool
 
   /**
    * Transforms a point from the pose of one state to that of a newer one. Empty if either state
-   * lacks position or heading.
+   * lacks position or heading, or if they are in different frames.
    *
    * @param ned point relative to the older state: north, east, down [m]
    * @param backwards whether to go there with the rear first
@@ -41,7 +40,8 @@ record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, bool
       StateInformation now,
       OptionalDouble speedMps,
       boolean backwards) {
-    if (now.psi().isEmpty() || !hasPlace(then) || !hasPlace(now)) {
+    boolean isAlike = then.referenceFrame().equals(now.referenceFrame());
+    if (!isAlike || now.psi().isEmpty() || !hasPlace(then) || !hasPlace(now)) {
       return Optional.empty();
     }
     Point left = ned.minus(displacement(then, now)); // of the way
@@ -53,17 +53,11 @@ record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, bool
     return state.x().isPresent() && state.y().isPresent();
   }
 
-  /** Displacement between two states: north and east [m]. */
+  /** Displacement between two states in the same frame, GLOBAL or LOCAL_NED: north and east [m]. */
   static Point displacement(StateInformation then, StateInformation now) {
-    if (then.referenceFrame().isLocal()) {
-      Point from = place(then.in(ReferenceFrame.LOCAL_NED));
-      return place(now.in(ReferenceFrame.LOCAL_NED)).minus(from);
-    }
-    return onEarth(then).nedOf(onEarth(now));
-  }
-
-  private static Geodetic onEarth(StateInformation state) {
-    return Geodetic.of(place(state.in(ReferenceFrame.GLOBAL)));
+    return then.referenceFrame().isLocal()
+        ? place(now).minus(place(then))
+        : Geodetic.of(place(then)).nedOf(Geodetic.of(place(now)));
   }
 
   private static Point place(StateInformation state) {

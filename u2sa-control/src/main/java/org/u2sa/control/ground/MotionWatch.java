@@ -49,10 +49,11 @@ final class MotionWatch {
       return Optional.empty();
     }
     boolean turns = demanded.speedMps() == 0.0;
+    double aheadM = Math.signum(demanded.speedMps()) * goneM; // in the demanded direction
     boolean moved =
         turns
             ? Math.abs(turnedRad) > MOVES_SHARE * heldS * Math.abs(demanded.yawRateRadPerS())
-            : goneM > MOVES_SHARE * heldS * demanded.speedMps();
+            : aheadM > MOVES_SHARE * heldS * Math.abs(demanded.speedMps());
     String words =
         String.format(
             Locale.ROOT,
@@ -61,8 +62,8 @@ final class MotionWatch {
             heldS,
             turns
                 ? String.format(Locale.ROOT, "turned by %.0f degrees", Math.toDegrees(turnedRad))
-                : String.format(Locale.ROOT, "went %.2f m", goneM));
-    rolls |= !turns && goneM < -ROLLS_MPS * heldS;
+                : String.format(Locale.ROOT, "went %.2f m", aheadM));
+    rolls |= !turns && aheadM < -ROLLS_MPS * heldS;
     forget();
     if (moved) {
       rolls = false;

@@ -2,7 +2,6 @@ package org.u2sa.control.ground;
 
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * Feed-forward of motor power on slopes, from the vehicle's pitch: feedback alone takes seconds, so
@@ -25,8 +24,7 @@ record SlopeHelp(
 
   /** Share of full power to add to both sides, forward positive. */
   double share(StateInformation state) {
-    boolean isNoseDown = state.referenceFrame().equals(ReferenceFrame.LOCAL_ENU);
-    double pitch = (isNoseDown ? -1.0 : 1.0) * state.theta().orElse(0.0);
+    double pitch = state.theta().orElse(0.0);
     double counts = (Math.abs(pitch) - LEVEL_RAD) / (SLOPE_RAD - LEVEL_RAD);
     return slopeHelp / FULL_PERCENT * Math.max(0.0, Math.min(1.0, counts)) * Math.sin(pitch);
   }

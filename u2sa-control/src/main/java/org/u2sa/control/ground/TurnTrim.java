@@ -6,12 +6,12 @@ import org.u2sa.service.HandOver;
 /**
  * Integral trim of steady speed errors from slopes, soft ground, load or a discharging battery. It
  * is bounded by the motors' capability, is zero while the vehicle stands, so that it never creeps,
- * and resets with each drive and each turn.
+ * and resets with each drive, each turn and each change of direction.
  */
 final class TurnTrim {
   private final String name;
   private double trim;
-  private boolean drove;
+  private double direction; // 1 forward, -1 in reverse, 0 in a turn in place
 
   /**
    * @param name name for the hand-over
@@ -21,12 +21,12 @@ final class TurnTrim {
   }
 
   void handOver(HandOver state) {
-    state.number(name, trim).flag(name + " DROVE", drove);
+    state.number(name, trim).number(name + " DIRECTION", direction);
   }
 
   void takeOver(HandOver state) {
     trim = state.number(name).orElse(0.0);
-    drove = state.flag(name + " DROVE");
+    direction = state.number(name + " DIRECTION").orElse(0.0);
   }
 
   /**
@@ -45,15 +45,16 @@ final class TurnTrim {
       double gain,
       double most,
       double stepS) {
-    boolean drives = demanded.speedMps() > 0.0;
-    if (demanded.isStanding() || drives != drove || gain == 0.0) {
+    double before = direction;
+    direction = Math.signum(demanded.speedMps());
+    if (demanded.isStanding() || direction != before || gain == 0.0) {
       trim = 0.0;
     }
-    drove = drives;
     if (!demanded.isStanding() && error.isPresent()) {
       double speed = demanded.speedMps();
       double more = gain * stepS * error.getAsDouble();
-      trim += atFullPower ? Math.min(0.0, more) : more;
+      boolean isMore = more * (direction == 0.0 ? trim : direction) > 0.0;
+      trim += atFullPower && isMore ? 0.0 : more;
       trim = Math.max(-most - speed, Math.min(most - speed, trim));
     }
     return trim;

@@ -64,7 +64,8 @@ final class WheelBalance {
    * Computes the wheel commands.
    *
    * @param wanted shares by calibration alone
-   * @param ahead common share of both motors; 0 for a turn in place or standstill
+   * @param ahead common share of both motors, negative in reverse; 0 for a turn in place or
+   *     standstill
    * @param errorRadPerS wanted minus actual yaw rate, left positive; empty if unknown, or if the
    *     motors do not obey
    */
@@ -94,7 +95,7 @@ final class WheelBalance {
       return balanced(wanted, direction * push + atOnce);
     }
     double both = ahead * ahead + EQUAL_PARTS * EQUAL_PARTS;
-    mismatch -= settings.driving() * error * Math.abs(ahead) / both;
+    mismatch -= settings.driving() * error * ahead / both; // in reverse the weaker one turns back
     mismatch = bounded(mismatch, -settings.mostMismatch(), settings.mostMismatch());
     bias += settings.driving() * error * EQUAL_PARTS * EQUAL_PARTS / both;
     bias = bounded(bias, -1.0, 1.0);

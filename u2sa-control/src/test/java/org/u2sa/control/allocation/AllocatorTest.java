@@ -11,6 +11,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 
@@ -189,6 +191,22 @@ class AllocatorTest {
     allocator.allocate(new double[] {0.0, 0.0, 20.0, 0.0, 0.0, 0.0}, 0.0, Double.NaN);
 
     assertThat(share(allocator, 5)).isCloseTo(9.0 * share(allocator, 4), within(1e-3));
+  }
+
+  /** A step of 1 % of a propeller is a ten thousandth of its thrust. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1.0, 2.0, 3.0})
+  void allocate_slowActuatorWithACurve_getsThereAheadAndAstern(double exponent) {
+    ActuatorAnnouncement slow = push("SLOW").rateLimit(50.0).exponent(exponent).deadband(5.0);
+    Allocator allocator = of(List.of(Effector.of(slow).orElseThrow()));
+    double wantedN = 0.5 * Effector.of(slow).orElseThrow().effect(DegreeOfFreedom.SURGE);
+
+    for (double sign : new double[] {1.0, -1.0, 1.0}) {
+      for (int i = 0; i < 250; i++) {
+        allocator.allocate(new double[] {sign * wantedN, 0, 0, 0, 0, 0}, 0.02, Double.NaN);
+      }
+      assertThat(share(allocator, 0)).isCloseTo(0.5 * sign, within(0.01));
+    }
   }
 
   @Test

@@ -39,12 +39,22 @@ class GroundTargetTest {
   @Test
   void seenFrom_localFrame_isTheSame() {
     StateInformation then =
-        new StateInformation().referenceFrame(ReferenceFrame.LOCAL_ENU).x(5.0).y(7.0).psi(0.0);
-    StateInformation now = then.copy().x(7.0).y(11.0).psi(0.0); // 2 m east, 4 m north
+        new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(7.0).y(5.0).psi(0.0);
+    StateInformation now = then.copy().x(11.0).y(7.0).psi(Math.PI / 2.0); // 4 m north, 2 m east
 
     GroundTarget target = seen(then, now).orElseThrow();
 
-    assertThat(target.distanceM()).isCloseTo(6.0, within(1.0e-9));
+    assertThat(target.forwardM()).isCloseTo(0.0, within(1.0e-9));
+    assertThat(target.leftM()).isCloseTo(6.0, within(1.0e-9));
+  }
+
+  @Test
+  void seenFrom_statesInDifferentFrames_isNothing() {
+    StateInformation local =
+        new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(7.0).y(5.0).psi(0.0);
+
+    assertThat(seen(local, onEarth(0.0, 0.0, 0.0))).isEmpty();
+    assertThat(seen(onEarth(0.0, 0.0, 0.0), local)).isEmpty();
   }
 
   @Test

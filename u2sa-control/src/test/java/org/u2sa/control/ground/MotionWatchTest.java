@@ -10,6 +10,7 @@ class MotionWatchTest {
   private static final double STEP_S = 0.1;
   private static final Drive TURNS = new Drive(0.0, 1.0);
   private static final Drive DRIVES = new Drive(1.0, 0.0);
+  private static final Drive REVERSES = new Drive(-1.0, 0.0);
 
   private final MotionWatch watch = new MotionWatch();
 
@@ -46,6 +47,25 @@ class MotionWatchTest {
     assertThat(words(TURNS, moves(0.0, 0.0), 0.9, 10.0)).isEmpty();
     assertThat(words(TURNS, GroundControl.Measured.NOTHING, 1.0, 10.0)).isEmpty();
     assertThat(watch.rests(moves(0.0, 0.0), STEP_S)).isFalse();
+  }
+
+  @Test
+  void see_reversesAtFullPower_isNothing() {
+    assertThat(words(REVERSES, moves(-0.8, 0.0), 1.0, 10.0)).isEmpty();
+    assertThat(watch.rests(moves(-0.8, 0.0), STEP_S)).isFalse();
+  }
+
+  @Test
+  void see_fullPowerThatDoesNotReverse_isSaidAndMotorsRest() {
+    assertThat(words(REVERSES, moves(-0.02, 0.0), 1.0, 3.2).orElseThrow())
+        .contains("cannot move", "it went 0.06 m; they rest");
+    assertThat(watch.rests(moves(0.0, 0.0), STEP_S)).isTrue();
+  }
+
+  @Test
+  void see_rollsForwardWhileItReverses_isSaidAndMotorsGoOn() {
+    assertThat(words(REVERSES, moves(0.2, 0.0), 1.0, 3.2).orElseThrow())
+        .contains("at rest it would roll away");
   }
 
   @Test

@@ -5,33 +5,25 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.ReferenceFrame;
 
 class SlopeHelpTest {
   private final SlopeHelp help = new SlopeHelp(450.0);
 
-  private static StateInformation pitched(ReferenceFrame frame, double theta) {
-    return new StateInformation().referenceFrame(frame).theta(theta);
+  private static StateInformation pitched(double theta) {
+    return new StateInformation().theta(theta);
   }
 
   @Test
   void share_uphillAndDownhill_isThatOfTheWeight() {
     double slope = Math.atan(0.15);
-    assertThat(help.share(pitched(ReferenceFrame.GLOBAL, slope)))
-        .isCloseTo(4.5 * Math.sin(slope), within(1.0e-12));
-    assertThat(help.share(pitched(ReferenceFrame.GLOBAL, -slope)))
-        .isCloseTo(-4.5 * Math.sin(slope), within(1.0e-12));
-  }
-
-  @Test
-  void share_inEastNorthUp_hasTheNoseTheOtherWay() {
-    assertThat(help.share(pitched(ReferenceFrame.LOCAL_ENU, -0.15))).isPositive();
+    assertThat(help.share(pitched(slope))).isCloseTo(4.5 * Math.sin(slope), within(1.0e-12));
+    assertThat(help.share(pitched(-slope))).isCloseTo(-4.5 * Math.sin(slope), within(1.0e-12));
   }
 
   @Test
   void share_pitchOfALawnOrNone_isNone() {
-    assertThat(help.share(pitched(ReferenceFrame.GLOBAL, 0.025))).isZero();
-    assertThat(help.share(new StateInformation().referenceFrame(ReferenceFrame.GLOBAL))).isZero();
-    assertThat(new SlopeHelp(0.0).share(pitched(ReferenceFrame.GLOBAL, 0.2))).isZero();
+    assertThat(help.share(pitched(0.025))).isZero();
+    assertThat(help.share(new StateInformation())).isZero();
+    assertThat(new SlopeHelp(0.0).share(pitched(0.2))).isZero();
   }
 }

@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
 class TrimTest {
-  private static final double MOST_MPS = 2.0;
+  private static final double MAX_MPS = 2.0;
   private static final Drive DRIVES = new Drive(1.0, 0.0);
   private static final Drive TURNS = new Drive(0.0, 0.5);
 
@@ -16,7 +16,7 @@ class TrimTest {
   private double after(double seconds, Drive demanded, OptionalDouble errorMps) {
     double answer = 0.0;
     for (int i = 0; i < seconds * 10.0; i++) {
-      answer = trim.step(demanded, errorMps, false, 0.2, MOST_MPS, 0.1);
+      answer = trim.step(demanded, errorMps, false, 0.2, MAX_MPS, 0.1);
     }
     return answer;
   }
@@ -25,23 +25,23 @@ class TrimTest {
   void step_slowerThanDemanded_demandsMoreUpToWhatTheMotorsCan() {
     assertThat(after(1.0, DRIVES, OptionalDouble.of(0.2))).isBetween(0.03, 0.05);
     assertThat(after(100.0, DRIVES, OptionalDouble.of(0.2)))
-        .isCloseTo(MOST_MPS - 1.0, within(1.0e-9));
+        .isCloseTo(MAX_MPS - 1.0, within(1.0e-9));
   }
 
   @Test
   void step_atFullPower_windsNothingUpAndStillGivesWay() {
     double before = after(1.0, DRIVES, OptionalDouble.of(0.2));
 
-    assertThat(trim.step(DRIVES, OptionalDouble.of(0.2), true, 0.2, MOST_MPS, 0.1))
+    assertThat(trim.step(DRIVES, OptionalDouble.of(0.2), true, 0.2, MAX_MPS, 0.1))
         .isEqualTo(before);
-    assertThat(trim.step(DRIVES, OptionalDouble.of(-0.2), true, 0.2, MOST_MPS, 0.1))
+    assertThat(trim.step(DRIVES, OptionalDouble.of(-0.2), true, 0.2, MAX_MPS, 0.1))
         .isLessThan(before);
   }
 
   @Test
   void step_downhill_mayReverseTheMotors() {
     assertThat(after(100.0, DRIVES, OptionalDouble.of(-0.5)))
-        .isCloseTo(-MOST_MPS - 1.0, within(1.0e-9));
+        .isCloseTo(-MAX_MPS - 1.0, within(1.0e-9));
   }
 
   @Test

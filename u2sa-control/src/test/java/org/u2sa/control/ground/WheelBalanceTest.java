@@ -47,6 +47,24 @@ class WheelBalanceTest {
     assertThat(yawRate).isCloseTo(0.0, within(0.02));
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {-0.5, -0.3, 0.0, 0.05, 0.3, 0.5})
+  void step_motorsThatAreNotAlike_reverseStraight(double mismatch) {
+    drive(new WheelShares(-0.5, -0.5), -0.5, mismatch, 0.0, 10.0);
+
+    assertThat(yawRate).isCloseTo(0.0, within(0.02));
+  }
+
+  @Test
+  void step_reversesAfterAPushedTurn_isNotPushed() {
+    drive(LEFT_TURN, 0.0, 0.0, 0.4, 5.0);
+    WheelShares arc = new WheelShares(-0.42, -0.38);
+    WheelShares told = balance.step(arc, -0.4, OptionalDouble.of(0.0), SETTINGS, STEP_S);
+
+    assertThat(told.left()).isCloseTo(arc.left(), within(0.01));
+    assertThat(told.right()).isCloseTo(arc.right(), within(0.01));
+  }
+
   @Test
   void step_feedbackSwitchedOff_commandsByCalibrationAlone() {
     drive(AHEAD, 0.5, 0.3, 0.0, 10.0);

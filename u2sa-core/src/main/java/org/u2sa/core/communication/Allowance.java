@@ -9,7 +9,7 @@ import org.u2sa.interfaces.time.Clock;
  */
 final class Allowance {
   private static final double BURST_S = 0.25;
-  private static final double LEAST_BURST = 1.0; // even at low rates
+  private static final double MIN_BURST = 1.0; // even at low rates
 
   private final double perS;
   private final double burst;
@@ -24,10 +24,24 @@ final class Allowance {
    * @param burst burst size; at least one
    */
   Allowance(double perS, double burst, long nowMicros) {
+    this(perS, burst, MIN_BURST, nowMicros);
+  }
+
+  private Allowance(double perS, double burst, double leastBurst, long nowMicros) {
     this.perS = perS;
-    this.burst = Math.max(LEAST_BURST, burst);
+    this.burst = Math.max(leastBurst, burst);
     left = this.burst;
     asOfMicros = nowMicros;
+  }
+
+  /**
+   * Creates an allowance of a thread's time.
+   *
+   * @param part share of the time [0…1]
+   * @param burstS how much may be taken at once [s]
+   */
+  static Allowance ofTime(double part, double burstS, long nowMicros) {
+    return new Allowance(part, burstS, 0.0, nowMicros);
   }
 
   /** Whether anything is left; the next take may overdraw it. */

@@ -55,9 +55,17 @@ final class ConnectionFilter implements AutoCloseable {
 
   private static final long REFUSE_AGAIN_AFTER_MS = 10;
 
-  private static final int LEAST_READ = 512;
+  private static final int MIN_READ = 512;
 
   private static final double TOTAL_BURST_S = 0.01; // how long a flood may delay other clients
+
+  /**
+   * Part of the network thread's time for what clients' long messages and grids take to be read and
+   * passed on. The rest is left for short messages, such as an emergency stop.
+   */
+  private static final double COSTLY_PART = 0.5;
+
+  private static final double COSTLY_BURST_S = 0.02;
 
   /** Moquette handlers that log and count each packet, unused here. */
   private static final List<String> MOQUETTES_OBSERVERS = List.of("messageLogger", "metrics");
@@ -86,6 +94,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final MemoryBudget<ClientSession> unsent = // touched by the network's thread only
       MemoryBudget.ofClients(4, 256 << 20, ClientSession.TOO_SLOW);
   private final Allowance beyondShares; // touched by the network's thread only
+  private final Allowance costlyTime; // [s], touched by the network's thread only
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final MessageRouter router;
   private volatile boolean ending;
@@ -122,6 +131,7 @@ final class ConnectionFilter implements AutoCloseable {
     questions = new Allowance.PerUser(limits.clientQuestionsPerSecond());
     double totalPerS = limits.totalMessagesPerSecond();
     beyondShares = new Allowance(totalPerS, TOTAL_BURST_S * totalPerS, clock.micros());
+    costlyTime = Allowance.ofTime(COSTLY_PART, COSTLY_BURST_S, clock.micros());
   }
 
   private static byte[] newPass() {
@@ -197,7 +207,7 @@ final class ConnectionFilter implements AutoCloseable {
           .setOption(
               ChannelOption.RCVBUF_ALLOCATOR,
               new AdaptiveRecvByteBufAllocator(
-                      LEAST_READ, BrokerLimits.READ_AT_ONCE / 2, BrokerLimits.READ_AT_ONCE)
+                      MIN_READ, BrokerLimits.READ_AT_ONCE / 2, BrokerLimits.READ_AT_ONCE)
                   .maxMessagesPerRead(1));
       child.attr(FILTERED).set(true);
       child.pipeline().addFirst(new Furnisher());
@@ -355,6 +365,14 @@ final class ConnectionFilter implements AutoCloseable {
    */
   Allowance beyondShares() {
     return beyondShares;
+  }
+
+  /**
+   * The network thread's time [s] for long messages and grids of all clients, see {@link Inflow}.
+   * For that thread only.
+   */
+  Allowance costlyTime() {
+    return costlyTime;
   }
 
   BrokerLimits limits() {

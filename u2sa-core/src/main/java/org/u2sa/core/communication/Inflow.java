@@ -2,10 +2,13 @@ package org.u2sa.core.communication;
 
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.handler.codec.mqtt.MqttPublishMessage;
 import io.netty.util.ReferenceCountUtil;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.TimeUnit;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.OccupancyGrid;
 
 /**
  * Rate-limits a client's packets by back-pressure: stops reading, so that packets wait at the
@@ -26,6 +29,12 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private static final double SHARE = 0.01;
 
   private static final double SHARE_BURST_MESSAGES = 20.0; // of many clients at once
+
+  /**
+   * Payload up to which a message counts as short [bytes]: it is handled in microseconds, whatever
+   * it says.
+   */
+  static final int SHORT_PAYLOAD = 1_024;
 
   private final ConnectionFilter filter;
   private final ClientSession session;
@@ -67,7 +76,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   @Override
   public void channelRead(ChannelHandlerContext ctx, Object message) {
     decoded++;
-    if (held.isEmpty() && isOpen() && session.isInTurn(message)) {
+    if (held.isEmpty() && isOpen() && isAffordable(message) && session.isInTurn(message)) {
       letIn(ctx, message);
     } else {
       held.add(message);
@@ -117,7 +126,36 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     if (isBehind) {
       slowMessages.take(1.0);
     }
+    if (!isCostly(message)) {
+      ctx.fireChannelRead(message);
+      return;
+    }
+    long before = filter.nowMicros();
     ctx.fireChannelRead(message);
+    long now = filter.nowMicros();
+    filter.costlyTime().take(Clock.seconds(now - before), now);
+  }
+
+  /**
+   * Whether the network's thread has time for the message. Operators' messages never wait: an
+   * emergency stop with a long reason is a long message too.
+   */
+  private boolean isAffordable(Object message) {
+    return !isCostly(message)
+        || session.isOperator()
+        || filter.costlyTime().isOpen(filter.nowMicros());
+  }
+
+  /**
+   * Whether the time that the message takes cannot be told from its being one message: it is long,
+   * or a grid, whose cells are compressed a thousandfold.
+   */
+  private static boolean isCostly(Object message) {
+    return message instanceof MqttPublishMessage publish
+        && publish.fixedHeader() != null
+        && publish.content() != null
+        && (publish.content().readableBytes() > SHORT_PAYLOAD
+            || publish.variableHeader().topicName().contains(OccupancyGrid.TYPE.name()));
   }
 
   private void pause(ChannelHandlerContext ctx) {
@@ -134,7 +172,10 @@ final class Inflow extends ChannelInboundHandlerAdapter {
       return;
     }
     boolean any = false;
-    while (!held.isEmpty() && isOpen() && session.isInTurn(held.peek())) {
+    while (!held.isEmpty()
+        && isOpen()
+        && isAffordable(held.peek())
+        && session.isInTurn(held.peek())) {
       letIn(ctx, held.poll());
       any = true;
     }

@@ -84,11 +84,11 @@ final class HealthWatch implements AutoCloseable {
     }
   }
 
-  /** Checks a service; an error with one does not affect the others. */
+  /** Checks a service; an error with one, no memory included, does not affect the others. */
   private void lookAt(U2SAService service) {
     try {
       look(service);
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | OutOfMemoryError e) {
       if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: checks run four times a second
         launcher.trouble(
             "watching "

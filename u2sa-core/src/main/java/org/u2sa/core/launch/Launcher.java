@@ -43,7 +43,19 @@ public final class Launcher extends EventDrivenService {
 
   private void onOrder(U2SAData message) { // results come back on the same channel
     if (message instanceof ServiceOrder order && host.isFor(order)) {
-      answer(order, carryOut(order));
+      answer(order, outcomeOf(order));
+    }
+  }
+
+  /**
+   * Why the order failed; empty if it did not. Errors are among the reasons, such as no memory for
+   * the new service: without its launcher no service of the process could be restarted.
+   */
+  private Optional<String> outcomeOf(ServiceOrder order) {
+    try {
+      return carryOut(order);
+    } catch (RuntimeException | Error e) {
+      return Optional.of("it failed: " + e);
     }
   }
 

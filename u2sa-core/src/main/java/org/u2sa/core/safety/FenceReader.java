@@ -18,7 +18,7 @@ import org.u2sa.messages.frame.Point;
 
 /** Reads {@code <fence>} (docs/health-and-failsafes.md) and rejects areas that enclose nothing. */
 final class FenceReader {
-  private static final int LEAST_CORNERS = 3;
+  private static final int MIN_CORNERS = 3;
   private static final int CIRCLE_CORNERS = 64;
 
   private final GeometryFactory geometry = new GeometryFactory();
@@ -86,7 +86,7 @@ final class FenceReader {
     for (XmlElement corner : area.children("corner")) {
       corners.add(place(corner));
     }
-    if (corners.size() < LEAST_CORNERS) {
+    if (corners.size() < MIN_CORNERS) {
       throw area.error("has " + corners.size() + " <corner>; expected 3 or more");
     }
     corners.add(corners.get(0).copy());

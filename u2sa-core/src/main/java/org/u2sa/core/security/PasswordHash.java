@@ -22,7 +22,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
 
   private static final String NAME = "pbkdf2-sha512";
   private static final String ALGORITHM = "PBKDF2WithHmacSHA512";
-  private static final int MOST_ITERATIONS = 10_000_000;
+  private static final int MAX_ITERATIONS = 10_000_000;
   private static final int SALT_BYTES = 12; // Mosquitto accepts no other length
   private static final int HASH_BYTES = 64;
   private static final int PARTS = 4;
@@ -92,9 +92,9 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
     int iterations = Integer.parseInt(parts[1]);
     byte[] salt = Base64.getDecoder().decode(parts[2]);
     byte[] hash = Base64.getDecoder().decode(parts[3]);
-    if (iterations < 1 || iterations > MOST_ITERATIONS || hash.length != HASH_BYTES) {
+    if (iterations < 1 || iterations > MAX_ITERATIONS || hash.length != HASH_BYTES) {
       throw new IllegalArgumentException(
-          "expected 1…" + MOST_ITERATIONS + " iterations and a hash of " + HASH_BYTES + " bytes");
+          "expected 1…" + MAX_ITERATIONS + " iterations and a hash of " + HASH_BYTES + " bytes");
     }
     return new PasswordHash(iterations, salt, hash);
   }

@@ -3,6 +3,8 @@ package org.u2sa.core.communication;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.netty.buffer.Unpooled;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.embedded.EmbeddedChannel;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttQoS;
@@ -12,6 +14,8 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.registry.StandardTypes;
@@ -139,6 +143,63 @@ class InflowTest {
     send(modest, 10);
     assertThat(letIn(modest)).isEqualTo(10);
     assertThat(letIn(flood)).as("share and total of 10 ms").isEqualTo(10 + 100);
+    for (EmbeddedChannel each : List.of(flood, other, modest)) {
+      each.finishAndReleaseAll();
+    }
+  }
+
+  /** A client each of whose messages takes the network's thread so long. */
+  private EmbeddedChannel clientOf(ConnectionFilter broker, int millisecondsPerMessage) {
+    return new EmbeddedChannel(
+        new Inflow(broker, new ClientSession(broker, new Outflow(broker))),
+        new ChannelInboundHandlerAdapter() {
+          @Override
+          public void channelRead(ChannelHandlerContext ctx, Object message) {
+            nowMicros += 1_000L * millisecondsPerMessage;
+            ctx.fireChannelRead(message);
+          }
+        });
+  }
+
+  private static void send(EmbeddedChannel channel, String topic, int payloadBytes) {
+    channel.writeInbound(
+        MqttMessageBuilders.publish()
+            .topicName(topic)
+            .qos(MqttQoS.AT_MOST_ONCE)
+            .payload(Unpooled.wrappedBuffer(new byte[payloadBytes]))
+            .build());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "u2sa/cessna/goals/GoalList, 1025",
+    "u2sa/cessna/grid/OccupancyGrid, 100",
+  })
+  void channelRead_messagesThatTakeLong_ofAllClientsGetHalfOfTheTime(String topic, int bytes) {
+    ConnectionFilter crowded = filter(Map.of());
+    EmbeddedChannel flood = clientOf(crowded, 60);
+    EmbeddedChannel other = clientOf(crowded, 60);
+    for (int i = 0; i < 50; i++) {
+      send(flood, topic, bytes);
+      send(other, topic, bytes);
+    }
+    assertThat(letIn(flood)).as("the first overdraws").isEqualTo(1);
+    assertThat(letIn(other)).isZero();
+
+    send(other, "u2sa/cessna/state/StateInformation", 100);
+    assertThat(letIn(other)).as("a short one in its order").isZero();
+    EmbeddedChannel modest = clientOf(crowded, 0);
+    send(modest, 10);
+    assertThat(letIn(modest)).as("short ones of others").isEqualTo(10);
+
+    long before = nowMicros;
+    int taken = 0;
+    while (nowMicros - before < 6_000_000) {
+      pass(flood, 2);
+      pass(other, 2);
+      taken += letIn(flood) + letIn(other);
+    }
+    assertThat(taken).as("60 ms each, in 6 s").isBetween(40, 50);
     for (EmbeddedChannel each : List.of(flood, other, modest)) {
       each.finishAndReleaseAll();
     }

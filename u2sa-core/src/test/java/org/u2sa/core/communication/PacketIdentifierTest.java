@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Packets of QoS 2, and identifiers that are 0, used again or never acknowledged. */
 class PacketIdentifierTest {
   private static final String TOPIC = "u2sa/cessna/tide/Tide";
-  private static final int MOST_IN_FLIGHT = 32_767;
+  private static final int MAX_IN_FLIGHT = 32_767;
 
   private final PacketPipeline pipeline = new PacketPipeline().introduced();
 
@@ -111,10 +111,10 @@ class PacketIdentifierTest {
   void deliver_nothingIsAcknowledged_identifiersDifferUntilTheClientIsPutOut() {
     pipeline.send(MqttPacketBytes.subscribeToEach("u2sa/#"));
     pipeline.sent();
-    publishLocally(MOST_IN_FLIGHT);
+    publishLocally(MAX_IN_FLIGHT);
     assertThat(pipeline.channel.isOpen()).isTrue();
     Set<Integer> identifiers = new HashSet<>(pipeline.sentIdentifiers());
-    assertThat(identifiers).hasSize(MOST_IN_FLIGHT).doesNotContain(0);
+    assertThat(identifiers).hasSize(MAX_IN_FLIGHT).doesNotContain(0);
 
     publishLocally(1);
     pipeline.pass(1);
@@ -125,7 +125,7 @@ class PacketIdentifierTest {
   void deliver_someAcknowledged_theirIdentifiersAndNoOthersAreUsedAgain() {
     pipeline.send(MqttPacketBytes.subscribeToEach("u2sa/#"));
     pipeline.sent();
-    publishLocally(MOST_IN_FLIGHT - 1);
+    publishLocally(MAX_IN_FLIGHT - 1);
     Set<Integer> unacknowledged = new HashSet<>(pipeline.sentIdentifiers());
     for (int round = 0; round < 70_000; round += 1_000) {
       for (int i = 0; i < 10; i++) {

@@ -196,4 +196,29 @@ class SessionLoginTest {
     client.channel.runPendingTasks();
     message.release();
   }
+
+  @Test
+  void publish_longEmergencyStopOfAnOperator_waitsForNobodysLongMessages() {
+    logIn();
+    client.filter.costlyTime().take(10.0); // [s], of others
+
+    client.send(MqttPacketBytes.publish("u2sa/cessna/emergency-stop/EmergencyStop", 4_000, 7));
+
+    assertThat(client.sent()).as("acknowledged").containsExactly("40");
+  }
+
+  @Test
+  void publish_longMessageOfAService_waitsForTheTimeThatOthersTook() {
+    write(AccessRole.SERVICE);
+    client.close();
+    client = new PacketPipeline(Map.of(), new Users(file, line -> {}));
+    logIn();
+    client.filter.costlyTime().take(1.0); // [s]
+
+    client.send(MqttPacketBytes.publish("u2sa/cessna/goals/GoalList", 4_000, 7));
+    client.pass(1_000);
+    assertThat(client.sent()).isEmpty();
+    client.pass(1_100);
+    assertThat(client.sent()).as("half of the time is theirs").containsExactly("40");
+  }
 }

@@ -39,6 +39,7 @@ class LauncherTest {
   private final LockstepClock clock = new LockstepClock();
   private RunningSystem system;
   private Operator operator;
+  private boolean isHeapFull;
 
   /** A service with a variable. */
   public static class Worker extends EventDrivenService {
@@ -113,10 +114,17 @@ class LauncherTest {
             new LaunchOptions()
                 .clock(clock)
                 .logDirectory(directory.resolve("logs"))
-                .making(Bystander.class, context -> new Bystander(context, "a secret")));
+                .making(Bystander.class, this::bystander));
     operator = new Operator(system.contextFor(XmlConfiguration.inMemory("test", Map.of())));
     operator.start();
     clock.advance(0);
+  }
+
+  private Bystander bystander(ServiceContext context) {
+    if (isHeapFull) {
+      throw new OutOfMemoryError("Java heap space");
+    }
+    return new Bystander(context, "a secret");
   }
 
   private void write(String name, String variables) throws IOException {
@@ -191,6 +199,19 @@ class LauncherTest {
     assertThat(order("Bystander", ServiceAction.RESTART).accepted()).isTrue();
 
     assertThat(((Bystander) system.services().get(1)).told).isEqualTo("a secret");
+  }
+
+  @Test
+  void restart_noMemoryForTheNewOne_answersWhyAndTheLauncherGoesOn() throws Exception {
+    isHeapFull = true;
+    ServiceOrderResult result = order("Bystander", ServiceAction.RESTART);
+
+    assertThat(result.accepted()).isFalse();
+    assertThat(result.reason()).contains("OutOfMemoryError").contains("Java heap space");
+
+    isHeapFull = false;
+    assertThat(order("Bystander", ServiceAction.RESTART).accepted()).isTrue();
+    assertThat(system.services().get(1)).matches(U2SAService::isRunning);
   }
 
   @Test

@@ -9,7 +9,7 @@ import org.u2sa.drivers.link.ByteLink;
  * of the service's step. Confined to the service's thread.
  */
 final class UartLink implements ByteLink {
-  private static final int MOST_WAITING = 512;
+  private static final int MAX_WAITING = 512;
   private static final String NOT_THERE = "the IOIO is not there";
 
   private Optional<UartLine> line = Optional.empty(); // current connection
@@ -55,7 +55,7 @@ final class UartLink implements ByteLink {
 
   @Override
   public boolean write(byte[] bytes) {
-    if (line.isEmpty() || line.get().waiting() + bytes.length > MOST_WAITING) {
+    if (line.isEmpty() || line.get().waiting() + bytes.length > MAX_WAITING) {
       return false;
     }
     line.get().write(bytes);

@@ -9,7 +9,7 @@ import org.u2sa.device.port.Device;
  */
 public abstract class LinkedDevice<R extends Device.Reading> implements Device<R> {
   private static final int BUFFER_BYTES = 4_096;
-  private static final int MOST_BYTES_A_READ =
+  private static final int MAX_BYTES_A_READ =
       1 << 20; // bounds one read so that a flood cannot starve the caller
 
   protected final ByteLink link;
@@ -28,7 +28,7 @@ public abstract class LinkedDevice<R extends Device.Reading> implements Device<R
       found(nowMicros);
     }
     int count;
-    for (int all = 0; all < MOST_BYTES_A_READ && (count = link.read(buffer)) > 0; all += count) {
+    for (int all = 0; all < MAX_BYTES_A_READ && (count = link.read(buffer)) > 0; all += count) {
       hear(buffer, count, nowMicros);
     }
     act(nowMicros);

@@ -29,7 +29,7 @@ final class AttitudeTarget implements CommandForm {
   private static final EnumValue<AttitudeTargetTypemask> ANGLES = EnumValue.create(0b111);
   private static final long NEVER = Long.MIN_VALUE / 2;
   private static final long FRESH_MICROS = Clock.micros(1.0);
-  private static final double MOST_LEAD_RAD =
+  private static final double MAX_LEAD_RAD =
       0.5; // bounds the lead over a vehicle that cannot follow
 
   private final double fullTiltRad;
@@ -106,7 +106,7 @@ final class AttitudeTarget implements CommandForm {
     targetMicros = nowMicros;
     if (nowMicros - vehicleMicros <= FRESH_MICROS) {
       double lead = Math.IEEEremainder(targetRad - vehicleRad, 2.0 * Math.PI);
-      targetRad = vehicleRad + Math.max(-MOST_LEAD_RAD, Math.min(MOST_LEAD_RAD, lead));
+      targetRad = vehicleRad + Math.max(-MAX_LEAD_RAD, Math.min(MAX_LEAD_RAD, lead));
     }
   }
 

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.mavlink.MavlinkStream;
 
 /**
  * Session with the autopilot: identification, heartbeats both ways, message rates, and status

@@ -22,8 +22,8 @@ final class AutopilotState {
   private static final double FULL_TURN = 2.0 * Math.PI;
   private static final double NEARLY_VERTICAL = Math.toRadians(89.0);
   private static final int FIX_3D = 3;
-  private static final double MOST_LATITUDE = 90.0;
-  private static final double MOST_LONGITUDE = 180.0;
+  private static final double MAX_LATITUDE = 90.0;
+  private static final double MAX_LONGITUDE = 180.0;
 
   private final long staleMicros;
   private GpsRawInt gps;
@@ -74,7 +74,7 @@ final class AutopilotState {
   Optional<StateInformation> position(GlobalPositionInt position, long nowMicros) {
     double latitude = position.lat() * DEGREES;
     double longitude = position.lon() * DEGREES;
-    if (Math.abs(latitude) > MOST_LATITUDE || Math.abs(longitude) > MOST_LONGITUDE) {
+    if (Math.abs(latitude) > MAX_LATITUDE || Math.abs(longitude) > MAX_LONGITUDE) {
       refused++;
       return Optional.empty();
     }

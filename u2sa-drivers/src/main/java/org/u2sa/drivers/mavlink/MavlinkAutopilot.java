@@ -17,6 +17,7 @@ import org.u2sa.device.DeviceWatch;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.ActuatorOwner;
@@ -109,7 +110,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   protected void step(double nowS) {
     long now = clock().micros();
     if (watch.look(now)) {
-      stream.beginAnew();
+      stream.reset();
       state.beginAnew();
     }
     int count;

@@ -3,6 +3,7 @@ package org.u2sa.drivers.mavlink;
 import org.u2sa.device.port.Device;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.mavlink.MavlinkStream;
 
 /**
  * A receive-only MAVLink device for one message type from any sender. Uses a ground station's
@@ -31,7 +32,7 @@ abstract class MavlinkListener<R extends Device.Reading> extends LinkedDevice<R>
 
   @Override
   protected final void found(long nowMicros) {
-    stream.beginAnew();
+    stream.reset();
   }
 
   @Override

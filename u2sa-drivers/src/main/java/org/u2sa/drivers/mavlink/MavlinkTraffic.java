@@ -25,8 +25,8 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
   private static final double MILLI = 1.0e-3;
   private static final double CENTI = 1.0e-2;
   private static final int GEOMETRIC = 1;
-  private static final double MOST_LATITUDE_DEG = 90.0;
-  private static final double MOST_LONGITUDE_DEG = 180.0;
+  private static final double MAX_LATITUDE_DEG = 90.0;
+  private static final double MAX_LONGITUDE_DEG = 180.0;
 
   private final TrafficPicture picture = new TrafficPicture();
 
@@ -48,7 +48,7 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
     double latitudeDeg = vehicle.lat() * DEGREES;
     double longitudeDeg = vehicle.lon() * DEGREES;
     boolean isOnEarth =
-        Math.abs(latitudeDeg) <= MOST_LATITUDE_DEG && Math.abs(longitudeDeg) <= MOST_LONGITUDE_DEG;
+        Math.abs(latitudeDeg) <= MAX_LATITUDE_DEG && Math.abs(longitudeDeg) <= MAX_LONGITUDE_DEG;
     if (!isOnEarth) {
       refuse("ADSB_VEHICLE at latitude " + latitudeDeg + ", longitude " + longitudeDeg + " deg");
     }

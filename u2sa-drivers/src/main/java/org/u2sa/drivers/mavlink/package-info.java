@@ -1,5 +1,5 @@
 /**
- * MAVLink autopilots (ArduPilot, PX4) as sensors and actuators, and MAVLink sensors. The library's
- * classes do not leave this package.
+ * MAVLink autopilots (ArduPilot, PX4) as sensors and actuators, and MAVLink sensors. Frames and
+ * messages are those of {@code org.u2sa.mavlink}.
  */
 package org.u2sa.drivers.mavlink;

@@ -27,7 +27,7 @@ final class RplidarParser {
   private static final int FULL_TURN = 360 * 64;
   // Random bytes look like a node at one in five positions, so this many in a row cannot be chance.
   private static final int NODES_TO_TRUST = 16;
-  private static final int MOST_BEAMS = 20_000; // per scan; a stopped motor sends no scan start
+  private static final int MAX_BEAMS = 20_000; // per scan; a stopped motor sends no scan start
 
   /**
    * Health reported by the device.
@@ -168,7 +168,7 @@ final class RplidarParser {
       ended = new Turn(firstMicros, nowMicros, Collections.unmodifiableList(beams));
       confirmations = 0;
     }
-    if (starts || beams.size() >= MOST_BEAMS) {
+    if (starts || beams.size() >= MAX_BEAMS) {
       beams = new ArrayList<>(beams.size());
       hasBegun = starts;
       firstMicros = nowMicros;

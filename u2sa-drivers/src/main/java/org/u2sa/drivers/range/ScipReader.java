@@ -9,8 +9,8 @@ import java.util.Optional;
 /** Splits a SCIP sensor's output into replies, each ended by an empty line. */
 final class ScipReader {
   private static final int LONGEST_LINE = 256;
-  private static final int MOST_LINES = 400; // enough for a scan of 8192 steps
-  private static final int MOST_ANSWERS = 16;
+  private static final int MAX_LINES = 400; // enough for a scan of 8192 steps
+  private static final int MAX_ANSWERS = 16;
 
   private final StringBuilder line = new StringBuilder();
   private List<String> lines = new ArrayList<>();
@@ -45,14 +45,14 @@ final class ScipReader {
     if (line.length() > 0) {
       lines.add(line.toString());
       line.setLength(0);
-      if (lines.size() > MOST_LINES) {
+      if (lines.size() > MAX_LINES) {
         skip();
       }
       return;
     }
     if (!skips && !lines.isEmpty()) {
       answers.add(lines);
-      if (answers.size() > MOST_ANSWERS) {
+      if (answers.size() > MAX_ANSWERS) {
         answers.remove(); // unread: keep only the newest
       }
     }

@@ -28,7 +28,7 @@ record ScipSensor(
     int lastStep,
     int frontStep,
     int turnsPerMinute) {
-  private static final int MOST_STEPS = 8192;
+  private static final int MAX_STEPS = 8192;
   private static final double SECONDS_PER_MINUTE = 60.0;
   private static final int SIX_BITS = 0x3F;
   private static final int OFFSET = 0x30;
@@ -80,7 +80,7 @@ record ScipSensor(
     boolean fits =
         parameters.stepsPerTurn > 0
             && parameters.firstStep <= parameters.lastStep
-            && parameters.lastStep < MOST_STEPS;
+            && parameters.lastStep < MAX_STEPS;
     return fits ? Optional.of(parameters) : Optional.empty();
   }
 

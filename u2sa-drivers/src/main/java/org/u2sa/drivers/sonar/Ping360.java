@@ -26,8 +26,8 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
   private static final int GRADIANS = 400;
   private static final double RAD_PER_GRADIAN = 2.0 * Math.PI / GRADIANS;
   private static final double PERIOD_STEP_S = 25e-9;
-  private static final int LEAST_PERIOD = 80;
-  private static final int MOST_PERIOD = 40_000;
+  private static final int MIN_PERIOD = 80;
+  private static final int MAX_PERIOD = 40_000;
   private static final int SAMPLES = 600;
   private static final int FREQUENCY_KHZ = 740;
   private static final double MICROS_PER_S = 1e6;
@@ -62,7 +62,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
     this.gain = gain;
     // two-way travel: 2 r = c · n · T
     double exact = 2.0 * reachM / (soundMps * SAMPLES * PERIOD_STEP_S);
-    period = (int) Math.max(LEAST_PERIOD, Math.min(MOST_PERIOD, Math.round(exact)));
+    period = (int) Math.max(MIN_PERIOD, Math.min(MAX_PERIOD, Math.round(exact)));
   }
 
   @Override

@@ -12,9 +12,9 @@ import java.util.function.ObjIntConsumer;
 final class PingFramer {
   private static final int HEAD_BYTES = 8;
   private static final int SUM_BYTES = 2;
-  private static final int MOST_PAYLOAD = 4_096; // 1,200 samples of a Ping360 and its settings
+  private static final int MAX_PAYLOAD = 4_096; // 1,200 samples of a Ping360 and its settings
 
-  private final byte[] bytes = new byte[HEAD_BYTES + MOST_PAYLOAD + SUM_BYTES];
+  private final byte[] bytes = new byte[HEAD_BYTES + MAX_PAYLOAD + SUM_BYTES];
   private int length;
   private long refused;
 
@@ -44,7 +44,7 @@ final class PingFramer {
       boolean canBegin =
           bytes[0] == 'B'
               && (length < 2 || bytes[1] == 'R')
-              && (length < HEAD_BYTES || unsigned16(2) <= MOST_PAYLOAD);
+              && (length < HEAD_BYTES || unsigned16(2) <= MAX_PAYLOAD);
       if (!canBegin) {
         drop(1);
         continue;

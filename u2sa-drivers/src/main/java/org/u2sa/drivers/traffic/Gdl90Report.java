@@ -27,7 +27,7 @@ final class Gdl90Report {
   private static final double TRACK_STEP_RAD = 2.0 * Math.PI / 256.0;
   private static final int TRACK_TYPE = 0x3;
   private static final int TRUE_TRACK = 1;
-  private static final double MOST_LATITUDE_DEG = 90.0;
+  private static final double MAX_LATITUDE_DEG = 90.0;
 
   /** 95 % position radius by NACp, 1 to 11 [m] (table 12; DO-260B). */
   private static final double[] NACP_M = {
@@ -54,7 +54,7 @@ final class Gdl90Report {
     if (latitude == 0 && longitude == 0 && integrity == 0) {
       return Optional.empty();
     }
-    if (Math.abs(latitude * DEGREES) > MOST_LATITUDE_DEG) {
+    if (Math.abs(latitude * DEGREES) > MAX_LATITUDE_DEG) {
       throw new IllegalArgumentException("latitude " + latitude * DEGREES + " is outside ±90 deg");
     }
     int altitude = unsigned(report, 11) << 4 | unsigned(report, 12) >> 4;

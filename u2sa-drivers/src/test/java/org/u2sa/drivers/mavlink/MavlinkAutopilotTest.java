@@ -30,6 +30,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.PercentageCommand;

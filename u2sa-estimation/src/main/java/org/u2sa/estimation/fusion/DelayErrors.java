@@ -21,7 +21,7 @@ final class DelayErrors {
   static final double MAX_S = 0.5; // bounds delays to [0, MAX_S]
 
   private static final double NOISE = 1e-3; // random walk of a delay, s per √s
-  private static final double LEAST_S = 0.03; // minimum delay to report
+  private static final double MIN_S = 0.03; // minimum delay to report
   private static final double SIGMAS = 3.0; // required significance
 
   private final double sigmaS;
@@ -120,7 +120,7 @@ final class DelayErrors {
     for (int slot = 0; slot < SLOTS; slot++) {
       double late = s.x[FilterState.DELAYS + slot];
       double sigma = Math.sqrt(s.variance(FilterState.DELAY + slot));
-      if (s.delaySource[slot] == source && late > Math.max(LEAST_S, SIGMAS * sigma)) {
+      if (s.delaySource[slot] == source && late > Math.max(MIN_S, SIGMAS * sigma)) {
         return late;
       }
     }

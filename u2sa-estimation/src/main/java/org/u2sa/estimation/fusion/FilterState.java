@@ -159,15 +159,21 @@ final class FilterState {
 
   /** Meridian radius of curvature at the vehicle's altitude [m]. */
   double northRadiusM() {
-    double sin = StrictMath.sin(x[LATITUDE]);
-    double w2 = 1.0 - E2 * sin * sin;
+    return northRadiusM(StrictMath.sin(x[LATITUDE]));
+  }
+
+  private double northRadiusM(double sinLatitude) {
+    double w2 = 1.0 - E2 * sinLatitude * sinLatitude;
     return A * (1.0 - E2) / (w2 * Math.sqrt(w2)) + x[ALTITUDE];
   }
 
   /** Distance from the earth's axis [m], i.e. length of a radian of longitude. */
   double axisDistanceM() {
-    double sin = StrictMath.sin(x[LATITUDE]);
-    double radius = A / Math.sqrt(1.0 - E2 * sin * sin) + x[ALTITUDE];
+    return axisDistanceM(StrictMath.sin(x[LATITUDE]));
+  }
+
+  private double axisDistanceM(double sinLatitude) {
+    double radius = A / Math.sqrt(1.0 - E2 * sinLatitude * sinLatitude) + x[ALTITUDE];
     return radius * Math.max(POLE, StrictMath.cos(x[LATITUDE]));
   }
 
@@ -177,8 +183,9 @@ final class FilterState {
     x[NORTH + 1] += east;
     x[NORTH + 2] += down;
     if (hasPlace) {
-      double northRadius = northRadiusM();
-      double axisDistance = axisDistanceM();
+      double sinLatitude = StrictMath.sin(x[LATITUDE]);
+      double northRadius = northRadiusM(sinLatitude);
+      double axisDistance = axisDistanceM(sinLatitude);
       x[LATITUDE] += north / northRadius;
       x[LONGITUDE] = Math.IEEEremainder(x[LONGITUDE] + east / axisDistance, 2.0 * Math.PI);
     }

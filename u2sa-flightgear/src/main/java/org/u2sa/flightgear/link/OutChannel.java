@@ -27,7 +27,7 @@ import org.u2sa.interfaces.time.Clock;
 final class OutChannel {
   static final long SILENCE_MICROS = Clock.MICROS_PER_SECOND;
 
-  private static final int MOST_PEERS = 4;
+  private static final int MAX_PEERS = 4;
 
   private final Clock clock;
   private final Troubles troubles;
@@ -85,7 +85,7 @@ final class OutChannel {
     if (channel == null) {
       return;
     }
-    if (peers.size() == MOST_PEERS) {
+    if (peers.size() == MAX_PEERS) {
       peers.stream().filter(peer -> peer != flightGear).findFirst().ifPresent(this::close);
     }
     channel.configureBlocking(false);

@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
 /** FlightGear's property server, as much as a repair needs. Calls block, at most some seconds. */
 final class PropertyServer implements AutoCloseable {
   private static final int PATIENCE_MS = 3_000;
-  private static final int MOST_LINES = 50;
+  private static final int MAX_LINES = 50;
 
   private final Socket socket = new Socket();
   private final BufferedReader in;
@@ -46,7 +46,7 @@ final class PropertyServer implements AutoCloseable {
    */
   String get(String path) throws IOException {
     say("get " + path);
-    for (int i = 0; i < MOST_LINES; i++) {
+    for (int i = 0; i < MAX_LINES; i++) {
       String answer = hear("get " + path);
       int at = answer.indexOf(path + " = '");
       if (at >= 0) {
@@ -65,7 +65,7 @@ final class PropertyServer implements AutoCloseable {
    */
   boolean run(String command) throws IOException {
     say("run " + command);
-    for (int i = 0; i < MOST_LINES; i++) {
+    for (int i = 0; i < MAX_LINES; i++) {
       String answer = hear("run " + command);
       if (answer.contains("<completed>")) {
         return true;

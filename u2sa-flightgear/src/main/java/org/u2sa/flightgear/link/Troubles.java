@@ -13,7 +13,7 @@ import org.u2sa.interfaces.time.Clock;
 final class Troubles {
   static final long PAUSE_MICROS = 5 * Clock.MICROS_PER_SECOND;
 
-  private static final int MOST_KEPT = 20;
+  private static final int MAX_KEPT = 20;
 
   private final Clock clock;
   private final Deque<String> events = new ArrayDeque<>();
@@ -27,7 +27,7 @@ final class Troubles {
   }
 
   synchronized void event(String what) {
-    if (events.size() == MOST_KEPT) {
+    if (events.size() == MAX_KEPT) {
       events.removeFirst(); // nobody reads the events: keep the newest
     }
     events.addLast(what);

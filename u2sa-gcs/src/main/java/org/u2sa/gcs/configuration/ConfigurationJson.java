@@ -10,10 +10,10 @@ import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /** Formats configurations as JSON. Unknown values are omitted. */
-final class ConfigurationJson {
+public final class ConfigurationJson {
   private ConfigurationJson() {}
 
-  static String text(String systemId, List<ConfigurationResponse> services) {
+  public static String text(String systemId, List<ConfigurationResponse> services) {
     return new JsonText()
         .put("system", systemId)
         .put("services", services.stream().map(ConfigurationJson::of).toList())
@@ -27,11 +27,11 @@ final class ConfigurationJson {
         .put("variables", service.variables().stream().map(ConfigurationJson::of).toList());
   }
 
-  static String text(ConfigurationVariable variable) {
+  public static String text(ConfigurationVariable variable) {
     return of(variable).toString();
   }
 
-  static String text(ConfigurationTransactionResult result) {
+  public static String text(ConfigurationTransactionResult result) {
     return new JsonText()
         .put("service", result.serviceName())
         .put("revision", result.revision())

@@ -8,11 +8,11 @@ import java.util.TreeSet;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.stream.Collectors;
-import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
-import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.gcs.services.DirectoryObservation;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.ConfigurationAssignment;
@@ -25,17 +25,17 @@ import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.schema.U2SAData;
 
 /** Reads and changes the configuration of a running system's services over its link. */
-final class RemoteConfiguration {
+public final class RemoteConfiguration {
   private final RemoteLink link;
 
-  RemoteConfiguration(RemoteLink link) {
+  public RemoteConfiguration(RemoteLink link) {
     this.link = link;
   }
 
   /**
    * Answers of all services by name: until all heard services have answered, or the link times out.
    */
-  List<ConfigurationResponse> all() throws InterruptedException {
+  public List<ConfigurationResponse> all() throws InterruptedException {
     return answersOr(Set.of());
   }
 
@@ -45,7 +45,7 @@ final class RemoteConfiguration {
    * @throws BadInputException if other services answer but not this one
    * @throws RunFailedException if no service answers
    */
-  ConfigurationResponse of(String service) throws InterruptedException {
+  public ConfigurationResponse of(String service) throws InterruptedException {
     List<ConfigurationResponse> answers = answersOr(Set.of(service));
     for (ConfigurationResponse answer : answers) {
       if (answer.serviceName().equals(service)) {
@@ -91,7 +91,7 @@ final class RemoteConfiguration {
    *
    * @throws BadInputException if the service has none
    */
-  static ConfigurationVariable variable(ConfigurationResponse of, String name) {
+  public static ConfigurationVariable variable(ConfigurationResponse of, String name) {
     List<String> names =
         of.variables().stream().map(ConfigurationVariable::name).collect(Collectors.toList());
     int index = names.indexOf(name);
@@ -110,11 +110,10 @@ final class RemoteConfiguration {
    * @param transaction without request ID and author
    * @throws RunFailedException if rejected, with the service's reason, or not answered
    */
-  ConfigurationTransactionResult change(ConfigurationTransaction transaction)
+  public ConfigurationTransactionResult change(ConfigurationTransaction transaction)
       throws InterruptedException {
     String id = UUID.randomUUID().toString();
-    return result(
-        transaction.requestId(id).author(RemoteSystem.operator()), id, transaction.serviceName());
+    return result(transaction.requestId(id).author(Operator.name()), id, transaction.serviceName());
   }
 
   /**
@@ -122,10 +121,10 @@ final class RemoteConfiguration {
    *
    * @throws RunFailedException if rejected, with the service's reason, or not answered
    */
-  ConfigurationTransactionResult undo(String service) throws InterruptedException {
+  public ConfigurationTransactionResult undo(String service) throws InterruptedException {
     String id = UUID.randomUUID().toString();
     return result(
-        new ConfigurationUndo().requestId(id).serviceName(service).author(RemoteSystem.operator()),
+        new ConfigurationUndo().requestId(id).serviceName(service).author(Operator.name()),
         id,
         service);
   }
@@ -153,7 +152,8 @@ final class RemoteConfiguration {
   }
 
   /** Text of a change: one line per variable, and the revision. */
-  static List<String> told(ConfigurationTransactionResult result, ConfigurationResponse before) {
+  public static List<String> told(
+      ConfigurationTransactionResult result, ConfigurationResponse before) {
     List<String> lines =
         result.assignments().stream()
             .map(assignment -> told(assignment, variable(before, assignment.variableName())))

@@ -1,5 +1,2 @@
-/**
- * Commands that show and change the configuration of a running system's services. The connection is
- * in {@code org.u2sa.gcs.remote}.
- */
+/** Variables of a running system's services: read, changed, undone, watched. */
 package org.u2sa.gcs.configuration;

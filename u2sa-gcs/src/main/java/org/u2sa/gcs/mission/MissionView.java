@@ -17,25 +17,25 @@ import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.MissionReport;
 
 /** A mission as shown to operators. */
-final class MissionView {
+public final class MissionView {
   private final MissionReport report;
   private final Optional<StateInformation> state;
 
   /**
    * @param state vehicle state; empty if unknown
    */
-  MissionView(MissionReport report, Optional<StateInformation> state) {
+  public MissionView(MissionReport report, Optional<StateInformation> state) {
     this.report = report;
     this.state = state;
   }
 
   /** The Mission Manager's report. */
-  MissionReport report() {
+  public MissionReport report() {
     return report;
   }
 
   /** Status of a goal, in words. */
-  String status(GoalInformation goal) {
+  public String status(GoalInformation goal) {
     if (report.current().contains(goal.uid())) {
       return "current";
     }
@@ -51,7 +51,7 @@ final class MissionView {
   }
 
   /** Time of arrival [s since the start of the mission]; empty before. */
-  OptionalDouble arrivedS(GoalInformation goal) {
+  public OptionalDouble arrivedS(GoalInformation goal) {
     return goal.arrivedAt().isPresent() && report.began().isPresent()
         ? OptionalDouble.of(
             Clock.seconds(goal.arrivedAt().getAsLong() - report.began().getAsLong()))
@@ -59,7 +59,7 @@ final class MissionView {
   }
 
   /** Horizontal distance to a goal [m]; empty if it has no position or the distance is unknown. */
-  OptionalDouble distanceM(GoalInformation goal) {
+  public OptionalDouble distanceM(GoalInformation goal) {
     if (!(goal instanceof Waypoint waypoint)
         || state.isEmpty()
         || waypoint.x().isEmpty()
@@ -97,12 +97,12 @@ final class MissionView {
   }
 
   /** How often a goal was finished. */
-  long timesFinished(int index) {
+  public long timesFinished(int index) {
     return index < report.finished().size() ? Math.round(report.finished().get(index)) : 0;
   }
 
   /** Names of the followers of a goal, by condition: "", "if failed", "2 times". */
-  Map<String, List<String>> next(GoalInformation goal) {
+  public Map<String, List<String>> next(GoalInformation goal) {
     Map<String, List<String>> next = new LinkedHashMap<>();
     List<String> usual = new ArrayList<>(goal.next());
     int place = report.sequence().indexOf(goal.uid());

@@ -1,5 +1,2 @@
-/**
- * {@code u2sa mission}: shows a running mission and orders changes. Orders are executed by the
- * Mission Manager.
- */
+/** The mission of a running system, as its Mission Manager reports it. */
 package org.u2sa.gcs.mission;

@@ -165,7 +165,7 @@ public final class LocalSystems {
    * @param systemId wanted system; empty for any
    * @throws BadInputException if several brokers match
    */
-  Optional<BrokerAddress> theOnly(Optional<String> systemId) {
+  public Optional<BrokerAddress> theOnly(Optional<String> systemId) {
     List<LocalSystem> meant =
         running().stream()
             .filter(each -> systemId.isEmpty() || each.systemId().equals(systemId.get()))

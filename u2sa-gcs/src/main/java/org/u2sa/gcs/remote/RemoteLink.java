@@ -18,9 +18,7 @@ import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
-/**
- * A command's connection to a running system. Created by {@link RemoteSystem#connect}. Thread-safe.
- */
+/** A connection to a running system. Thread-safe. */
 public final class RemoteLink implements AutoCloseable {
   private static final long LOOK_MICROS = 20_000;
 

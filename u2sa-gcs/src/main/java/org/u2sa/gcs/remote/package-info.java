@@ -1,6 +1,5 @@
 /**
- * How commands join a system that runs in another process or on another host: shared options, the
- * connection, and requests to its services. The content of requests and orders belongs to each
- * command.
+ * The connection to a system that runs in another process or on another host, and which systems run
+ * on this machine. The content of requests and orders belongs to the packages beside this one.
  */
 package org.u2sa.gcs.remote;

@@ -19,7 +19,7 @@ import org.u2sa.messages.safety.EmergencyStop;
  * Tracks which services confirm an emergency stop. A stop is confirmed once every service that
  * obeys stops reports it as active.
  */
-final class StopConfirmation {
+public final class StopConfirmation {
   /** Time in which a service with the default report period reports twice. */
   private static final double LISTEN_S = 0.6;
 
@@ -36,7 +36,7 @@ final class StopConfirmation {
   }
 
   /** Starts listening. */
-  static StopConfirmation listen(RemoteLink link, Clock.Waiter waiter) {
+  public static StopConfirmation listen(RemoteLink link, Clock.Waiter waiter) {
     StopConfirmation confirmation = new StopConfirmation(link, waiter);
     link.listen(Channels.HEALTH, confirmation.<HealthReport>taking(confirmation::take));
     link.listen(Channels.CONDITIONS, confirmation.<ServiceCondition>taking(confirmation::take));
@@ -79,7 +79,7 @@ final class StopConfirmation {
   }
 
   /** Waits until all services have reported twice, or longer for the vehicle's first message. */
-  void await(Outcome wanted) throws InterruptedException {
+  public void await(Outcome wanted) throws InterruptedException {
     long begun = link.clock().micros();
     long least = begun + Clock.micros(Math.min(LISTEN_S, link.timeoutS()));
     long most = begun + Clock.micros(link.timeoutS());
@@ -90,12 +90,12 @@ final class StopConfirmation {
   }
 
   /** Condition on the stops in force at a service. */
-  interface Outcome {
+  public interface Outcome {
     boolean isSaid(List<String> holding);
   }
 
   /** Services that obey stops and satisfy the condition. */
-  synchronized List<String> confirmedBy(Outcome wanted) {
+  public synchronized List<String> confirmedBy(Outcome wanted) {
     List<String> by = new ArrayList<>();
     holding.forEach(
         (service, held) -> {
@@ -110,7 +110,7 @@ final class StopConfirmation {
    * Reasons why the vehicle as a whole does not satisfy the condition, one text each; empty if it
    * does.
    */
-  synchronized List<String> missing(Outcome wanted) {
+  public synchronized List<String> missing(Outcome wanted) {
     List<String> missing = new ArrayList<>();
     if (heard.isEmpty()) {
       missing.add("no service of system \"" + link.systemId() + "\" is heard");
@@ -149,19 +149,19 @@ final class StopConfirmation {
   }
 
   /** Whether any service of the system has been heard. */
-  synchronized boolean hearsAnybody() {
+  public synchronized boolean hearsAnybody() {
     return !heard.isEmpty();
   }
 
   /** All stops in force at any service or retained by the broker. */
-  synchronized Set<String> standing() {
+  public synchronized Set<String> standing() {
     Set<String> all = new TreeSet<>(stops.keySet());
     holding.values().forEach(all::addAll);
     return all;
   }
 
   /** Time of the latest stop heard [µs]; 0 if none. */
-  synchronized long newestMicros() {
+  public synchronized long newestMicros() {
     return stops.values().stream().mapToLong(stop -> stop.timestamp().orElse(0L)).max().orElse(0L);
   }
 }

@@ -1,5 +1,2 @@
-/**
- * Commands by which an operator keeps a running vehicle safe: emergency stop, arming, heartbeat.
- * The vehicle's side is in the core's safety package.
- */
+/** Confirmation of orders that concern safety. The orders belong to commands and bridges. */
 package org.u2sa.gcs.safety;

@@ -45,7 +45,7 @@ public final class DirectoryObservation {
   /**
    * {@link #begin}, then waits until all heard services have answered, or for the link's timeout.
    */
-  static DirectoryObservation made(RemoteLink link) throws InterruptedException {
+  public static DirectoryObservation made(RemoteLink link) throws InterruptedException {
     DirectoryObservation observation = begin(link);
     link.await(observation::isComplete, link.timeoutS());
     return observation;
@@ -82,12 +82,12 @@ public final class DirectoryObservation {
   }
 
   /** The services present. */
-  ServiceDirectory directory() {
+  public ServiceDirectory directory() {
     return directory;
   }
 
   /** Names of the services present. */
-  List<String> names() {
+  public List<String> names() {
     return directory.services().stream().map(KnownService::name).toList();
   }
 
@@ -99,7 +99,7 @@ public final class DirectoryObservation {
   }
 
   /** All rows to show, by name: services present, and those known to be gone. */
-  List<ServiceRow> rows() {
+  public List<ServiceRow> rows() {
     Map<String, ServiceRow> rows = new TreeMap<>();
     conditions().forEach((name, condition) -> rows.put(name, ServiceRow.gone(condition)));
     for (KnownService service : directory.services()) {

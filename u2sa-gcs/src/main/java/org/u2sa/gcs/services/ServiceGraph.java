@@ -26,7 +26,7 @@ import org.u2sa.service.directory.KnownService;
  * @param unanswered services whose publications and subscriptions are unknown; they may explain
  *     loose ends
  */
-record ServiceGraph(
+public record ServiceGraph(
     List<String> services,
     Map<String, String> roles,
     List<Feed> feeds,
@@ -41,7 +41,7 @@ record ServiceGraph(
           Channels.CONFIGURATION.name(),
           Channels.HEALTH.name());
 
-  static ServiceGraph of(List<KnownService> known) {
+  public static ServiceGraph of(List<KnownService> known) {
     List<KnownService> ordered = new ArrayList<>(known);
     ordered.sort(Comparator.comparingInt(ServiceGraph::layer).thenComparing(KnownService::name));
     List<Feed> feeds = new ArrayList<>();
@@ -132,5 +132,5 @@ record ServiceGraph(
    * @param channel the channel's name
    * @param type the narrower of their two types
    */
-  record Feed(String from, String to, String channel, String type) {}
+  public record Feed(String from, String to, String channel, String type) {}
 }

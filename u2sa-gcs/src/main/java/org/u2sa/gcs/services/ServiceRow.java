@@ -18,7 +18,7 @@ import org.u2sa.service.directory.KnownService;
  * @param health its latest health report
  * @param condition its condition by the health monitor
  */
-record ServiceRow(
+public record ServiceRow(
     String name,
     String type,
     String status,
@@ -59,13 +59,13 @@ record ServiceRow(
   }
 
   /** Simple class name; empty if unknown. */
-  String simpleClassName() {
+  public String simpleClassName() {
     String full = discovery.flatMap(DiscoveryResponse::className).orElse("");
     return full.substring(Math.max(full.lastIndexOf('.'), full.lastIndexOf('$')) + 1);
   }
 
   /** Condition in words, with the countermeasure. */
-  String conditionText() {
+  public String conditionText() {
     return condition
         .map(
             found ->
@@ -75,12 +75,12 @@ record ServiceRow(
   }
 
   /** 99th percentile of callback duration [s]. */
-  OptionalDouble callbackP99S() {
+  public OptionalDouble callbackP99S() {
     return health.isPresent() ? health.get().callbackP99() : OptionalDouble.empty();
   }
 
   /** Last error. */
-  String lastError() {
+  public String lastError() {
     return health.flatMap(HealthReport::lastError).orElse("");
   }
 }

@@ -10,10 +10,10 @@ import org.u2sa.service.directory.DataOffer;
 import org.u2sa.service.directory.KnownService;
 
 /** Formats the services of a system as JSON. Unknown values are omitted. */
-final class ServicesJson {
+public final class ServicesJson {
   private ServicesJson() {}
 
-  static String text(String systemId, DirectoryObservation observation) {
+  public static String text(String systemId, DirectoryObservation observation) {
     List<JsonText> services =
         observation.rows().stream()
             .map(row -> service(row, observation.directory().service(row.name())))

@@ -1,5 +1,2 @@
-/**
- * Commands to list the services of a running system, find them by their data, and stop, restart and
- * swap them. The connection is in the remote package.
- */
+/** Services of a running system: which there are, their condition, and who feeds whom. */
 package org.u2sa.gcs.services;

@@ -4,10 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import org.u2sa.gcs.message.ViewerJson;
-import org.u2sa.gcs.record.Playback;
-import org.u2sa.gcs.record.RecordedMessages;
-import org.u2sa.gcs.record.RecordedSpan;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.time.Clock;
@@ -15,9 +11,13 @@ import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.record.McapChannel;
 import org.u2sa.recorder.mcap.record.McapMessage;
 import org.u2sa.recorder.mcap.record.McapSchema;
+import org.u2sa.recorder.playback.Playback;
+import org.u2sa.recorder.playback.RecordedMessages;
+import org.u2sa.recorder.playback.RecordedSpan;
+import org.u2sa.report.message.ViewerJson;
 
 /** Plays a recording to viewers as soon as one is connected. */
-final class RecordedView {
+public final class RecordedView {
   private static final double WAIT_FOR_SUBSCRIPTIONS_S = 2.0;
   private static final double LOOK_S = 0.05;
 
@@ -30,7 +30,7 @@ final class RecordedView {
    * @param clock real time
    * @param isOver polled frequently: whether to stop
    */
-  RecordedView(RecordedMessages recording, Clock clock, BooleanSupplier isOver) {
+  public RecordedView(RecordedMessages recording, Clock clock, BooleanSupplier isOver) {
     this.recording = recording;
     reader = recording.reader();
     this.clock = clock;
@@ -52,7 +52,7 @@ final class RecordedView {
    * @param span part to play
    * @param loop whether to restart at the end
    */
-  void play(ViewServer server, double rate, RecordedSpan span, boolean loop)
+  public void play(ViewServer server, double rate, RecordedSpan span, boolean loop)
       throws IOException, InterruptedException {
     ViewFeed feed = new ViewFeed(server, recording.systemId().orElse("recording"), !hasViews());
     announce(server);

@@ -4,19 +4,19 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;
-import org.u2sa.gcs.message.MessageJson;
-import org.u2sa.gcs.message.ViewerJson;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.SchemaText;
 import org.u2sa.recorder.foxglove.FoxgloveMessages;
+import org.u2sa.report.message.MessageJson;
+import org.u2sa.report.message.ViewerJson;
 
 /**
  * Converts messages for viewers: each message as JSON on its topic, and its views in protobuf, with
  * the same topics and schemas as a recording. Not thread-safe.
  */
-final class ViewFeed {
+public final class ViewFeed {
   private static final Set<String> LATCHED_VIEWS = Set.of("grid", "objects", "plan");
 
   private final ViewServer server;
@@ -27,7 +27,7 @@ final class ViewFeed {
   /**
    * @param makesViews false if views come from elsewhere, such as a recording that contains them
    */
-  ViewFeed(ViewServer server, String systemId, boolean makesViews) {
+  public ViewFeed(ViewServer server, String systemId, boolean makesViews) {
     this.server = server;
     this.systemId = systemId;
     this.makesViews = makesViews;
@@ -39,7 +39,7 @@ final class ViewFeed {
    *
    * @param nanos time of receipt [ns]
    */
-  void take(Channel<?> channel, U2SAData message, long nanos) {
+  public void take(Channel<?> channel, U2SAData message, long nanos) {
     Topic topic = Topic.of(systemId, channel, message);
     if (!server.hasRoomFor(topic.toString())) {
       return;

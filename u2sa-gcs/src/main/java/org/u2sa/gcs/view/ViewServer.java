@@ -29,23 +29,23 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.u2sa.gcs.command.RunFailedException;
-import org.u2sa.gcs.message.JsonReader;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
+import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.report.message.JsonReader;
 
 /**
  * Serves channels to viewers by the Foxglove WebSocket protocol, version 1: server info,
  * advertisements, status, messages. Reads subscriptions, and answers everything else with an error.
  */
-final class ViewServer implements AutoCloseable {
+public final class ViewServer implements AutoCloseable {
   private static final String SUBPROTOCOLS = "foxglove.sdk.v1,foxglove.websocket.v1";
   private static final int LONGEST_REQUEST = 1 << 16;
   private static final int LONGEST_FRAME = 1 << 20;
   private static final WriteBufferWaterMark BUFFER = new WriteBufferWaterMark(1 << 20, 4 << 20);
-  private static final int MOST_VIEWERS = 32;
+  private static final int MAX_VIEWERS = 32;
   private static final int MAX_CHANNELS = 2048; // of a running system
-  private static final int MAX_SOCKETS = 2 * MOST_VIEWERS; // before and after the handshake
+  private static final int MAX_SOCKETS = 2 * MAX_VIEWERS; // before and after the handshake
   private static final int HANDSHAKE_WITHIN_S = 10;
   private static final int END_MS = 500;
 
@@ -71,7 +71,7 @@ final class ViewServer implements AutoCloseable {
    * @param remarks receives connects and disconnects
    * @throws RunFailedException if the port is taken
    */
-  ViewServer(
+  public ViewServer(
       InetSocketAddress address,
       String name,
       String sessionId,
@@ -104,7 +104,7 @@ final class ViewServer implements AutoCloseable {
   }
 
   /** Address on which it listens. */
-  InetSocketAddress address() {
+  public InetSocketAddress address() {
     return (InetSocketAddress) listening.localAddress();
   }
 
@@ -251,8 +251,8 @@ final class ViewServer implements AutoCloseable {
         close(context, "expected one of the subprotocols " + SUBPROTOCOLS);
         return;
       }
-      if (viewers.size() >= MOST_VIEWERS) {
-        close(context, "there are " + MOST_VIEWERS + " viewers already");
+      if (viewers.size() >= MAX_VIEWERS) {
+        close(context, "there are " + MAX_VIEWERS + " viewers already");
         return;
       }
       viewer = new ViewerSession(context.channel());

@@ -27,7 +27,7 @@ final class ViewerSession {
   private static final byte TIME = 0x02;
   private static final long MAX_UNREAD_BYTES = 16L << 20;
   private static final int HEAD = 1 + Integer.BYTES + Long.BYTES;
-  private static final int MOST_SUBSCRIPTIONS = 4096;
+  private static final int MAX_SUBSCRIPTIONS = 4096;
 
   private final Channel socket;
   private final Map<Long, Integer> channelBySubscription = new ConcurrentHashMap<>();
@@ -53,8 +53,8 @@ final class ViewerSession {
 
   /** Returns the reason for rejection; null if accepted. */
   String subscribe(long subscription, int channel) {
-    if (channelBySubscription.size() >= MOST_SUBSCRIPTIONS) {
-      return "more than " + MOST_SUBSCRIPTIONS + " subscriptions";
+    if (channelBySubscription.size() >= MAX_SUBSCRIPTIONS) {
+      return "more than " + MAX_SUBSCRIPTIONS + " subscriptions";
     }
     return channelBySubscription.putIfAbsent(subscription, channel) == null
         ? null

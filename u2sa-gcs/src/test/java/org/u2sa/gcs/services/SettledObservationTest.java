@@ -85,15 +85,15 @@ class SettledObservationTest {
     }
   }
 
-  private GraphCommand.SettledObservation made(double timeoutS) throws InterruptedException {
+  private SettledObservation made(double timeoutS) throws InterruptedException {
     scripted.start();
-    return GraphCommand.SettledObservation.made(
+    return SettledObservation.made(
         new RemoteLink(bus, "graph", new SystemClock(), timeoutS, line -> {}));
   }
 
   @Test
   void made_subscriberComesAfterTheFirstAnswer_isAwaited() throws InterruptedException {
-    GraphCommand.SettledObservation made = made(60.0);
+    SettledObservation made = made(60.0);
 
     ServiceGraph graph = ServiceGraph.of(made.observation().directory().services());
     assertThat(made.hasSettled()).isTrue();

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;

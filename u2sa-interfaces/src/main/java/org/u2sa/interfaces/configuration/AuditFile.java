@@ -28,8 +28,8 @@ import java.util.Objects;
 final class AuditFile implements ChangeJournal {
   private static final String SUFFIX = ".audit.jsonl";
   private static final String OLDER = ".1";
-  private static final long MOST_BYTES = 1024 * 1024;
-  private static final int MOST_READ_BYTES = 4 * 1024 * 1024; // limit for logs of older versions
+  private static final long MAX_BYTES = 1024 * 1024;
+  private static final int MAX_READ_BYTES = 4 * 1024 * 1024; // limit for logs of older versions
 
   private final Path configuration;
   private Tail known = Tail.NONE; // accessed under the folder's lock, or before any change
@@ -92,9 +92,9 @@ final class AuditFile implements ChangeJournal {
   private void read(FileChannel file, Object key) throws IOException {
     long length = file.size();
     boolean same = known.isOf(key) && known.end() <= length;
-    long from = same ? known.end() : Math.max(0L, length - MOST_READ_BYTES);
-    if (same && length - from > MOST_READ_BYTES) {
-      from = length - MOST_READ_BYTES;
+    long from = same ? known.end() : Math.max(0L, length - MAX_READ_BYTES);
+    if (same && length - from > MAX_READ_BYTES) {
+      from = length - MAX_READ_BYTES;
       same = false;
     }
     ByteBuffer bytes = ByteBuffer.allocate((int) (length - from));
@@ -112,7 +112,7 @@ final class AuditFile implements ChangeJournal {
     try {
       if (!exists(path)) {
         create(path);
-      } else if (known.end() > MOST_BYTES) {
+      } else if (known.end() > MAX_BYTES) {
         keepAsOlder(path);
       }
       write(path, (entry.line() + "\n").getBytes(StandardCharsets.UTF_8));
@@ -182,7 +182,7 @@ final class AuditFile implements ChangeJournal {
     /** Tail of a missing log. */
     static final Tail NONE = new Tail(null, 0, List.of());
 
-    private static final int MOST_ENTRIES = 200;
+    private static final int MAX_ENTRIES = 200;
 
     /** Tail of an unread log, starting at an offset. */
     static Tail of(Object key, long from) {
@@ -222,7 +222,7 @@ final class AuditFile implements ChangeJournal {
           kept.add(all.get(i));
         }
       }
-      return List.copyOf(kept.subList(Math.max(0, kept.size() - MOST_ENTRIES), kept.size()));
+      return List.copyOf(kept.subList(Math.max(0, kept.size() - MAX_ENTRIES), kept.size()));
     }
   }
 }

@@ -184,7 +184,7 @@ final class ChangePlanner {
   static final class RefusedTexts {
     private static final int LONGEST = 200;
     private static final int SHOWN = 16;
-    private static final int MOST_VARIABLES = 256;
+    private static final int MAX_VARIABLES = 256;
     private static final int LONGEST_VALUE = 2_000;
 
     private RefusedTexts() {}
@@ -195,11 +195,11 @@ final class ChangePlanner {
      * @throws ConfigurationException if there are too many variables, or texts are too long
      */
     static void refuseTooMuch(Map<String, ?> wanted, String origin) {
-      if (wanted.size() > MOST_VARIABLES) {
+      if (wanted.size() > MAX_VARIABLES) {
         throw new ConfigurationException(
             String.format(
                 "%s: %s variables at once, expected %s at most",
-                origin, wanted.size(), MOST_VARIABLES));
+                origin, wanted.size(), MAX_VARIABLES));
       }
       wanted.forEach(
           (name, value) -> {

@@ -18,7 +18,7 @@ public final class LocalToken {
   /** User name for token logins. */
   public static final String USER = "local";
 
-  private static final int MOST_BYTES = 256;
+  private static final int MAX_BYTES = 256;
   private static final String USUAL = "127.0.0.1";
   private static final Pattern IPV4 = Pattern.compile("127(\\.[0-9]{1,3}){3}");
 
@@ -54,7 +54,7 @@ public final class LocalToken {
     }
     try {
       SecretFiles.requireClosed("local token", file);
-      if (Files.size(file) > MOST_BYTES) {
+      if (Files.size(file) > MAX_BYTES) {
         return Optional.empty();
       }
       String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8).trim();

@@ -263,7 +263,7 @@ final class MqttLink {
   static final class BackOff {
     private static final long FIRST_MS = 100;
     private static final long LONGEST_MS = 2_000;
-    private static final double LEAST_PART = 0.5;
+    private static final double MIN_PART = 0.5;
 
     private final Random random;
     private long nextMs = FIRST_MS;
@@ -279,7 +279,7 @@ final class MqttLink {
     synchronized long nextMs() {
       long whole = nextMs;
       nextMs = Math.min(LONGEST_MS, 2 * nextMs);
-      return Math.round(whole * (LEAST_PART + (1 - LEAST_PART) * random.nextDouble()));
+      return Math.round(whole * (MIN_PART + (1 - MIN_PART) * random.nextDouble()));
     }
 
     /** Resets to the shortest wait after success. */

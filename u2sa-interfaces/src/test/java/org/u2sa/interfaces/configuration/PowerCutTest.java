@@ -27,7 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 class PowerCutTest {
   private static final int SHORT_KILLS = 6;
   private static final int LONG_KILLS = 150;
-  private static final int MOST_LOOKS = 40;
+  private static final int MAX_LOOKS = 40;
   private static final int PADDING = 400_000; // makes a write last, so that kills fall into it
 
   @TempDir Path folder;
@@ -142,7 +142,7 @@ class PowerCutTest {
         last = Integer.parseInt(lines.readLine());
       }
       // A reader sees what a kill at that moment would leave.
-      for (int i = random.nextInt(MOST_LOOKS); i > 0; i--) {
+      for (int i = random.nextInt(MAX_LOOKS); i > 0; i--) {
         assertWhole(file, padding);
       }
       process.toHandle().destroyForcibly(); // SIGKILL; what it had said can still be read

@@ -17,7 +17,7 @@ public final class MagneticModel {
   private static final double EQUATOR_KM = 6378.137;
   private static final double FLATTENING = 1.0 / 298.257223563;
   private static final double ECCENTRICITY_2 = FLATTENING * (2.0 - FLATTENING);
-  private static final double LEAST_COSINE = 1e-10; // directions are undefined at the poles
+  private static final double MIN_COSINE = 1e-10; // directions are undefined at the poles
   private static final double METRES_PER_KM = 1000.0;
 
   private MagneticModel() {}
@@ -60,7 +60,7 @@ public final class MagneticModel {
     double upKm = (curvatureKm * (1.0 - ECCENTRICITY_2) + altitudeKm) * sine;
     double radiusKm = Math.hypot(axisKm, upKm);
     double geocentricSine = upKm / radiusKm;
-    double geocentricCosine = Math.max(LEAST_COSINE, axisKm / radiusKm);
+    double geocentricCosine = Math.max(MIN_COSINE, axisKm / radiusKm);
     double[] field =
         WmmCoefficients.held()
             .field(

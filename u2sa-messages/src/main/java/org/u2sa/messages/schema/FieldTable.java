@@ -10,9 +10,8 @@ import java.util.List;
  * @param <T> the message class
  */
 final class FieldTable<T extends U2SAData> {
-  private static final int LEAST_BYTES = 32;
-  private static final int MOST_BYTES =
-      4096; // one large message must not inflate all later buffers
+  private static final int MIN_BYTES = 32;
+  private static final int MAX_BYTES = 4096; // one large message must not inflate all later buffers
 
   private final MessageField<T>[] fields;
   private final FieldKey[] keys; // of the fields
@@ -25,7 +24,7 @@ final class FieldTable<T extends U2SAData> {
   private final NumberRun[] runsBefore; // by index in values, plus one after the last; null if none
   private final long defaultedValues; // bit n: the value of slot n has a default
   private final long requiredValues; // likewise
-  private int typicalBytes = LEAST_BYTES; // of the last message: an estimate, so no lock
+  private int typicalBytes = MIN_BYTES; // of the last message: an estimate, so no lock
 
   FieldTable(List<MessageField<T>> all, WireForm form) {
     fields = fieldArray(all);
@@ -126,7 +125,7 @@ final class FieldTable<T extends U2SAData> {
 
   /** Remembers the size of a message. */
   void typicalBytes(int bytes) {
-    typicalBytes = Math.max(LEAST_BYTES, Math.min(bytes, MOST_BYTES));
+    typicalBytes = Math.max(MIN_BYTES, Math.min(bytes, MAX_BYTES));
   }
 
   /** Writes all fields of a message that must be written, in order. */

@@ -24,8 +24,8 @@ public final class TangentGraph {
   private static final double FULL = 2.0 * Math.PI;
   private static final double ROUNDING_RAD = 1.0e-7;
   private static final double TOUCHING = 1.0e-9; // of circles, relative to the squared distance
-  private static final int MOST_CIRCLES = 300;
-  private static final int MOST_EXPANSIONS = 4000;
+  private static final int MAX_CIRCLES = 300;
+  private static final int MAX_EXPANSIONS = 4000;
   private static final double ARC_SAMPLE_RAD = Math.toRadians(6.0);
 
   /** A circle with a turn direction: 1 to the right, −1 to the left, 0 for a point. */
@@ -129,7 +129,7 @@ public final class TangentGraph {
       OptionalDouble goalHeadingRad,
       double radiusM) {
     KeepOut keepOut = new KeepOut(shapes, corridors, clearanceM, start);
-    if (keepOut.rounds().size() > MOST_CIRCLES) {
+    if (keepOut.rounds().size() > MAX_CIRCLES) {
       return Optional.empty();
     }
     return new TangentGraph(keepOut, start, goalNorthM, goalEastM, goalHeadingRad, radiusM)
@@ -154,7 +154,7 @@ public final class TangentGraph {
     for (int ring = 0; ring < 2; ring++) {
       open.add(new Node(ring, start.headingRad(), 0.0, restM(ring), null, ids++));
     }
-    for (int expanded = 0; !open.isEmpty() && expanded < MOST_EXPANSIONS; expanded++) {
+    for (int expanded = 0; !open.isEmpty() && expanded < MAX_EXPANSIONS; expanded++) {
       Node node = open.poll();
       if (node.ring() < 0) {
         return Optional.of(curve(node));

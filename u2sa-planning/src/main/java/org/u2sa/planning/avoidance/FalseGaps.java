@@ -19,7 +19,7 @@ final class FalseGaps {
   private static final double NEAR_RADII = 5.0;
 
   /** Minimum distance: nearer, the vehicle would be inside the closed region. */
-  private static final double LEAST_RADII = 1.5;
+  private static final double MIN_RADII = 1.5;
 
   /** Sooner closures belong to the same attempt. */
   private static final long AGAIN_MICROS = 3 * Clock.MICROS_PER_SECOND;
@@ -48,7 +48,7 @@ final class FalseGaps {
   void blocked(RouteTrack route, CostGrid costs, long micros) {
     double radius = costs.inflation().radiusM();
     OptionalDouble ahead = firstClosedM(route, costs, NEAR_RADII * radius);
-    if (ahead.isEmpty() || ahead.getAsDouble() < LEAST_RADII * radius) {
+    if (ahead.isEmpty() || ahead.getAsDouble() < MIN_RADII * radius) {
       return;
     }
     double north = route.northAheadM(ahead.getAsDouble());

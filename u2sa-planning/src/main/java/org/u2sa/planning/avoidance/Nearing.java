@@ -11,7 +11,7 @@ import org.u2sa.interfaces.time.Clock;
  */
 final class Nearing {
   /** Without progress, a goal is given up after the time to travel the route this many times. */
-  private static final double MOST_ROUTES = 4.0;
+  private static final double MAX_ROUTES = 4.0;
 
   private double nearestM; // shortest remaining route to this goal [m]
   private double longestM; // longest remaining route since then [m]
@@ -46,7 +46,7 @@ final class Nearing {
       nearestMicros = micros;
     }
     double seconds = Clock.seconds(micros - nearestMicros);
-    return seconds > MOST_ROUTES * longestM / speedMps + heldUpS
+    return seconds > MAX_ROUTES * longestM / speedMps + heldUpS
         ? Optional.of(String.format(Locale.ROOT, "no nearer to the goal for %.0f s", seconds))
         : Optional.empty();
   }

@@ -12,7 +12,7 @@ import org.u2sa.planning.curve.Curve;
  * grid is in the way, it plans like HYBRID.
  */
 final class AirRoutes implements RoutePlanner {
-  private static final double LEAST_RADIUS_M = 0.1;
+  private static final double MIN_RADIUS_M = 0.1;
   private static final double KEPT = 1.05; // margin on the clearance, so that grid cells agree
 
   private final RoutePlanner grids = new HybridRoutes();
@@ -30,7 +30,7 @@ final class AirRoutes implements RoutePlanner {
             request.goalNorthM(),
             request.goalEastM(),
             request.goalHeadingRad(),
-            Math.max(LEAST_RADIUS_M, can.turnRadiusM()));
+            Math.max(MIN_RADIUS_M, can.turnRadiusM()));
     if (curve.isEmpty()) {
       return grids.plan(request);
     }

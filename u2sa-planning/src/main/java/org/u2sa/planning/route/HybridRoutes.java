@@ -16,7 +16,7 @@ import org.u2sa.planning.search.GridFrame;
  */
 final class HybridRoutes implements RoutePlanner {
   /** Turn radius assumed for vehicles that turn in place [cells]. */
-  private static final double LEAST_RADIUS_CELLS = 2.0;
+  private static final double MIN_RADIUS_CELLS = 2.0;
 
   /** Larger movements of the vehicle restart the search [cells, rad]. */
   private static final double MOVED_CELLS = 2.0;
@@ -70,8 +70,7 @@ final class HybridRoutes implements RoutePlanner {
         request.costs(),
         can.body(),
         can.clearanceM(),
-        HybridAStar.Motion.of(
-            Math.max(can.turnRadiusM(), LEAST_RADIUS_CELLS * cell), can.reverses()),
+        HybridAStar.Motion.of(Math.max(can.turnRadiusM(), MIN_RADIUS_CELLS * cell), can.reverses()),
         request.start(),
         new HybridAStar.Goal(
             request.goalNorthM(),

@@ -14,6 +14,9 @@ public final class CostGrid {
   /** Extra cost of unknown cells over cells seen free. */
   private static final float UNKNOWN_COST = 0.3f;
 
+  /** A point nearer to the corner of cells lies in none of them for certain [cells]. */
+  private static final double CORNER = 1.0e-6;
+
   /** Flag of a cell's state: occupied. 0 is a cell seen free. */
   public static final byte OCCUPIED = 1;
 
@@ -193,6 +196,19 @@ public final class CostGrid {
     return cost[index] < Float.POSITIVE_INFINITY;
   }
 
+  /**
+   * Whether the step between two neighbouring cells leads diagonally between two where the vehicle
+   * would collide.
+   */
+  boolean isClosed(int from, int to) {
+    int columns = frame.columns();
+    int aside = to % columns - from % columns;
+    return aside != 0
+        && from / columns != to / columns
+        && !isFree(from + aside)
+        && !isFree(to - aside);
+  }
+
   /** Cost per metre in a cell, at least 1; infinite if impassable. */
   public float cost(int index) {
     return cost[index];
@@ -235,8 +251,7 @@ public final class CostGrid {
 
   /** Cost of a metre at a point; 1 outside. */
   public double cost(double northM, double eastM) {
-    int index = frame.indexAt(northM, eastM);
-    return index < 0 ? 1.0 : cost[index];
+    return costIn(frame.indexAt(northM, eastM));
   }
 
   /**
@@ -247,16 +262,32 @@ public final class CostGrid {
     double length =
         Math.sqrt((toNorth - north) * (toNorth - north) + (toEast - east) * (toEast - east));
     int steps = Math.max(1, (int) Math.ceil(length / (0.5 * frame.cellM())));
+    double little = length > 0.0 ? CORNER * frame.cellM() / length : 0.0; // share of the path
     double sum = 0.0;
+    int before = -1;
     for (int k = 0; k < steps; k++) {
       double share = (k + 0.5) / steps;
-      double here = cost(north + share * (toNorth - north), east + share * (toEast - east));
-      if (here == Double.POSITIVE_INFINITY) {
-        return here;
+      int cell = frame.indexAt(north + share * (toNorth - north), east + share * (toEast - east));
+      if (costIn(cell) == Double.POSITIVE_INFINITY) { // on a corner, the cells before and behind it
+        double to = share + little;
+        double from = share - little;
+        before = frame.indexAt(north + from * (toNorth - north), east + from * (toEast - east));
+        cell = frame.indexAt(north + to * (toNorth - north), east + to * (toEast - east));
       }
-      sum += here;
+      double here = Math.max(costIn(before), costIn(cell));
+      boolean isNext = before >= 0 && cell >= 0 && before != cell;
+      if (here == Double.POSITIVE_INFINITY || isNext && isClosed(before, cell)) {
+        return Double.POSITIVE_INFINITY;
+      }
+      sum += costIn(cell);
+      before = cell;
     }
     return sum * length / steps;
+  }
+
+  /** Cost of a metre in a cell; 1 outside, which is -1. */
+  private double costIn(int cell) {
+    return cell < 0 ? 1.0 : cost[cell];
   }
 
   /** Free cell nearest to a point within a distance; −1 if none. */

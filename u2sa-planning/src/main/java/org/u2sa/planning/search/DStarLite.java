@@ -37,6 +37,8 @@ public final class DStarLite {
   private int revision; // of the grid's costs, as of the last search
   private double km;
   private int start = -1;
+  private int startRow;
+  private int startColumn;
   private int last = -1;
   private int expanded;
 
@@ -85,10 +87,12 @@ public final class DStarLite {
     expanded = 0;
     boolean first = last < 0;
     start = from;
+    startRow = from / frame.columns();
+    startColumn = from % frame.columns();
     if (first) {
       begin();
     } else {
-      km += h(last, start);
+      km += h(last / frame.columns(), last % frame.columns());
       takeChanges();
     }
     last = start;
@@ -104,31 +108,30 @@ public final class DStarLite {
     }
     revision = grid.revision();
     if (goal >= 0) {
-      seed(goal);
+      seed(goal / frame.columns(), goal % frame.columns());
       return;
     }
     for (int row = 0; row < frame.rows(); row++) {
       boolean edge = row == 0 || row == frame.rows() - 1;
       for (int c = 0; c < frame.columns(); c += edge ? 1 : Math.max(1, frame.columns() - 1)) {
-        seed(frame.index(row, c));
+        seed(row, c);
       }
     }
   }
 
-  private void seed(int cell) {
+  private void seed(int row, int column) {
+    int cell = frame.index(row, column);
     if (cost[cell] < NEVER) {
-      rhs[cell] = terminal(cell);
-      open.put(cell, rhs[cell] + h(start, cell), rhs[cell]);
+      rhs[cell] = terminal(cell, row, column);
+      open.put(cell, rhs[cell] + h(row, column), rhs[cell]);
     }
   }
 
   /** Remaining cost from a cell in which paths end; infinite for all others. */
-  private double terminal(int cell) {
+  private double terminal(int cell, int row, int column) {
     if (goal >= 0) {
       return cell == goal ? 0.0 : NEVER;
     }
-    int row = cell / frame.columns();
-    int column = cell % frame.columns();
     boolean edge =
         row == 0 || column == 0 || row == frame.rows() - 1 || column == frame.columns() - 1;
     double north = frame.centreNorthM(cell) - goalNorthM;
@@ -147,8 +150,8 @@ public final class DStarLite {
           int near = frame.index(r, c);
           if (!taken.get(near)) {
             taken.set(near);
-            rhs[near] = cost[near] == NEVER ? NEVER : best(near);
-            updateVertex(near);
+            rhs[near] = cost[near] == NEVER ? NEVER : best(near, r, c);
+            updateVertex(near, r, c);
           }
         }
       }
@@ -183,10 +186,10 @@ public final class DStarLite {
     }
   }
 
-  private void updateVertex(int cell) {
+  private void updateVertex(int cell, int row, int column) {
     if (g[cell] != rhs[cell]) {
-      open.put(
-          cell, Math.min(g[cell], rhs[cell]) + h(start, cell) + km, Math.min(g[cell], rhs[cell]));
+      double now = Math.min(g[cell], rhs[cell]);
+      open.put(cell, now + h(row, column) + km, now);
     } else {
       open.remove(cell);
     }
@@ -200,8 +203,10 @@ public final class DStarLite {
         return; // ties are expanded too, because the extracted path uses such cells
       }
       int cell = open.first();
+      int row = cell / frame.columns();
+      int column = cell % frame.columns();
       double now = Math.min(g[cell], rhs[cell]);
-      double key = now + h(start, cell) + km;
+      double key = now + h(row, column) + km;
       if (open.firstKey() < key - ROUNDING) {
         open.put(cell, key, now);
         continue;
@@ -210,19 +215,17 @@ public final class DStarLite {
       open.remove(cell);
       if (g[cell] > rhs[cell]) {
         g[cell] = rhs[cell];
-        lower(cell);
+        lower(cell, row, column);
       } else {
         double before = g[cell];
         g[cell] = NEVER;
-        raise(cell, before);
+        raise(cell, row, column, before);
       }
     }
   }
 
   /** Propagates a lower cost of a cell to its neighbours. */
-  private void lower(int cell) {
-    int row = cell / frame.columns();
-    int column = cell % frame.columns();
+  private void lower(int cell, int row, int column) {
     for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
       for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
         int near = frame.index(r, c);
@@ -230,7 +233,7 @@ public final class DStarLite {
           double through = g[cell] + step(cell, near, r != row && c != column);
           if (through < rhs[near]) {
             rhs[near] = through;
-            updateVertex(near);
+            updateVertex(near, r, c);
           }
         }
       }
@@ -238,25 +241,21 @@ public final class DStarLite {
   }
 
   /** Propagates a higher cost of a cell: cells with paths through it find another one. */
-  private void raise(int cell, double before) {
-    int row = cell / frame.columns();
-    int column = cell % frame.columns();
+  private void raise(int cell, int row, int column, double before) {
     for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
       for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
         int near = frame.index(r, c);
         double through = near == cell ? NEVER : before + step(cell, near, r != row && c != column);
         if (near == cell || Math.abs(rhs[near] - through) <= ROUNDING) {
-          rhs[near] = cost[near] == NEVER ? NEVER : best(near);
+          rhs[near] = cost[near] == NEVER ? NEVER : best(near, r, c);
         }
-        updateVertex(near);
+        updateVertex(near, r, c);
       }
     }
   }
 
-  private double best(int cell) {
-    double least = terminal(cell);
-    int row = cell / frame.columns();
-    int column = cell % frame.columns();
+  private double best(int cell, int row, int column) {
+    double least = terminal(cell, row, column);
     for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
       for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
         int near = frame.index(r, c);
@@ -268,14 +267,21 @@ public final class DStarLite {
     return least;
   }
 
+  /** Infinite also between two cells where the vehicle would collide. */
   private double step(int a, int b, boolean diagonal) {
-    return 0.5 * ((double) cost[a] + cost[b]) * frame.cellM() * (diagonal ? DIAGONAL : 1.0);
+    double straight = 0.5 * ((double) cost[a] + cost[b]) * frame.cellM();
+    if (!diagonal) {
+      return straight;
+    }
+    int aside = b - a - (b > a ? frame.columns() : -frame.columns()); // in columns, from a to b
+    boolean isClosed = cost[a + aside] == NEVER && cost[b - aside] == NEVER;
+    return isClosed ? NEVER : DIAGONAL * straight;
   }
 
-  /** Lower bound of the cost between two cells: octile distance in the open [m]. */
-  private double h(int a, int b) {
-    int rows = Math.abs(a / frame.columns() - b / frame.columns());
-    int columns = Math.abs(a % frame.columns() - b % frame.columns());
+  /** Lower bound of the cost between a cell and the start: octile distance in the open [m]. */
+  private double h(int row, int column) {
+    int rows = Math.abs(startRow - row);
+    int columns = Math.abs(startColumn - column);
     return frame.cellM() * (Math.max(rows, columns) + (DIAGONAL - 1.0) * Math.min(rows, columns));
   }
 
@@ -287,7 +293,8 @@ public final class DStarLite {
     while (cell >= 0 && cells.size() <= frame.cells()) {
       cells.add(cell);
       togo.add(Math.min(g[cell], rhs[cell]));
-      if (terminal(cell) <= Math.min(g[cell], rhs[cell]) + ROUNDING) {
+      if (terminal(cell, cell / frame.columns(), cell % frame.columns())
+          <= Math.min(g[cell], rhs[cell]) + ROUNDING) {
         return Optional.of(new GridPath(straightened(cells, togo), total));
       }
       cell = next(cell);

@@ -162,7 +162,7 @@ public final class ThetaStar {
   }
 
   private void visit(CostGrid grid, int cell, int next, double goalNorth, double goalEast) {
-    if (closed[next] == search || !grid.isFree(next)) {
+    if (closed[next] == search || !grid.isFree(next) || grid.isClosed(cell, next)) {
       return;
     }
     GridFrame frame = grid.frame();
@@ -203,9 +203,13 @@ public final class ThetaStar {
   }
 
   /**
-   * Cost from a cell to its neighbour: the mean of both costs times the distance of their centres.
+   * Cost from a cell to its neighbour: the mean of both costs times the distance of their centres;
+   * infinite between two cells where the vehicle would collide.
    */
-  static double step(CostGrid grid, int from, int to) {
+  private static double step(CostGrid grid, int from, int to) {
+    if (grid.isClosed(from, to)) {
+      return Double.POSITIVE_INFINITY;
+    }
     int columns = grid.frame().columns();
     boolean diagonal = from / columns != to / columns && from % columns != to % columns;
     return 0.5

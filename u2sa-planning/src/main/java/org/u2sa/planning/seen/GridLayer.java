@@ -154,21 +154,51 @@ final class GridLayer {
       left = Math.min(left, eastward.firstOver(i));
       right = Math.max(right, eastward.lastOver(i));
     }
+    if (left > right) {
+      return;
+    }
+    byte[] fullest = new byte[right - left + 1]; // by column of the grid
+    Arrays.fill(fullest, OccupancyGrid.UNKNOWN);
     for (int row = northward.firstOver(planned); row <= northward.lastOver(planned); row++) {
+      int base = row * placement.columns();
+      boolean fits = northward.fits(row);
       for (int column = left; column <= right; column++) {
-        byte cell = cells[row * placement.columns() + column];
-        boolean covers =
-            cell != OccupancyGrid.UNKNOWN
-                && placement.firstRow(column, row) <= planned
-                && placement.lastRow(column, row) >= planned;
-        if (covers) {
-          fill(
-              planned,
-              planned,
-              Math.max(from, placement.firstColumn(column, row)),
-              Math.min(to, placement.lastColumn(column, row)),
-              state(cell));
+        byte cell = cells[base + column];
+        if (fits && eastward.fits(column)) {
+          fullest[column - left] = (byte) Math.max(fullest[column - left], cell);
+        } else if (cell != OccupancyGrid.UNKNOWN) {
+          redraw(planned, from, to, row, column);
         }
+      }
+    }
+    redraw(planned, from, to, left, fullest);
+  }
+
+  /** Draws one cell, as far as it covers the plan's. */
+  private void redraw(int planned, int from, int to, int row, int column) {
+    if (placement.firstRow(column, row) <= planned && placement.lastRow(column, row) >= planned) {
+      fill(
+          planned,
+          planned,
+          Math.max(from, placement.firstColumn(column, row)),
+          Math.min(to, placement.lastColumn(column, row)),
+          state(cells[row * placement.columns() + column]));
+    }
+  }
+
+  /**
+   * Draws columns that cover the same columns of the plan in each row: of the cells that cover one
+   * of the plan, the fullest decides, as unknown ones have the least value.
+   */
+  private void redraw(int planned, int from, int to, int left, byte[] fullest) {
+    Spans eastward = placement.eastward();
+    for (int i = from; i <= to; i++) {
+      byte most = OccupancyGrid.UNKNOWN;
+      for (int column = eastward.firstOver(i); column <= eastward.lastOver(i); column++) {
+        most = (byte) Math.max(most, fullest[column - left]);
+      }
+      if (most != OccupancyGrid.UNKNOWN) {
+        fill(planned, planned, i, i, state(most));
       }
     }
   }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 
@@ -124,6 +125,7 @@ class SearchProperties {
     double expected = bellmanFord(grid, start)[goal];
     assertThat(path.isPresent()).isEqualTo(expected < Double.POSITIVE_INFINITY);
     path.ifPresent(way -> assertThat(way.cost()).isCloseTo(expected, within(1e-4)));
+    path.ifPresent(way -> assertIsFree(grid, way));
   }
 
   @Property(tries = 300)
@@ -148,12 +150,7 @@ class SearchProperties {
     for (int i = 1; i < way.corners().size(); i++) {
       GridPath.Corner from = way.corners().get(i - 1);
       GridPath.Corner to = way.corners().get(i);
-      boolean neighbours =
-          Math.hypot(to.northM() - from.northM(), to.eastM() - from.eastM()) < 1.5 * FRAME.cellM();
-      assertThat(
-              neighbours
-                  ? 1.0
-                  : grid.straightCost(from.northM(), from.eastM(), to.northM(), to.eastM()))
+      assertThat(grid.straightCost(from.northM(), from.eastM(), to.northM(), to.eastM()))
           .isLessThan(Double.POSITIVE_INFINITY);
     }
   }
@@ -204,6 +201,7 @@ class SearchProperties {
                   .orElse(Double.POSITIVE_INFINITY);
       assertThat(path.isPresent()).as("round %d", round).isEqualTo(expected < 1e9);
       path.ifPresent(way -> assertThat(way.cost()).isCloseTo(expected, within(1e-3)));
+      path.ifPresent(way -> assertIsFree(grid, way));
       int row = random.nextInt(SIZE);
       int column = random.nextInt(SIZE);
       boolean full = random.nextBoolean();
@@ -234,6 +232,28 @@ class SearchProperties {
     assertThat(search.isFor(grid, north + FRAME.cellM(), east)).isFalse();
     search.plan(start);
     assertThat(search.expanded()).isZero();
+  }
+
+  @Example
+  void plan_obstaclesThatTouchAtTheirCorners_areNoWay() {
+    CostGrid grid = new CostGrid(FRAME, new Inflation(0.1, 2.0, 3.0));
+    int start = FRAME.index(0, SIZE - 1);
+    int goal = FRAME.index(SIZE - 1, 0);
+    DStarLite repaired = new DStarLite(grid, FRAME.centreNorthM(goal), FRAME.centreEastM(goal));
+    assertThat(repaired.plan(start)).isPresent();
+
+    grid.update(i -> i / SIZE == i % SIZE, i -> false); // between start and goal
+
+    assertThat(repaired.plan(start)).isEmpty();
+    assertThat(plan(new ThetaStar(false), grid, start, goal)).isEmpty();
+    assertThat(plan(new ThetaStar(), grid, start, goal)).isEmpty();
+    assertThat(
+            grid.straightCost(
+                FRAME.centreNorthM(start),
+                FRAME.centreEastM(start),
+                FRAME.centreNorthM(goal),
+                FRAME.centreEastM(goal)))
+        .isInfinite();
   }
 
   static Optional<GridPath> plan(ThetaStar search, CostGrid grid, int start, int goal) {
@@ -285,7 +305,9 @@ class SearchProperties {
                       * (grid.cost(i) + grid.cost(next))
                       * 0.5
                       * Math.hypot(row - i / SIZE, column - i % SIZE);
-          if (next != i && cost < costs[next] - 1e-12) {
+          boolean isClosed = // diagonally between two cells where the vehicle would collide
+              !grid.isFree(i / SIZE * SIZE + column) && !grid.isFree(row * SIZE + i % SIZE);
+          if (next != i && !isClosed && cost < costs[next] - 1e-12) {
             costs[next] = cost;
             changed = true;
           }

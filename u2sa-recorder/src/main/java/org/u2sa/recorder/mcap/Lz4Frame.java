@@ -20,7 +20,7 @@ final class Lz4Frame {
   private static final LZ4Compressor COMPRESSOR = LZ4Factory.safeInstance().fastCompressor();
   private static final LZ4SafeDecompressor DECOMPRESSOR =
       LZ4Factory.safeInstance().safeDecompressor();
-  private static final long MOST_TIMES = 255; // maximum compression ratio of LZ4
+  private static final long MAX_TIMES = 255; // maximum compression ratio of LZ4
 
   private Lz4Frame() {}
 
@@ -73,7 +73,7 @@ final class Lz4Frame {
   static byte[] read(byte[] frame, long size) {
     boolean isOurs =
         frame.length >= HEADER.length && Arrays.equals(Arrays.copyOf(frame, HEADER.length), HEADER);
-    if (!isOurs || size < 0 || size > MOST_TIMES * frame.length) {
+    if (!isOurs || size < 0 || size > MAX_TIMES * frame.length) {
       return null;
     }
     ByteBuffer in = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -36,6 +37,9 @@ public final class McapReader implements AutoCloseable {
   private final FileChannel file;
   private final Map<Integer, McapSchema> schemas = new TreeMap<>();
   private final Map<Integer, McapChannel> channels = new TreeMap<>();
+  // What callers see; asked for with each message, so nothing is copied.
+  private final Map<Integer, McapSchema> schemasSeen = Collections.unmodifiableMap(schemas);
+  private final Map<Integer, McapChannel> channelsSeen = Collections.unmodifiableMap(channels);
   private final List<ChunkIndex> chunks = new ArrayList<>();
   private final List<AttachmentIndex> attachments = new ArrayList<>();
   private final List<MetadataIndex> metadata = new ArrayList<>();
@@ -124,12 +128,12 @@ public final class McapReader implements AutoCloseable {
 
   /** All schemas by ID. */
   public Map<Integer, McapSchema> schemas() {
-    return Map.copyOf(schemas);
+    return schemasSeen;
   }
 
   /** All channels by ID. */
   public Map<Integer, McapChannel> channels() {
-    return Map.copyOf(channels);
+    return channelsSeen;
   }
 
   /** Statistics of the file. */

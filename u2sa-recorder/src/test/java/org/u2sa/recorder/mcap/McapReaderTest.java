@@ -45,6 +45,18 @@ class McapReaderTest {
   }
 
   @Test
+  void channels_askedForWithEachMessage_areNotCopied() throws IOException {
+    Path file = folder.resolve("a.mcap");
+    SmallRecording.write(file, SmallRecording.options(ChunkCompression.LZ4, SMALL_CHUNKS), SEVERAL);
+    try (McapReader reader = McapReader.open(file)) {
+      assertThat(reader.channels()).isSameAs(reader.channels());
+      assertThat(reader.schemas()).isSameAs(reader.schemas());
+      assertThatThrownBy(() -> reader.channels().clear())
+          .isInstanceOf(UnsupportedOperationException.class);
+    }
+  }
+
+  @Test
   void messages_fromATimeOfOneChannel_areTheRestOfThatChannel() throws IOException {
     Path file = folder.resolve("a.mcap");
     List<McapMessage> written =

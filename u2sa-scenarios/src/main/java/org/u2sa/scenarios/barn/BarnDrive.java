@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.u2sa.gcs.Main;
-import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.cli.Main;
+import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.messages.frame.Geodetic;
 
 /** Drives one course with {@code demo ugv} in lockstep, in this process, and scores it by truth. */

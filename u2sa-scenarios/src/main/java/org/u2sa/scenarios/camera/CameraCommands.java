@@ -1,7 +1,7 @@
 package org.u2sa.scenarios.camera;
 
 import java.util.List;
-import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.cli.command.CommandProvider;
 
 /** Adds {@code u2sa camera} to the command line. */
 public final class CameraCommands implements CommandProvider {

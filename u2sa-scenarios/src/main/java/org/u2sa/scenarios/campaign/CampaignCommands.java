@@ -1,7 +1,7 @@
 package org.u2sa.scenarios.campaign;
 
 import java.util.List;
-import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.cli.command.CommandProvider;
 
 /** Registers {@code u2sa campaign} with the command line. */
 public final class CampaignCommands implements CommandProvider {

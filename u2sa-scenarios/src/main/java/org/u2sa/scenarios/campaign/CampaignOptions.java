@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.ServiceLoader;
-import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.cli.terminal.Terminal;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
 
 /** The options of {@code u2sa campaign} and the runs they define. */
 final class CampaignOptions {
-  private static final int MOST_RUNS = 1_000_000;
+  private static final int MAX_RUNS = 1_000_000;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
@@ -136,8 +136,8 @@ final class CampaignOptions {
     long combinations = seeds;
     for (Sweep sweep : sweeps) {
       combinations *= sweep.values().size();
-      if (combinations > MOST_RUNS) {
-        throw refused("these are more than " + MOST_RUNS + " runs; expected fewer");
+      if (combinations > MAX_RUNS) {
+        throw refused("these are more than " + MAX_RUNS + " runs; expected fewer");
       }
     }
     return Experiment.all(base(), firstSeed, seeds, sweeps);

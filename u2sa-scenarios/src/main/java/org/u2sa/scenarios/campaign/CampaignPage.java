@@ -8,7 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.u2sa.scenarios.report.FigureChart;
+import org.u2sa.report.EscapedXml;
+import org.u2sa.report.picture.FigureChart;
 
 /** The report of a campaign as a self-contained HTML page. */
 final class CampaignPage {
@@ -40,11 +41,11 @@ final class CampaignPage {
 
   private String whole(String campaign, List<Sweep> sweeps, int worst) {
     page.append("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>")
-        .append(text(campaign))
+        .append(EscapedXml.of(campaign))
         .append("</title><style>")
         .append(STYLE)
         .append("</style></head><body>\n<h1>")
-        .append(text(campaign))
+        .append(EscapedXml.of(campaign))
         .append("</h1>\n<p><span class=\"")
         .append(results.succeeded() == results.outcomes().size() ? "good" : "bad")
         .append("\">")
@@ -67,7 +68,7 @@ final class CampaignPage {
     spreads.forEach(
         (name, spread) ->
             row(
-                text(name),
+                EscapedXml.of(name),
                 Integer.toString(spread.values().length),
                 number(spread.least()),
                 number(spread.median()),
@@ -79,10 +80,10 @@ final class CampaignPage {
 
   private void worst(int most) {
     page.append("<h2>Worst runs</h2>\n<p>Those that failed, then by <code>")
-        .append(text(results.ranking()))
+        .append(EscapedXml.of(results.ranking()))
         .append("</code>. The command makes the run again, with pictures.</p>\n<table>")
         .append("<tr><th>run</th><th>")
-        .append(text(results.ranking()))
+        .append(EscapedXml.of(results.ranking()))
         .append("</th><th class=\"text\">came to</th><th class=\"text\">command</th></tr>\n");
     for (Outcome outcome : results.worst(most)) {
       page.append("<tr><td>")
@@ -91,9 +92,9 @@ final class CampaignPage {
           .append(figure(outcome))
           .append("</td><td class=\"text\">")
           .append(outcome.success() ? "success" : "<span class=\"bad\">failed</span> ")
-          .append(text(outcome.trouble()))
+          .append(EscapedXml.of(outcome.trouble()))
           .append("</td><td class=\"text\"><code>")
-          .append(text(outcome.experiment().command()))
+          .append(EscapedXml.of(outcome.experiment().command()))
           .append("</code></td></tr>\n");
     }
     page.append("</table>\n");
@@ -108,7 +109,7 @@ final class CampaignPage {
   /** Success rate and ranking figure for each value of a parameter. */
   private void sweep(Sweep sweep) {
     page.append("<h2>By ")
-        .append(text(sweep.name()))
+        .append(EscapedXml.of(sweep.name()))
         .append("</h2>\n<table><tr><th>value</th>")
         .append("<th>runs</th><th>succeeded</th><th>median</th><th>greatest</th></tr>\n");
     Map<String, double[]> byValue = new LinkedHashMap<>();
@@ -124,7 +125,7 @@ final class CampaignPage {
       boolean known = figures.length > 0;
       Distribution spread = Distribution.of(Arrays.stream(figures));
       row(
-          text(value),
+          EscapedXml.of(value),
           Integer.toString(runs.size()),
           Long.toString(runs.stream().filter(Outcome::success).count()),
           known ? number(spread.median()) : "–",
@@ -167,9 +168,5 @@ final class CampaignPage {
     return value == Math.rint(value) && Math.abs(value) < 1e9
         ? String.format(Locale.ROOT, "%.0f", value)
         : String.format(Locale.ROOT, "%.3f", value);
-  }
-
-  private static String text(String raw) {
-    return raw.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
   }
 }

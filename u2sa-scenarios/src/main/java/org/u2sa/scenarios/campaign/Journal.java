@@ -13,10 +13,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.u2sa.gcs.command.ReportFile;
-import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
+import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.report.ReportFile;
 
 /**
  * Results of a campaign on disk, one line per run in order of completion, so that an interrupted

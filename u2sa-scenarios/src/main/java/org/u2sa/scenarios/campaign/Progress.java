@@ -3,7 +3,7 @@ package org.u2sa.scenarios.campaign;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
-import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.cli.terminal.Terminal;
 
 /** Displays the progress of a campaign: a bar redrawn in place, or periodic lines. */
 final class Progress {

@@ -18,7 +18,7 @@ public interface RunBackend {
    *
    * @param done called for each finished run, in any order, by one thread at a time; if it throws,
    *     no more runs are started and the exception is rethrown here
-   * @throws org.u2sa.gcs.command.RunFailedException if no run can be executed
+   * @throws org.u2sa.interfaces.RunFailedException if no run can be executed
    */
   void run(List<RunRequest> requests, BiConsumer<RunRequest, RunAnswer> done)
       throws InterruptedException;

@@ -9,9 +9,9 @@ import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.gcs.Main;
-import org.u2sa.gcs.command.ExitCode;
-import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.cli.Main;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.report.ReportFile;
 
 /**
  * Main class of a {@link WorkerProcess}, which executes runs sequentially: each line of standard

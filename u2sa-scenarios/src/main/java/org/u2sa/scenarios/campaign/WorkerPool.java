@@ -12,7 +12,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.BiConsumer;
-import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.scenarios.run.HomeFolder;
 
 /** Executes runs on several local processes and replaces processes that die. */

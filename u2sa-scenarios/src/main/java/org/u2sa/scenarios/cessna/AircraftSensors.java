@@ -10,7 +10,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.scenarios.report.Surroundings;
+import org.u2sa.report.score.Surroundings;
 import org.u2sa.scenarios.run.SimulatedSensors;
 import org.u2sa.sim.aircraft.AircraftMotion;
 import org.u2sa.sim.aircraft.Cessna172;

@@ -1,7 +1,7 @@
 package org.u2sa.scenarios.cessna;
 
 import java.util.List;
-import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.cli.command.CommandProvider;
 
 /** Adds the Cessna's commands to the command line. */
 public final class CessnaCommands implements CommandProvider {

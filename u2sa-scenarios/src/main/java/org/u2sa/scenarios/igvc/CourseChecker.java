@@ -18,9 +18,9 @@ import org.u2sa.sim.camera.Scenery;
  */
 final class CourseChecker {
   static final double PASSAGE_M = 1.524; // 5 ft
-  private static final double LEAST_LANE_M = 3.048; // 10 ft
-  private static final double MOST_LANE_M = 6.096; // 20 ft
-  private static final double LEAST_TURN_M = 1.524;
+  private static final double MIN_LANE_M = 3.048; // 10 ft
+  private static final double MAX_LANE_M = 6.096; // 20 ft
+  private static final double MIN_TURN_M = 1.524;
   private static final double AREA_M = 48.0; // diagonal of 120 ft by 100 ft
   private static final double CELL_M = 0.05;
   private static final double MARGIN_M = 3.0;
@@ -81,7 +81,7 @@ final class CourseChecker {
     int span = 4;
     for (int i = span; i + span < points.size(); i++) {
       double radius = radiusM(points.get(i - span), points.get(i), points.get(i + span));
-      if (radius < LEAST_TURN_M - 0.05) {
+      if (radius < MIN_TURN_M - 0.05) {
         fault("%s turns with a radius of %.2f m", line.uid(), radius);
         return;
       }
@@ -101,7 +101,7 @@ final class CourseChecker {
   private void apart(PolyLine one, PolyLine other, boolean isLane) {
     for (Point point : one.points()) {
       double away = metres(point, other.points());
-      if (isLane && (away < LEAST_LANE_M - ROUNDING_M || away > MOST_LANE_M + ROUNDING_M)) {
+      if (isLane && (away < MIN_LANE_M - ROUNDING_M || away > MAX_LANE_M + ROUNDING_M)) {
         fault("the lane between %s and %s is %.2f m wide", one.uid(), other.uid(), away);
         return;
       }

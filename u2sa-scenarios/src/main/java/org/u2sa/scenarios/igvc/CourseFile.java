@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.Box;
@@ -12,6 +11,7 @@ import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PolyLine;
+import org.u2sa.report.ReportFile;
 import org.u2sa.sim.camera.Scenery;
 import org.u2sa.world.xml.WorldFile;
 

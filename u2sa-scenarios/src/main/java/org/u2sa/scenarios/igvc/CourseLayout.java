@@ -15,8 +15,8 @@ record CourseLayout(Centreline line, int lanesEnd, int lanesBegin) {
   static final double WIDTH_M = 30.48; // 100 ft
 
   private static final int ROWS = 4;
-  private static final double LEAST_WIDTH_M = 3.2; // the rules require 10 ft
-  private static final double MOST_WIDTH_M = 5.2; // the rules allow 20 ft
+  private static final double MIN_WIDTH_M = 3.2; // the rules require 10 ft
+  private static final double MAX_WIDTH_M = 5.2; // the rules allow 20 ft
   private static final double BETWEEN_LANES_M = 0.7;
   private static final double INNER_RADIUS_M = 1.6; // the rules require 5 ft
   private static final double STRAIGHT_M = 15.0; // at the start: 44 ft are timed
@@ -29,7 +29,7 @@ record CourseLayout(Centreline line, int lanesEnd, int lanesBegin) {
   static CourseLayout random(Random random, double calm) {
     double pitch = 7.2 + 1.3 * random.nextDouble();
     double turn = 0.5 * pitch;
-    double mostInTurn = Math.min(MOST_WIDTH_M, pitch - 2.0 * INNER_RADIUS_M);
+    double mostInTurn = Math.min(MAX_WIDTH_M, pitch - 2.0 * INNER_RADIUS_M);
     double left = turn + 0.5 * mostInTurn + 0.3;
     double right = LENGTH_M - left;
     int open = 1 + random.nextInt(2);
@@ -124,7 +124,7 @@ record CourseLayout(Centreline line, int lanesEnd, int lanesBegin) {
 
     double next(double alongM, double most) {
       double share = 0.5 + 0.5 * StrictMath.sin(2.0 * Math.PI * alongM / waveM + phase);
-      return LEAST_WIDTH_M + share * (Math.min(MOST_WIDTH_M, most) - LEAST_WIDTH_M);
+      return MIN_WIDTH_M + share * (Math.min(MAX_WIDTH_M, most) - MIN_WIDTH_M);
     }
   }
 }

@@ -3,11 +3,11 @@ package org.u2sa.scenarios.igvc;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.mission.Mission;
+import org.u2sa.report.ReportFile;
 import org.u2sa.sim.world.LocalPlane;
 
 /**

@@ -3,7 +3,6 @@ package org.u2sa.scenarios.igvc;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.DoubleConsumer;
-import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectList;
@@ -11,7 +10,8 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.report.ReportFile;
+import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.VehicleTruth;
 

@@ -1,7 +1,7 @@
 package org.u2sa.scenarios.igvc;
 
 import java.util.List;
-import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.cli.command.CommandProvider;
 
 /** Adds the IGVC demo to the command line. */
 public final class IgvcCommands implements CommandProvider {

@@ -11,7 +11,7 @@ import org.u2sa.device.LidarSensor;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.report.Domain;
+import org.u2sa.report.score.Domain;
 import org.u2sa.scenarios.run.BoardServer;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
 final class IgvcDemo implements Callable<Integer>, Demo {
   private static final String SIMULATOR = "differential vehicle behind an IOIO, lidar, camera, GPS";
 
-  private static final double MOST_MINUTES = 60.0;
+  private static final double MAX_MINUTES = 60.0;
 
   /** Course origin: Rochester, Michigan, where the competition is held. */
   private static final Geodetic ORIGIN = new Geodetic(-83.2190, 42.6780, 290.0);
@@ -91,7 +91,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
           "Minutes after which the judge ends the run, for courses longer than the rules' (default:"
               + " 6).")
   private void minutes(double minutes) {
-    runS = 60.0 * within("--minutes", minutes, 1.0, MOST_MINUTES, "min");
+    runS = 60.0 * within("--minutes", minutes, 1.0, MAX_MINUTES, "min");
   }
 
   @Spec private CommandSpec command;

@@ -46,7 +46,7 @@ import org.u2sa.sim.world.World;
 final class IgvcWorld {
   private static final int COMPASS_BAUD = 9600;
   private static final double YEAR = 2026.4;
-  private static final double MOST_MISMATCH = 0.05;
+  private static final double MAX_MISMATCH = 0.05;
   private static final double PAYLOAD_KG = 9.1; // the rules' 20 lb
   private static final double LASER_FORWARD_M = 0.35; // as in LidarSensor.xml
   private static final double LASER_UP_M = 0.4;
@@ -93,7 +93,7 @@ final class IgvcWorld {
     this.course = course;
     this.seed = seed;
     world = ground(World.at(origin), course).with(solids(course));
-    double mismatch = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
+    double mismatch = new SplittableRandom(seed).nextDouble() * 2.0 * MAX_MISMATCH - MAX_MISMATCH;
     measures = measures(outline.trackM(), mismatch);
     Course.Start start = course.start();
     GroundStart at = new GroundStart(start.eastM(), start.northM(), start.headingRad());

@@ -12,12 +12,12 @@ import org.u2sa.messages.frame.Point;
  * where {@link RampRules} allow it. Nothing else on the course changes.
  */
 final class RampPlacer {
-  private static final double LEAST_RISE = 0.10;
-  private static final double MOST_RISE = 0.15; // limit of the rules
-  private static final double LEAST_WAY_M = 1.9;
-  private static final double MOST_WAY_M = 2.44; // a board of 8 ft
-  private static final double LEAST_TOP_M = 0.8;
-  private static final double MOST_TOP_M = 1.4;
+  private static final double MIN_RISE = 0.10;
+  private static final double MAX_RISE = 0.15; // limit of the rules
+  private static final double MIN_WAY_M = 1.9;
+  private static final double MAX_WAY_M = 2.44; // a board of 8 ft
+  private static final double MIN_TOP_M = 0.8;
+  private static final double MAX_TOP_M = 1.4;
   private static final double ASIDE_M = 0.3; // boards beyond the lines
   private static final double AFTER_START_M = 3.0;
   private static final double STEP_M = 0.5;
@@ -33,9 +33,9 @@ final class RampPlacer {
     this.line = line;
     this.builder = builder;
     this.name = name;
-    wayM = LEAST_WAY_M + (MOST_WAY_M - LEAST_WAY_M) * random.nextDouble();
-    topM = LEAST_TOP_M + (MOST_TOP_M - LEAST_TOP_M) * random.nextDouble();
-    heightM = wayM * (LEAST_RISE + (MOST_RISE - LEAST_RISE) * random.nextDouble());
+    wayM = MIN_WAY_M + (MAX_WAY_M - MIN_WAY_M) * random.nextDouble();
+    topM = MIN_TOP_M + (MAX_TOP_M - MIN_TOP_M) * random.nextDouble();
+    heightM = wayM * (MIN_RISE + (MAX_RISE - MIN_RISE) * random.nextDouble());
   }
 
   /**

@@ -16,7 +16,7 @@ import org.u2sa.sim.world.Ramp;
 final class RampRules {
   private static final double STEEPEST = 0.15;
   private static final double ROUNDING = 1.0e-3;
-  private static final double LEAST_WIDTH_M = 2.438; // 8 ft
+  private static final double MIN_WIDTH_M = 2.438; // 8 ft
   private static final double BEFORE_M = 1.5; // straight and free before each foot
   private static final double STRAIGHT = 0.12; // tolerance between line and ramp direction [rad]
   private static final double PAINT_M = 0.1; // from a boundary to its paint
@@ -52,7 +52,7 @@ final class RampRules {
     if (ramp.steepest() > STEEPEST + ROUNDING) {
       fault(" rises by %.3f m a metre", ramp.steepest());
     }
-    if (ramp.widthM() < LEAST_WIDTH_M) {
+    if (ramp.widthM() < MIN_WIDTH_M) {
       fault(" is %.2f m wide", ramp.widthM());
     }
     for (ObjectDescription object : course.objects()) {

@@ -1,14 +1,10 @@
 package org.u2sa.scenarios.igvc;
 
 import java.awt.image.BufferedImage;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import javax.imageio.ImageIO;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
-import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.PlannedPath;
@@ -18,7 +14,9 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Line;
-import org.u2sa.scenarios.report.Animation;
+import org.u2sa.report.ReportFile;
+import org.u2sa.report.picture.Animation;
+import org.u2sa.report.picture.PictureFile;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
@@ -132,11 +130,7 @@ final class RunFilm {
           CoursePainter painter = CoursePainter.whole(course, outline, PICTURE);
           BufferedImage image = painter.course();
           painter.moment(image, moments.get(moments.size() - 1), track);
-          try (MemoryCacheImageOutputStream png = new MemoryCacheImageOutputStream(out)) {
-            if (!ImageIO.write(image, "png", png)) {
-              throw new IOException("this Java has no writer for PNG");
-            }
-          }
+          PictureFile.png(out, image);
         });
     ReportFile.write(
         directory.resolve("run.gif"),

@@ -2,18 +2,16 @@ package org.u2sa.scenarios.igvc;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import javax.imageio.ImageIO;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.u2sa.device.MountingPose;
 import org.u2sa.device.port.CameraFrame;
-import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.report.ReportFile;
+import org.u2sa.report.picture.PictureFile;
 import org.u2sa.scenarios.camera.SeenPicture;
 import org.u2sa.vision.camera.CourseSettings;
 import org.u2sa.vision.camera.CourseSight.Seen;
@@ -91,11 +89,7 @@ final class RunSnapshots {
     ReportFile.write(
         directory.resolve(String.format(Locale.ROOT, "%03.0f.png", nowS)),
         out -> {
-          try (MemoryCacheImageOutputStream png = new MemoryCacheImageOutputStream(out)) {
-            if (!ImageIO.write(both, "png", png)) {
-              throw new IOException("this Java has no writer for PNG");
-            }
-          }
+          PictureFile.png(out, both);
         });
   }
 

@@ -2,11 +2,11 @@ package org.u2sa.scenarios.run;
 
 import java.util.Map;
 import java.util.OptionalInt;
+import org.u2sa.cli.run.TakenPort;
+import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.communication.ManagerSettings;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.gcs.run.TakenPort;
-import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;

@@ -7,9 +7,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.report.Domain;
-import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.scenarios.report.Surroundings;
+import org.u2sa.report.score.Domain;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.Surroundings;
 
 /** The demo-specific parts of a demo: its files, and the components of a run. */
 public interface Demo {

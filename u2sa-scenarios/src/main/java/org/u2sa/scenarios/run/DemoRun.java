@@ -7,21 +7,22 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
+import org.u2sa.cli.run.TroubleLines;
+import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.safety.SafetyManager;
-import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.gcs.remote.LocalSystems;
-import org.u2sa.gcs.run.TroubleLines;
-import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.scenarios.report.RunReport;
-import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.report.score.RunDetails;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.TrackSample;
+import org.u2sa.report.summary.RunReport;
 import org.u2sa.scenarios.terminal.LiveStatus;
 import org.u2sa.service.U2SAService;
 
@@ -138,7 +139,7 @@ record DemoRun(
       refuseUnswapped(operator);
       double wallS = Clock.seconds(STOPWATCH.micros() - began);
       return RunReport.of(
-          new RunReport.Facts(
+          new RunDetails(
               demo, seed, simulated.name(), wallS, OptionalInt.of(observer.record().completed())),
           plan.within(fence(running)),
           observer.record().track(),

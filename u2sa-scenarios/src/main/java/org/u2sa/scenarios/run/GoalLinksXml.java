@@ -3,10 +3,10 @@ package org.u2sa.scenarios.run;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.u2sa.gcs.command.EscapedXml;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.mission.Mission;
+import org.u2sa.report.EscapedXml;
 
 /** Writes the order and time limits of a mission's goals as XML. */
 final class GoalLinksXml {

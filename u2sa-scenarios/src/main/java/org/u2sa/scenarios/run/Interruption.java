@@ -3,7 +3,7 @@ package org.u2sa.scenarios.run;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
-import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.interfaces.RunFailedException;
 
 /**
  * Handles Ctrl-C or SIGTERM during a run: the run shuts down cleanly with neutral actuators and

@@ -5,14 +5,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.u2sa.gcs.command.EscapedXml;
-import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Home;
 import org.u2sa.mission.Mission;
+import org.u2sa.report.EscapedXml;
 
 /**
  * Repeats the waypoints of a mission for several laps, in file order. The resulting mission

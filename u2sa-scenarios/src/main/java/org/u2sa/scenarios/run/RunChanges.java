@@ -2,10 +2,10 @@ package org.u2sa.scenarios.run;
 
 import java.util.List;
 import java.util.function.Supplier;
+import org.u2sa.cli.command.Setting;
+import org.u2sa.cli.record.RunFacts;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.gcs.command.Setting;
-import org.u2sa.gcs.record.RunFacts;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;

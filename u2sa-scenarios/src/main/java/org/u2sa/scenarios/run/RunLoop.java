@@ -5,11 +5,11 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.gcs.command.ExitCode;
-import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.scenarios.report.RunReport;
-import org.u2sa.scenarios.report.RunSeries;
+import org.u2sa.report.summary.RunReport;
+import org.u2sa.report.summary.RunSeries;
 import org.u2sa.scenarios.terminal.WaypointTable;
 
 /** Executes one run, or several with consecutive seeds, and writes their output. */

@@ -1,9 +1,9 @@
 package org.u2sa.scenarios.run;
 
 import java.util.function.Consumer;
-import org.u2sa.scenarios.report.RunOutcome;
-import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.report.score.RunOutcome;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.TrackSample;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 

@@ -11,8 +11,8 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Home;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.report.Domain;
-import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.report.score.Domain;
+import org.u2sa.report.score.RunPlan;
 
 /** Converts missions to plans for reports and screens. */
 public final class RunPlans {

@@ -7,9 +7,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.scenarios.report.Track;
-import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.Track;
+import org.u2sa.report.score.TrackSample;
 
 /**
  * The record of a run, for its score and its screen. Confined to the observer's thread, except

@@ -3,8 +3,8 @@ package org.u2sa.scenarios.terminal;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.DoubleSupplier;
-import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.report.score.TrackSample;
 
 /**
  * Shows the progress of a run. On a terminal, redraws a panel in place at most ten times a second

@@ -5,17 +5,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
-import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.scenarios.report.FlightFigures;
-import org.u2sa.scenarios.report.ObstacleResult;
-import org.u2sa.scenarios.report.RunOutcome;
-import org.u2sa.scenarios.report.RunScore;
-import org.u2sa.scenarios.report.WaypointResult;
+import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.report.score.FlightFigures;
+import org.u2sa.report.score.ObstacleResult;
+import org.u2sa.report.score.RunOutcome;
+import org.u2sa.report.score.RunScore;
+import org.u2sa.report.score.WaypointResult;
 
 /** Prints the results of a run: one line per waypoint, then the overall metrics. */
 public final class WaypointTable {
 
-  private static final int LEAST_NAME = 8;
+  private static final int MIN_NAME = 8;
   private static final int NUMBERS_WIDTH = 51; // of all columns except the name
   private static final String ROW = "%3s  %s  %8s  ";
   private static final String ALTITUDE = "%10s  ";
@@ -31,7 +31,7 @@ public final class WaypointTable {
             results.stream().map(each -> each.waypoint().name()),
             score.obstacles().stream().map(ObstacleResult::name));
     int longest = names.mapToInt(String::length).max().orElse(0);
-    int width = Math.max(LEAST_NAME, Math.min(longest, terminal.columns() - NUMBERS_WIDTH));
+    int width = Math.max(MIN_NAME, Math.min(longest, terminal.columns() - NUMBERS_WIDTH));
     boolean flight = score.flight().isPresent();
     String head =
         format(ROW, "", cell("waypoint", width), "miss [m]")

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.report.score.RunPlan;
 import org.u2sa.sim.world.Surface;
 import org.u2sa.sim.world.Terrain;
 import picocli.CommandLine.Model.CommandSpec;

@@ -1,7 +1,7 @@
 package org.u2sa.scenarios.ugv;
 
 import java.util.List;
-import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.cli.command.CommandProvider;
 
 /** Registers the ground vehicle demo with the command line. */
 public final class UgvCommands implements CommandProvider {

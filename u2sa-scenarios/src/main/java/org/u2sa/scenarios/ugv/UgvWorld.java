@@ -9,7 +9,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.report.score.RunPlan;
 import org.u2sa.scenarios.run.LaserOnVehicle;
 import org.u2sa.scenarios.run.SimulatedSensors;
 import org.u2sa.sim.device.SimulatedLaser;
@@ -32,7 +32,7 @@ import org.u2sa.sim.world.World;
 final class UgvWorld {
   private static final int COMPASS_BAUD = 9600;
   private static final double YEAR = 2026.4;
-  private static final double MOST_MISMATCH = 0.05;
+  private static final double MAX_MISMATCH = 0.05;
 
   private static final double LASER_FORWARD_M = 0.2; // as in LidarSensor.xml
   private static final double LASER_UP_M = 0.4;
@@ -74,7 +74,7 @@ final class UgvWorld {
     this.kind = kind;
     Geodetic place = new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM());
     world = World.at(place).with(conditions.terrain()).with(conditions.surface()).with(obstacles);
-    double bySeed = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
+    double bySeed = new SplittableRandom(seed).nextDouble() * 2.0 * MAX_MISMATCH - MAX_MISMATCH;
     double mismatch = conditions.mismatch().orElse(bySeed);
     GroundStart at = new GroundStart(0.0, 0.0, start.headingRad());
     double declinationRad =

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ArmingState;
-import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.vehicle.VehicleTruth;

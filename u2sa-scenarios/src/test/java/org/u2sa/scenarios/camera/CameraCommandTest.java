@@ -15,10 +15,10 @@ import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.cli.Main;
+import org.u2sa.cli.command.ExitCode;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.device.port.CameraFrame.PixelFormat;
-import org.u2sa.gcs.Main;
-import org.u2sa.gcs.command.ExitCode;
 
 class CameraCommandTest {
   private static final int HORIZON = 100;

@@ -13,8 +13,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.gcs.Main;
-import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.cli.Main;
+import org.u2sa.cli.command.ExitCode;
 
 class CampaignCommandTest {
   @TempDir private Path directory;

@@ -8,7 +8,7 @@ import java.io.StringWriter;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
-import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.cli.command.ExitCode;
 
 class ResultsTest {
   private static final List<Experiment> RUNS =

@@ -15,7 +15,7 @@ import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.report.Surroundings;
+import org.u2sa.report.score.Surroundings;
 
 /** A line in the system file adds a sensor to the Cessna, and it rolls all the same. */
 class AddedAircraftSensorsTest {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.cli.command.ExitCode;
 
 /** What the commands say to wrong input: one clear line, exit code 2, nothing left running. */
 class BadInputTest {

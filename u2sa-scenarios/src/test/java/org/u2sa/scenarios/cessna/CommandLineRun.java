@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.gcs.Main;
+import org.u2sa.cli.Main;
 
 /**
  * What {@code u2sa} answered to one command, run in this process as the script {@code u2sa} would.

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.cli.command.ExitCode;
 
 /** Whole flights by the command line, own take-off included, as fast as the machine allows. */
 class DemoFlightTest {

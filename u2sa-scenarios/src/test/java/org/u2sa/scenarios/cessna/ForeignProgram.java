@@ -49,7 +49,7 @@ final class ForeignProgram {
                 "-Du2sa.home=" + CommandLineRun.repository(),
                 "-cp",
                 System.getProperty("java.class.path"),
-                "org.u2sa.gcs.Main"));
+                "org.u2sa.cli.Main"));
     command.addAll(List.of(arguments));
     return start(output, command);
   }

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.cli.command.ExitCode;
 import org.u2sa.control.fixedwing.CessnaControl;
 import org.u2sa.control.fixedwing.ThesisControl;
-import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.planning.PathPlanner;
 import org.u2sa.planning.VectorFieldPlanner;
 

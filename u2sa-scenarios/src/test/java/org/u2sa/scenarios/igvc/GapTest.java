@@ -27,7 +27,7 @@ class GapTest {
   private static final double LONG_ROW_M = 16.0; // farther than the laser sees
   private static final double AROUND_M = 25.0; // a way shorter than this leads through the gap
   private static final double SPACING_M = 0.9;
-  private static final double MOST_ANGLE = Math.toRadians(25.0);
+  private static final double MAX_ANGLE = Math.toRadians(25.0);
 
   /** As long as no camera is needed. */
   private static final String[] LASER_ALONE = {
@@ -39,7 +39,7 @@ class GapTest {
   /** A row of barrels, with gaps at these places along it. */
   private static Course row(long seed, double halfM, double[] middles, double[] widths) {
     SplittableRandom random = new SplittableRandom(seed);
-    double angle = MOST_ANGLE * (2.0 * random.nextDouble() - 1.0);
+    double angle = MAX_ANGLE * (2.0 * random.nextDouble() - 1.0);
     double ahead = 5.0 + random.nextDouble();
     double shift = 2.0 * random.nextDouble() - 1.0;
     CourseBuilder builder =

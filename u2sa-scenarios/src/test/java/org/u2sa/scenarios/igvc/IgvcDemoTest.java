@@ -13,7 +13,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.report.score.RunPlan;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.world.xml.WorldFile;

@@ -6,7 +6,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.report.score.RunOutcome;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /** The judge, on tracks made for each of his rules: a vehicle 1 m long and wide, driving north. */

@@ -6,8 +6,8 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.report.score.TrackSample;
 
 class LiveStatusTest {
 

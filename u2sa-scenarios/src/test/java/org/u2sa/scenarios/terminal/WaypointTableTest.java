@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
-import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.scenarios.report.FlightFigures;
-import org.u2sa.scenarios.report.ObstacleResult;
-import org.u2sa.scenarios.report.RunOutcome;
-import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.scenarios.report.RunScore;
-import org.u2sa.scenarios.report.WaypointResult;
+import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.report.score.FlightFigures;
+import org.u2sa.report.score.ObstacleResult;
+import org.u2sa.report.score.RunOutcome;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.RunScore;
+import org.u2sa.report.score.WaypointResult;
 
 class WaypointTableTest {
 

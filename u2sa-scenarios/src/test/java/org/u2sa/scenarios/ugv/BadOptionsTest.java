@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.cli.command.ExitCode;
 
 /** Changes of a demo that are not of their form, or would have no effect. */
 class BadOptionsTest {

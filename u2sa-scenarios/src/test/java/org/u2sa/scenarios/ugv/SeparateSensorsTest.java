@@ -20,7 +20,7 @@ import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.report.score.RunPlan;
 import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.sim.device.SimulatedCompass;
 import org.u2sa.sim.device.SimulatedGps;

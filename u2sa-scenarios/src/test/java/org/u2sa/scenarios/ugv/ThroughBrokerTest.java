@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.cli.command.ExitCode;
 import org.u2sa.testkit.FreePort;
 
 /** A short drive whose services talk through the broker only. */

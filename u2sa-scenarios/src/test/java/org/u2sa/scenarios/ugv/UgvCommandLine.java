@@ -10,7 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.gcs.Main;
+import org.u2sa.cli.Main;
 
 /**
  * What {@code u2sa demo ugv} answered, run in this process as the script {@code u2sa} would.

@@ -27,7 +27,7 @@ final class TrimSolver {
   private static final int RUDDER = 4;
   private static final int POWER = 5; // throttle, or flight-path angle if the throttle is given
 
-  private static final int MOST_STEPS = 60;
+  private static final int MAX_STEPS = 60;
   private static final double BALANCED = 1e-7; // maximum residual acceleration [m/s², rad/s²]
   private static final double[] LONGEST_MOVE = {0.05, 0.05, 0.2, 0.2, 0.2, 0.1};
   private static final double CLEAR_OF_GROUND_M = 1_000.0;
@@ -68,7 +68,7 @@ final class TrimSolver {
   private Trim solve(double[] x) {
     double[] f = new double[SIZE];
     double[] moved = new double[SIZE];
-    for (int step = 0; step < MOST_STEPS; step++) {
+    for (int step = 0; step < MAX_STEPS; step++) {
       residual(x, f);
       double worst = 0.0;
       for (double value : f) {

@@ -22,7 +22,7 @@ final class Wheel {
   private static final double GRIP = 0.7; // dry asphalt, light aircraft tyre
   private static final double BRAKE_GRIP = 0.45; // share the 172's single-disc brakes can use
   private static final double ROLLING = 0.02; // hard runway: McCormick, table 7.2
-  private static final double LEAST_SIDE = 0.2; // share of lateral grip kept by a locked wheel
+  private static final double MIN_SIDE = 0.2; // share of lateral grip kept by a locked wheel
 
   final double x;
   final double y;
@@ -116,8 +116,7 @@ final class Wheel {
     along = limit(-tyreStiffness * deflectionAlong - tyreDamping * slipAlongMps, alongLimit);
     double grip = GRIP * load;
     acrossLimit =
-        StrictMath.sqrt(
-            Math.max(LEAST_SIDE * LEAST_SIDE * grip * grip, grip * grip - along * along));
+        StrictMath.sqrt(Math.max(MIN_SIDE * MIN_SIDE * grip * grip, grip * grip - along * along));
     // While rolling, fresh tread enters the contact patch and damped tread leaves it.
     double damping = tyreDamping / (1.0 + Math.abs(slipAlongMps) / DAMPED_BELOW_MPS);
     across = limit(-tyreStiffness * deflectionAcross - damping * slipAcrossMps, acrossLimit);

@@ -65,8 +65,8 @@ public final class AckermannVehicle extends PlanarVehicle {
     double weight = chassis.massKg() * Gravity.STANDARD_MPS2;
     double ahead = pressing * chassis.cogAheadM() + forward * p.cogHeightM();
     double frontN = weight * ahead / p.wheelbaseM();
-    rear.load(Math.max(LEAST_LOAD_N, weight * pressing - frontN));
-    front.load(Math.max(LEAST_LOAD_N, frontN));
+    rear.load(Math.max(MIN_LOAD_N, weight * pressing - frontN));
+    front.load(Math.max(MIN_LOAD_N, frontN));
   }
 
   @Override

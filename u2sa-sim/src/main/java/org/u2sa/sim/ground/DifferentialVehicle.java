@@ -71,9 +71,9 @@ public final class DifferentialVehicle extends PlanarVehicle {
     double castorN = weight * ahead / p.castorAheadM();
     double axleN = weight * pressing - castorN;
     double shiftN = weight * aside / p.trackM();
-    castor.load(Math.max(LEAST_LOAD_N, castorN));
-    left.load(Math.max(LEAST_LOAD_N, axleN / 2.0 - shiftN));
-    this.right.load(Math.max(LEAST_LOAD_N, axleN / 2.0 + shiftN));
+    castor.load(Math.max(MIN_LOAD_N, castorN));
+    left.load(Math.max(MIN_LOAD_N, axleN / 2.0 - shiftN));
+    this.right.load(Math.max(MIN_LOAD_N, axleN / 2.0 + shiftN));
   }
 
   private static DrivenWheel wheel(DifferentialParameters p, double x, double y, double loadN) {

@@ -30,7 +30,7 @@ abstract class PlanarVehicle implements GroundVehicle {
   static final double TICK_S = 1.0 / TICKS_PER_SECOND;
   static final double FRICTION_FULL_MPS = 0.05; // below this, drag of free wheels fades out
 
-  static final double LEAST_LOAD_N = 1.0; // load of a wheel about to lift
+  static final double MIN_LOAD_N = 1.0; // load of a wheel about to lift
 
   private static final double TURN_RAD = 2.0 * Math.PI;
   private static final double STILL = 1e-4; // [m/s], [rad/s]

@@ -8,7 +8,7 @@ import org.u2sa.sim.motion.Arguments;
  */
 public interface Terrain {
   /** Shortest step along a ray [m]. */
-  double LEAST_STEP_M = 1e-4;
+  double MIN_STEP_M = 1e-4;
 
   /** Accuracy of ray distances [m]. */
   double EXACT_M = 1e-9;
@@ -47,7 +47,7 @@ public interface Terrain {
         return Double.POSITIVE_INFINITY;
       }
       before = after;
-      after = Math.min(rangeM, after + Math.max(LEAST_STEP_M, above / closing));
+      after = Math.min(rangeM, after + Math.max(MIN_STEP_M, above / closing));
       above = aboveM(ray, after);
     }
     while (after - before > EXACT_M) {

@@ -30,7 +30,7 @@ public final class ChessboardCalibration {
 
   private static final int RADIAL = 2; // k1, k2: a third is poorly determined by few images
   private static final double LARGEST_ERROR_PX = 3.0;
-  private static final double LEAST_TILT = Math.toRadians(10.0); // between two images of the board
+  private static final double MIN_TILT = Math.toRadians(10.0); // between two images of the board
   private static final double HALF = 0.5; // BoofCV's 0 is a pixel's edge, ours its centre
 
   private final Chessboard board;
@@ -124,7 +124,7 @@ public final class ChessboardCalibration {
     } catch (RuntimeException e) { // thrown by BoofCV for degenerate views
       throw new BadInputException(undetermined(), e);
     }
-    if (tilt(calibrator) < LEAST_TILT) {
+    if (tilt(calibrator) < MIN_TILT) {
       throw new BadInputException(undetermined());
     }
     double error = rootMeanSquare(calibrator.getErrors());

@@ -22,8 +22,8 @@ final class LineBeads {
   private static final double ALONG_M = 0.6 * STEP_M; // beads closer along the line are the same
   private static final double PARALLEL = 0.82; // cosine of the angle between two parts of one line
   private static final double CELL_M = 0.5;
-  private static final double LEAST_SIGMA_M = 0.025; // because the vehicle's position drifts
-  private static final double MOST_HITS = 15.0;
+  private static final double MIN_SIGMA_M = 0.025; // because the vehicle's position drifts
+  private static final double MAX_HITS = 15.0;
   private static final double DOUBT = 0.4; // of a sighting
   private static final double TOO_NEAR_M = 1.3; // closer ground is below the camera's view
   private static final double TWICE_M = 1.0; // closer lines are one line, seen twice
@@ -160,9 +160,9 @@ final class LineBeads {
     double length = Math.hypot(turnedX, turnedY);
     bead.dx = turnedX / length;
     bead.dy = turnedY / length;
-    bead.variance = Math.max(LEAST_SIGMA_M * LEAST_SIGMA_M, (1.0 - gain) * variance);
+    bead.variance = Math.max(MIN_SIGMA_M * MIN_SIGMA_M, (1.0 - gain) * variance);
     if (bead.seenMicros != micros) {
-      bead.hits = Math.min(MOST_HITS, bead.hits + 1.0); // once per image
+      bead.hits = Math.min(MAX_HITS, bead.hits + 1.0); // once per image
       bead.seenMicros = micros;
       if (Math.hypot(fromX - bead.viewX, fromY - bead.viewY) >= VIEW_M) {
         bead.views++;

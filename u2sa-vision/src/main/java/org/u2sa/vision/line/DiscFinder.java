@@ -13,7 +13,7 @@ import org.u2sa.vision.picture.Shades;
  */
 final class DiscFinder {
   private static final double COARSE_M = 0.08;
-  private static final double LEAST_CONTRAST = 0.35; // minimum brightness ratio, in octaves
+  private static final double MIN_CONTRAST = 0.35; // minimum brightness ratio, in octaves
   private static final double GREYISH = 25.0;
   private static final double PALER = 0.65;
   private static final double FILLED = 0.72; // min. share of its bounding circle; 1 for a disc
@@ -55,7 +55,7 @@ final class DiscFinder {
     if (middle < 0.0) {
       return false;
     }
-    return middle - ground(map.sums(), row, column) >= Shades.OCTAVE * LEAST_CONTRAST
+    return middle - ground(map.sums(), row, column) >= Shades.OCTAVE * MIN_CONTRAST
         && isPale(map, row, column, inner);
   }
 

@@ -20,7 +20,7 @@ final class LineTracer {
   private static final double DIRECTION_M = 0.30; // window for the paint's direction
   private static final double SHARPEST = Math.cos(Math.toRadians(35.0)); // sharpest turn per step
   private static final double ELONGATION = 3.0; // min. ratio of spread along to across a line
-  private static final double LEAST_SUPPORT = 0.55;
+  private static final double MIN_SUPPORT = 0.55;
   private static final int BLOCK = 6; // cells
 
   private final TopView.Area area;
@@ -110,7 +110,7 @@ final class LineTracer {
     chain.forEach(place -> wipe(place[0], place[1]));
     double support = (double) painted[0] / painted[1];
     double length = (chain.size() - 1) * STEP_M;
-    if (length >= settings.shortestM() && support >= LEAST_SUPPORT) {
+    if (length >= settings.shortestM() && support >= MIN_SUPPORT) {
       cut(new ArrayList<>(chain), support, top, view, lines);
     }
   }

@@ -78,10 +78,10 @@ public final class GridModeller implements Modeller {
               text =
                   "Distance up to which a beam without an echo says that the way is free, at most as far as the scanner's farthest echo so far; less where dark or smooth walls return none.")
           double freeWithoutEcho) {
-    private static final int MOST_CELLS = 4096;
+    private static final int MAX_CELLS = 4096;
 
     public Tuning {
-      if (gridSize / cellSize > MOST_CELLS) {
+      if (gridSize / cellSize > MAX_CELLS) {
         throw new IllegalArgumentException(
             "GRID SIZE: " + gridSize + " m are more than 4096 cells of CELL SIZE " + cellSize);
       }

@@ -244,7 +244,7 @@ public final class ScanEntry {
       int otherStride = isSteep ? 1 : side;
       int cell = (int) first * (isSteep ? side : 1);
       byte[] cells = window.cells();
-      byte freest = odds.freest(); // most cells; avoids a call
+      byte freest = odds.freest(); // most cells: not worth a call
       long across = (long) Math.floor(other * FRACTIONS);
       long acrossStep = (long) (step * slope * FRACTIONS);
       for (int left = (int) (to - from); left > 0; left--) {

@@ -7,8 +7,7 @@ import org.u2sa.messages.frame.Point;
 /** One motion model of an object: a filter per axis and the model's probability. */
 final class MotionHypothesis {
   private static final int AXES = 3;
-  private static final double LEAST_VARIANCE =
-      1e-12; // [m²], for measurements that claim zero error
+  private static final double MIN_VARIANCE = 1e-12; // [m²], for measurements that claim zero error
 
   private final AxisFilter[] axes = new AxisFilter[AXES];
   private final double noise;
@@ -72,7 +71,7 @@ final class MotionHypothesis {
   /** Updates with a measured position. */
   void update(Point place, Point sigma) {
     for (int i = 0; i < AXES; i++) {
-      axes[i].update(axis(place, i), Math.max(LEAST_VARIANCE, squared(axis(sigma, i))));
+      axes[i].update(axis(place, i), Math.max(MIN_VARIANCE, squared(axis(sigma, i))));
     }
   }
 
@@ -103,7 +102,7 @@ final class MotionHypothesis {
   double cost(Point place, Point sigma, double common) {
     double cost = distance(place, sigma, common) - 2.0 * Math.log(chance);
     for (int i = 0; i < AXES; i++) {
-      double measured = Math.max(LEAST_VARIANCE, squared(axis(sigma, i)) + common);
+      double measured = Math.max(MIN_VARIANCE, squared(axis(sigma, i)) + common);
       cost += Math.log(1.0 + axes[i].placeVariance() / measured);
     }
     return cost;

@@ -25,7 +25,7 @@ final class TrackFilter {
    */
   record Assumptions(double maxSpeed, double acceleration, double drift, double systematic) {}
 
-  private static final double LEAST_CHANCE = 0.001; // so that an object may still start after hours
+  private static final double MIN_CHANCE = 0.001; // so that an object may still start after hours
   private static final double AT_FIRST = 0.3;
   private static final double SURE = 0.9; // required to declare an object moving
   private static final double MOVING_SIGMAS = 2.0;
@@ -69,7 +69,7 @@ final class TrackFilter {
     steady.goes(velocity, sigma);
     turning.goes(velocity, sigma);
     if (velocity.distance() > MOVING_SIGMAS * sigma) {
-      believeMoving(1.0 - LEAST_CHANCE);
+      believeMoving(1.0 - MIN_CHANCE);
       moves = isSurelyMoving();
     }
   }
@@ -164,7 +164,7 @@ final class TrackFilter {
     }
     double floored = 0.0;
     for (MotionHypothesis each : all) {
-      each.chance(Math.max(0.5 * LEAST_CHANCE, each.chance() / sum));
+      each.chance(Math.max(0.5 * MIN_CHANCE, each.chance() / sum));
       floored += each.chance();
     }
     for (MotionHypothesis each : all) {

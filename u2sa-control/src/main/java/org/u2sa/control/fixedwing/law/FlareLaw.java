@@ -45,7 +45,7 @@ public final class FlareLaw {
               text = "Maximum pitch in the flare: the tail clears the ground.")
           double flarePitchLimit) {}
 
-  private static final double LEAST_PITCH_RAD = Math.toRadians(-2.0);
+  private static final double MIN_PITCH_RAD = Math.toRadians(-2.0);
   private static final double LET_DOWN_RAD_PER_S = Math.toRadians(3.0);
 
   private final Parameters parameters;
@@ -96,7 +96,7 @@ public final class FlareLaw {
     }
     double mostPitchRad = Math.toRadians(parameters.flarePitchLimit());
     trimRad = Limit.within(0.0, trimRad + parameters.flareGain() * excess * dtS, mostPitchRad);
-    pitchRad = Limit.within(LEAST_PITCH_RAD, trimRad + direct, mostPitchRad);
+    pitchRad = Limit.within(MIN_PITCH_RAD, trimRad + direct, mostPitchRad);
     return pitchRad;
   }
 }

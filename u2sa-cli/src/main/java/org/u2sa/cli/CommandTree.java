@@ -1,0 +1,102 @@
+package org.u2sa.cli;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+import org.u2sa.cli.command.CommandProvider;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Spec;
+
+/** Builds the command tree from the frame's own commands and those of the providers. */
+final class CommandTree {
+
+  private CommandTree() {}
+
+  /**
+   * Loads all providers on the class path; a broken one is reported on {@code err} and skipped, so
+   * that one bad jar does not disable the other commands.
+   */
+  static List<CommandProvider> discover(PrintWriter err) {
+    List<CommandProvider> found = new ArrayList<>();
+    Iterator<CommandProvider> providers = ServiceLoader.load(CommandProvider.class).iterator();
+    while (true) {
+      try {
+        if (!providers.hasNext()) {
+          return found;
+        }
+        found.add(providers.next());
+      } catch (ServiceConfigurationError e) {
+        err.println("u2sa: some commands are missing: " + e.getMessage());
+      }
+    }
+  }
+
+  /** Creates the command line of all commands, with the project's error handling. */
+  static CommandLine build(List<CommandProvider> providers, Help.Ansi ansi) {
+    RootCommand root = new RootCommand();
+    CommandLine line = new CommandLine(root);
+    CommandLine demo = new CommandLine(new DemoCommand());
+    line.addSubcommand(demo);
+    for (CommandProvider provider : providers) {
+      for (CommandProvider.Contribution contribution : provider.commands()) {
+        (contribution.group() == CommandProvider.Group.DEMO ? demo : line)
+            .addSubcommand(contribution.command());
+      }
+    }
+    line.addSubcommand(new CompletionCommand());
+    for (CommandLine command : line.getSubcommands().values()) {
+      addHelp(command);
+    }
+    ErrorAnswers answers = new ErrorAnswers(root::debug);
+    line.setParameterExceptionHandler(answers);
+    line.setExecutionExceptionHandler(answers);
+    line.setColorScheme(Help.defaultColorScheme(ansi));
+    line.setCaseInsensitiveEnumValuesAllowed(true);
+    line.setUsageHelpLongOptionsMaxWidth(30);
+    return line;
+  }
+
+  /**
+   * Adds {@code --help} to each command without it, so that authors of commands cannot forget it.
+   */
+  private static void addHelp(CommandLine command) {
+    CommandSpec spec = command.getCommandSpec();
+    if (spec.findOption("--help") == null) {
+      spec.addOption(
+          OptionSpec.builder("-h", "--help")
+              .usageHelp(true)
+              .type(boolean.class)
+              .description("Show this help.")
+              .build());
+    }
+    for (CommandLine child : command.getSubcommands().values()) {
+      addHelp(child);
+    }
+  }
+
+  /**
+   * {@code u2sa demo}: lists the demos contributed by modules on the class path; each is a
+   * subcommand.
+   */
+  @Command(
+      name = "demo",
+      description = "Run simulated vehicles on missions. Alone: list the demos.",
+      synopsisSubcommandLabel = "[<demo> [<options>]]",
+      commandListHeading = "%n@|bold DEMOS|@%n")
+  private static final class DemoCommand implements Runnable {
+
+    @Spec private CommandSpec spec;
+
+    @Override
+    public void run() {
+      spec.commandLine().usage(spec.commandLine().getOut());
+    }
+  }
+}

@@ -1,0 +1,48 @@
+package org.u2sa.cli;
+
+import java.util.concurrent.Callable;
+import org.u2sa.cli.command.ExitCode;
+import picocli.AutoComplete;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/**
+ * {@code u2sa completion}: prints the shell script that completes commands, options and their
+ * values.
+ */
+@Command(
+    name = "completion",
+    description = {
+      "Print what a shell needs to complete u2sa's commands, options and values.",
+      "",
+      "  source <(./u2sa completion bash)     in bash, for ./u2sa and u2sa; in ~/.bashrc for always",
+      "  source <(./u2sa completion zsh)      in zsh, behind autoload -Uz compinit && compinit"
+    })
+final class CompletionCommand implements Callable<Integer> {
+  /** Supported shells. */
+  enum Shell {
+    /** GNU bash. */
+    BASH,
+    /** zsh, which uses bash's completion. */
+    ZSH
+  }
+
+  @Spec private CommandSpec command;
+
+  @Parameters(paramLabel = "SHELL", description = "One of ${COMPLETION-CANDIDATES}.")
+  private Shell shell;
+
+  @Override
+  public Integer call() {
+    CommandLine root = command.commandLine().getParent();
+    String script = AutoComplete.bash(root.getCommandName(), root);
+    if (shell == Shell.ZSH) {
+      root.getOut().println("autoload -U +X bashcompinit && bashcompinit");
+    }
+    script.lines().forEach(root.getOut()::println);
+    return ExitCode.DONE;
+  }
+}

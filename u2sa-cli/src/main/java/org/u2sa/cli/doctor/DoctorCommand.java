@@ -1,0 +1,137 @@
+package org.u2sa.cli.doctor;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ProgramVersion;
+import org.u2sa.cli.remote.RemoteSystem;
+import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.gcs.remote.BrokerAddress;
+import org.u2sa.interfaces.JsonText;
+import org.u2sa.interfaces.time.SystemClock;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa doctor}: checks this machine for what U2SA needs. */
+@Command(
+    name = "doctor",
+    description = {
+      "Check this machine: Java, memory, disk, ports, clock, serial ports, broker, tools.",
+      "",
+      "  ./u2sa doctor",
+      "  ./u2sa doctor --broker vehicle.local --json",
+      "",
+      "Each line that is not ok says what to do. A broker that was named by --broker must answer; otherwise none need run.",
+      "",
+      "Exit code 0: nothing is wrong (what is optional may be missing); 1: there is a warning or a failure."
+    })
+public final class DoctorCommand implements Callable<Integer> {
+  private static final int CONNECT_MS = 2_000;
+  private static final int DEFAULT_PORT = 1883;
+
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+
+  @Option(names = "--json", description = "Print JSON.")
+  private boolean json;
+
+  @Override
+  public Integer call() throws InterruptedException {
+    List<Finding> findings = findings(System.getenv());
+    PrintWriter out = command.commandLine().getOut();
+    if (json) {
+      out.println(json(findings));
+    } else {
+      print(findings, out);
+    }
+    boolean bad =
+        findings.stream().anyMatch(each -> each.grade().compareTo(Finding.Grade.WARNING) >= 0);
+    return bad ? ExitCode.FAILED : ExitCode.DONE;
+  }
+
+  private List<Finding> findings(Map<String, String> environment) throws InterruptedException {
+    MachineChecks machine = new MachineChecks(Path.of("/dev"));
+    List<Finding> all = new ArrayList<>();
+    all.add(Finding.ok("U2SA", ProgramVersion.text()));
+    all.add(machine.java());
+    all.add(machine.memory());
+    all.add(machine.disk(Path.of("")));
+    all.add(machine.clock(new SystemClock()));
+    Finding broker = broker();
+    boolean local = remote.brokerAddress().equals("localhost:" + DEFAULT_PORT);
+    all.add(machine.port(DEFAULT_PORT, local && broker.grade() == Finding.Grade.OK));
+    all.add(broker);
+    all.add(machine.serialPorts());
+    all.addAll(new ToolChecks(new Programs(environment), environment).all());
+    return all;
+  }
+
+  /** Whether a server accepts connections there; its permissions are checked elsewhere. */
+  private Finding broker() {
+    boolean named = command.commandLine().getParseResult().hasMatchedOption("--broker");
+    String where = remote.brokerAddress();
+    try (Socket socket = new Socket()) {
+      BrokerAddress address = BrokerAddress.parse(where);
+      socket.connect(new InetSocketAddress(address.host(), address.port()), CONNECT_MS);
+      return Finding.ok("broker", where + " takes connections");
+    } catch (IllegalArgumentException e) {
+      return Finding.optional(
+          "broker",
+          where + " is looked for by mDNS, not checked here",
+          "name one: --broker HOST:PORT");
+    } catch (IOException e) {
+      String found = where + ": " + e.getMessage();
+      return named
+          ? Finding.failure(
+              "broker",
+              found,
+              "start the system there, or its broker; docs/distribution.md says how to let others in")
+          : Finding.optional(
+              "broker", found, "none is needed until a system runs: ./u2sa demo cessna --realtime");
+    }
+  }
+
+  private static void print(List<Finding> findings, PrintWriter out) {
+    Terminal terminal = Terminal.detect(out, System.getenv());
+    int width = findings.stream().mapToInt(each -> each.subject().length()).max().orElse(0);
+    for (Finding finding : findings) {
+      String padded = finding.subject() + " ".repeat(width - finding.subject().length());
+      out.println(mark(finding, terminal) + "  " + padded + "  " + finding.found());
+      if (!finding.advice().isEmpty()) {
+        out.println(" ".repeat(10 + width) + "→ " + finding.advice());
+      }
+    }
+  }
+
+  private static String mark(Finding finding, Terminal terminal) {
+    return switch (finding.grade()) {
+      case OK -> terminal.good("ok     ");
+      case OPTIONAL -> "absent ";
+      case WARNING -> terminal.bold("WARNING");
+      case FAILURE -> terminal.bad("FAILURE");
+    };
+  }
+
+  private static String json(List<Finding> findings) {
+    List<JsonText> all = new ArrayList<>();
+    for (Finding finding : findings) {
+      all.add(
+          new JsonText()
+              .put("subject", finding.subject())
+              .put("grade", finding.grade().name())
+              .put("found", finding.found())
+              .put("advice", finding.advice()));
+    }
+    return new JsonText().put("findings", all).toString();
+  }
+}

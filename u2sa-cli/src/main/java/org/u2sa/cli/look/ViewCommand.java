@@ -1,0 +1,183 @@
+package org.u2sa.cli.look;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.Callable;
+import java.util.function.BooleanSupplier;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.record.SpanOptions;
+import org.u2sa.cli.remote.RemoteSystem;
+import org.u2sa.gcs.remote.MessageStream;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.view.RecordedView;
+import org.u2sa.gcs.view.ViewFeed;
+import org.u2sa.gcs.view.ViewServer;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.recorder.playback.RecordedMessages;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa view}: shows a running system or a recording in Foxglove and Lichtblick. */
+@Command(
+    name = "view",
+    description = {
+      "Serve a running system, or a recording, to Foxglove and Lichtblick.",
+      "",
+      "  ./u2sa view                          the system at localhost:1883",
+      "  ./u2sa view --connect --broker vehicle.local",
+      "  ./u2sa view recording.mcap --rate 4 --loop",
+      "",
+      "Then open a Foxglove WebSocket connection to ws://localhost:8765. Viewers get each message as JSON, and the views that a recording "
+          + "has (docs/recording.md). They can only look: nothing that they send reaches a service. A viewer that reads too slowly "
+          + "misses messages, counted; it holds nobody up."
+    })
+public final class ViewCommand implements Callable<Integer> {
+  private static final long LOOK_MS = 100;
+  private static final long NANOS = 1_000L;
+
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+  @Mixin private ListeningTime time;
+
+  @Parameters(
+      arity = "0..1",
+      paramLabel = "FILE",
+      description = "A recording (MCAP). Default: the running system.")
+  private Path file;
+
+  @Option(names = "--connect", description = "Show the running system; so it is without FILE.")
+  private boolean connect;
+
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      defaultValue = "8765",
+      description = "TCP port to listen on; 0: a free one. Default: ${DEFAULT-VALUE}.")
+  private int port;
+
+  @Option(
+      names = "--bind",
+      paramLabel = "ADDRESS",
+      defaultValue = "127.0.0.1",
+      description =
+          "Address to listen on; 0.0.0.0 lets everybody on the network look, unencrypted. Default: ${DEFAULT-VALUE}.")
+  private String bind;
+
+  @Option(
+      names = "--origin",
+      paramLabel = "ORIGIN",
+      description =
+          "Web page whose viewer may connect too, such as https://viewer.example; repeatable, '*' for all. Without it: pages of this host, Foxglove's, and programs that are no web pages.")
+  private Set<String> origins = Set.of();
+
+  @Option(
+      names = "--rate",
+      paramLabel = "X",
+      defaultValue = "1",
+      description =
+          "Of a recording: how many times as fast as recorded. Default: ${DEFAULT-VALUE}.")
+  private double rate;
+
+  @Mixin private SpanOptions part;
+
+  @Option(names = "--loop", description = "Of a recording: begin anew at the end.")
+  private boolean loop;
+
+  @Override
+  public Integer call() throws IOException, InterruptedException {
+    check();
+    if (file == null) {
+      try (RemoteLink link = remote.connect()) {
+        live(link);
+      }
+    } else {
+      try (RecordedMessages recording = RecordedMessages.open(file)) {
+        recorded(recording);
+      }
+    }
+    return ExitCode.DONE;
+  }
+
+  private void check() {
+    if (file != null && connect) {
+      throw wrong("--connect and " + file + ": expected one of them");
+    }
+    if (port < 0 || port > 65_535) {
+      throw wrong("--port " + port + ": expected 0…65535");
+    }
+    if (!(rate > 0.0 && rate <= 1e6)) {
+      throw wrong("--rate " + rate + ": expected more than 0, at most 1000000");
+    }
+  }
+
+  private void live(RemoteLink link) throws InterruptedException {
+    MessageStream stream = new MessageStream(link);
+    Channels.all().forEach(stream::of);
+    try (ViewServer server = server("u2sa " + link.systemId(), false)) {
+      ViewFeed feed = new ViewFeed(server, link.systemId(), true);
+      long began = link.clock().micros();
+      while (!time.isOver(began, link.clock().micros())) {
+        Optional<MessageStream.Heard> heard = stream.next(LOOK_MS);
+        heard.ifPresent(each -> feed.take(each.channel(), each.message(), each.micros() * NANOS));
+      }
+    }
+    if (stream.dropped() > 0) {
+      tell(stream.dropped() + " messages came faster than they were served");
+    }
+  }
+
+  private void recorded(RecordedMessages recording) throws IOException, InterruptedException {
+    Clock clock = new SystemClock();
+    long began = clock.micros();
+    BooleanSupplier isOver = () -> time.isOver(began, clock.micros());
+    try (ViewServer server = server("u2sa " + file.getFileName(), true)) {
+      new RecordedView(recording, clock, isOver)
+          .play(server, rate, part.of(recording.reader()), loop);
+    }
+  }
+
+  private ViewServer server(String name, boolean tellsTime) {
+    InetSocketAddress address;
+    try {
+      address = new InetSocketAddress(InetAddress.getByName(bind), port);
+    } catch (UnknownHostException e) {
+      throw wrong("--bind " + bind + ": no such address");
+    }
+    ViewServer server =
+        new ViewServer(address, name, UUID.randomUUID().toString(), tellsTime, origins, this::tell);
+    PrintWriter out = command.commandLine().getOut();
+    String host = address.getAddress().isLoopbackAddress() ? "localhost" : bind;
+    out.println(
+        "Serving "
+            + name
+            + " at ws://"
+            + host
+            + ":"
+            + server.address().getPort()
+            + " (Foxglove WebSocket). Ctrl-C ends it.");
+    out.flush();
+    return server;
+  }
+
+  private void tell(String remark) {
+    command.commandLine().getErr().println("u2sa: " + remark);
+  }
+
+  private ParameterException wrong(String what) {
+    return new ParameterException(command.commandLine(), what);
+  }
+}

@@ -1,0 +1,55 @@
+package org.u2sa.cli.mission;
+
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.u2sa.cli.remote.RemoteSystem;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa mission insert}. */
+@Command(
+    name = "insert",
+    description = {
+      "Insert the goals of a mission file.",
+      "",
+      "What followed the goal before follows them. Names must be new; a next may name goals of the mission."
+    })
+final class InsertCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+
+  @Parameters(paramLabel = "FILE", description = "A mission file with goals only.")
+  private Path file;
+
+  @ArgGroup private Place place = new Place();
+
+  /** Mutually exclusive options. */
+  private static final class Place {
+    @Option(
+        names = "--after",
+        paramLabel = "GOAL",
+        description = "The goal that they follow. Default: the current one.")
+    private String after;
+
+    @Option(
+        names = "--now",
+        description = "Pursue them at once, and what is current now after them.")
+    private boolean now;
+  }
+
+  @Override
+  public Integer call() throws InterruptedException {
+    MissionOrder order = OrderToMissionManager.withGoals(MissionAction.INSERT, file).now(place.now);
+    if (place.after != null) {
+      order.uid(place.after);
+    }
+    return OrderToMissionManager.give(remote, order, command.commandLine().getOut());
+  }
+}

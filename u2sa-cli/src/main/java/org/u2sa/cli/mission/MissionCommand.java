@@ -1,0 +1,35 @@
+package org.u2sa.cli.mission;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa mission}: prints its help. */
+@Command(
+    name = "mission",
+    description = {
+      "Show the mission of a running system, and change it on the way.",
+      "",
+      "  ./u2sa mission show",
+      "  ./u2sa mission goto dock",
+      "  ./u2sa mission insert detour.xml --after gate",
+      "",
+      "The Mission Manager answers each order. Exit code 1: it was refused, or nobody answered."
+    },
+    subcommands = {
+      ShowMissionCommand.class,
+      GoToCommand.class,
+      SkipCommand.class,
+      InsertCommand.class,
+      UpdateGoalsCommand.class,
+      PauseCommand.class,
+      ResumeCommand.class
+    })
+public final class MissionCommand implements Runnable {
+  @Spec private CommandSpec command;
+
+  @Override
+  public void run() {
+    command.commandLine().usage(command.commandLine().getOut());
+  }
+}

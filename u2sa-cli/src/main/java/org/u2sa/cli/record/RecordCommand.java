@@ -1,0 +1,111 @@
+package org.u2sa.cli.record;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.remote.RemoteSystem;
+import org.u2sa.interfaces.mqtt.MqttTransport;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.recorder.Recorder;
+import org.u2sa.service.ServiceContext;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa record}: records a remote system. */
+@Command(
+    name = "record",
+    description = {
+      "Record all messages of a running system until Ctrl-C.",
+      "",
+      "Joins the system by MQTT as a service named Recorder. Messages are written to the file four times a second: a crash "
+          + "loses no more. ./u2sa recover makes a whole file of one that broke off."
+    })
+public final class RecordCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+  @Mixin private RecordOptions options;
+
+  @Option(
+      names = {"-o", "--out"},
+      paramLabel = "FILE",
+      defaultValue = "recording.mcap",
+      description =
+          "Where to; a number is appended to the name if the file exists. Default: ${DEFAULT-VALUE}.")
+  private Path out;
+
+  @Option(
+      names = "--for",
+      paramLabel = "S",
+      description = "Stop after this many seconds. Default: at Ctrl-C.")
+  private Double forS;
+
+  private final AtomicBoolean ended = new AtomicBoolean();
+
+  @Override
+  public Integer call() throws InterruptedException, IOException {
+    if (forS != null && !(forS > 0.0)) {
+      throw new ParameterException(
+          command.commandLine(), "--for " + forS + ": expected more than 0 s");
+    }
+    Path folder = out.toAbsolutePath().getParent();
+    MqttTransport transport = remote.transport();
+    Files.createDirectories(folder);
+    ServiceContext context =
+        ServiceContext.of(transport.systemId(), options.configuration(out.getFileName().toString()))
+            .transport(transport)
+            .logDirectory(folder)
+            .build();
+    Recorder recorder = new Recorder(context, new RunFacts().facts());
+    recorder.start();
+    PrintWriter printer = command.commandLine().getOut();
+    Thread end = new Thread(() -> end(recorder, printer), "u2sa-record-end");
+    Runtime.getRuntime().addShutdownHook(end);
+    printer.println("Recording system " + transport.systemId() + ". Ctrl-C ends it.");
+    printer.flush();
+    await(recorder);
+    end(recorder, printer);
+    return ExitCode.DONE;
+  }
+
+  private void await(Recorder recorder) throws InterruptedException {
+    if (forS == null) {
+      recorder.join();
+      return;
+    }
+    Clock clock = new SystemClock();
+    try (Clock.Waiter waiter = clock.newWaiter("record")) {
+      long until = clock.micros() + Clock.micros(forS);
+      while (recorder.isRunning() && clock.micros() < until) {
+        waiter.await(Math.min(until, clock.micros() + Clock.MICROS_PER_SECOND));
+      }
+    }
+  }
+
+  /**
+   * Called when the time is over and when the program is interrupted; only the first call has an
+   * effect.
+   */
+  private void end(Recorder recorder, PrintWriter printer) {
+    recorder.finish();
+    if (ended.getAndSet(true)) {
+      return;
+    }
+    printer.println(
+        recorder.messages()
+            + " messages recorded into "
+            + recorder.files()
+            + (recorder.dropped() == 0
+                ? ""
+                : ", besides " + recorder.dropped() + " that came too fast"));
+    printer.flush();
+  }
+}

@@ -1,0 +1,87 @@
+package org.u2sa.cli.record;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ProgramVersion;
+import org.u2sa.interfaces.JsonText;
+import org.u2sa.recorder.mcap.McapRecovery;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa recover FILE}: recovers a truncated recording. */
+@Command(
+    name = "recover",
+    description = {
+      "Make a whole recording of one that breaks off or is damaged.",
+      "",
+      "  ./u2sa recover out/drive/recording.mcap",
+      "",
+      "Copies every message, attachment and metadata record that can be read, also of a chunk of which only a part is there. "
+          + "A chunk whose checksum is wrong is left out. The broken file is not changed."
+    })
+public final class RecoverCommand implements Callable<Integer> {
+  private static final String SUFFIX = ".mcap";
+
+  @Spec private CommandSpec command;
+
+  @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
+  private Path file;
+
+  @Option(
+      names = {"-o", "--out"},
+      paramLabel = "FILE",
+      description = "The whole recording. Default: FILE with \"-recovered\" in its name.")
+  private Path out;
+
+  @Option(names = "--json", description = "Say what was recovered as JSON.")
+  private boolean json;
+
+  @Override
+  public Integer call() throws IOException {
+    if (!Files.isRegularFile(file)) {
+      throw new ParameterException(
+          command.commandLine(), file + ": no such file; expected a recording (MCAP)");
+    }
+    Path whole = out == null ? recovered() : out;
+    if (Files.exists(whole)) {
+      throw new ParameterException(
+          command.commandLine(), whole + " exists already; --out names another file");
+    }
+    McapRecovery.Result result = McapRecovery.recover(file, whole, "u2sa " + ProgramVersion.text());
+    PrintWriter printer = command.commandLine().getOut();
+    if (json) {
+      printer.println(
+          new JsonText()
+              .put("file", whole.toString())
+              .put("messages", result.messages())
+              .put("damagedChunks", result.damagedChunks())
+              .put("trouble", result.trouble())
+              .line());
+      return ExitCode.DONE;
+    }
+    printer.println(
+        result
+            .trouble()
+            .map(trouble -> file + ": " + trouble)
+            .orElse(file + " is whole; nothing was wrong with it"));
+    if (result.damagedChunks() > 0) {
+      printer.println(result.damagedChunks() + " damaged chunks left out");
+    }
+    printer.println(result.messages() + " messages recovered into " + whole);
+    return ExitCode.DONE;
+  }
+
+  private Path recovered() {
+    String name = file.getFileName().toString();
+    String stem = name.endsWith(SUFFIX) ? name.substring(0, name.length() - SUFFIX.length()) : name;
+    return file.resolveSibling(stem + "-recovered" + SUFFIX);
+  }
+}

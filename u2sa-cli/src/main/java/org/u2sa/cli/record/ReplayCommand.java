@@ -1,0 +1,141 @@
+package org.u2sa.cli.record;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.function.Predicate;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.remote.RemoteSystem;
+import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.interfaces.mqtt.MqttTransport;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.playback.Playback;
+import org.u2sa.recorder.playback.RecordedMessages;
+import org.u2sa.recorder.playback.RecordedSpan;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa replay FILE}: republishes a recording's messages, or re-executes its services. */
+@Command(
+    name = "replay",
+    description = {
+      "Publish the messages of a recording again, at a broker that runs. With --rerun, execute services again instead.",
+      "",
+      "Messages are published as they were recorded, timestamps included, under the recorded system's ID unless --system names "
+          + "another. Services that run under that ID will obey recorded commands.",
+      "",
+      "  ./u2sa replay recording.mcap --from 60 --to 90 --rate 2 --channel state,navigation",
+      "",
+      "At a terminal: space pauses, s plays the next message and pauses, left and right go 5 s back and forward, up and down "
+          + "double and halve the rate, q ends.",
+      "",
+      "With --rerun no broker is needed: each service is made as it was, given what it was given at the recorded times, and what it "
+          + "publishes is compared with the recording, to the byte. Exit code 1: something differs. Rerun only recordings that you "
+          + "trust: the service classes that they name are executed."
+    })
+public final class ReplayCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+
+  @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
+  private Path file;
+
+  @Option(
+      names = "--rate",
+      paramLabel = "X",
+      defaultValue = "1",
+      description = "How many times as fast as recorded. Default: ${DEFAULT-VALUE}.")
+  private double rate;
+
+  @Mixin private SpanOptions part;
+
+  @Option(
+      names = "--channel",
+      paramLabel = "NAME",
+      split = ",",
+      description = "Publish only these channels, for example state,actuation. Default: all.")
+  private List<String> wanted = List.of();
+
+  @Option(names = "--loop", description = "Begin anew at the end, until Ctrl-C.")
+  private boolean loop;
+
+  @Mixin private RerunOptions rerun;
+
+  private long published;
+  private long refused;
+
+  @Override
+  public Integer call() throws IOException, InterruptedException {
+    if (!(rate > 0.0 && rate <= 1e6)) {
+      throw new ParameterException(
+          command.commandLine(), "--rate " + rate + ": expected more than 0, at most 1000000");
+    }
+    if (rerun.isWanted()) {
+      return rerun.run(file);
+    }
+    try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
+      RecordedSpan span = part.of(recording.reader());
+      Predicate<McapChannel> channels = recording.channels(wanted);
+      MqttTransport transport = remote.transport(recording.systemId().orElseThrow());
+      Playback playback =
+          new Playback(recording.reader(), channels, span, rate, loop, new SystemClock());
+      PrintWriter out = command.commandLine().getOut();
+      try (Connection connection = transport.connect("u2sa-replay", new PublisherOnly(this::tell));
+          PlaybackKeys keys = PlaybackKeys.of(Terminal.detect(out, System.getenv()), playback)) {
+        out.println("Replaying " + file + " as system " + transport.systemId() + ".");
+        keys.explain();
+        playback.play(
+            new Playback.Sink() {
+              @Override
+              public void play(McapMessage message) {
+                publish(connection, recording, message);
+              }
+
+              @Override
+              public void at(Playback.Position position) {
+                keys.show(position, span, recording.reader().statistics());
+              }
+            },
+            () -> false);
+      }
+      recording.undecodable().ifPresent(this::tell);
+      out.println(
+          published
+              + " messages published"
+              + (refused == 0 ? "" : ", " + refused + " not taken by the broker"));
+      return refused == 0 ? ExitCode.DONE : ExitCode.FAILED;
+    }
+  }
+
+  private void tell(String trouble) {
+    command.commandLine().getErr().println("u2sa: " + trouble);
+  }
+
+  private void publish(Connection connection, RecordedMessages recording, McapMessage recorded) {
+    Topic topic =
+        recording.topic(recording.reader().channels().get(recorded.channelId())).orElseThrow();
+    recording
+        .decode(topic, recorded)
+        .ifPresent(
+            message -> {
+              message.freeze();
+              if (connection.publish(Channels.namedOrNew(topic.channel()), message)) {
+                published++;
+              } else {
+                refused++;
+              }
+            });
+  }
+}

@@ -1,0 +1,66 @@
+package org.u2sa.cli.report;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.interfaces.JsonText;
+import org.u2sa.report.page.RunPage;
+import org.u2sa.report.run.RunContent;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa compare}: compares several recorded runs on one page. */
+@Command(
+    name = "compare",
+    description = {
+      "Write one HTML page about several recorded runs: a table, and charts laid over each other.",
+      "",
+      "  ./u2sa compare out/a/recording.mcap out/b/recording.mcap",
+      "",
+      "Each run's time counts from its first message. A track.csv beside a recording is its truth."
+    })
+public final class CompareCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+
+  @Parameters(arity = "2..*", paramLabel = "FILE", description = "The recordings (MCAP).")
+  private List<Path> files;
+
+  @Option(
+      names = {"-o", "--out"},
+      paramLabel = "FILE",
+      defaultValue = "compare.html",
+      description = "Where to. Default: ${DEFAULT-VALUE}.")
+  private Path out;
+
+  @Option(names = "--json", description = "Print what the page shows as JSON; write no page.")
+  private boolean json;
+
+  @Override
+  public Integer call() throws IOException {
+    List<RunContent> runs = new ArrayList<>();
+    for (Path file : files) {
+      if (!Files.isRegularFile(file)) {
+        throw new ParameterException(command.commandLine(), file + ": no such file");
+      }
+      runs.add(RunContent.read(file, Optional.empty()));
+    }
+    if (json) {
+      List<JsonText> all = new ArrayList<>();
+      runs.forEach(run -> all.add(run.json()));
+      command.commandLine().getOut().println(new JsonText().put("runs", all).line());
+      return ExitCode.DONE;
+    }
+    RunPage.write(out, files.size() + " runs", runs.stream().map(RunContent::json).toList());
+    command.commandLine().getOut().println(out + " (" + Files.size(out) / 1000 + " kB)");
+    return ExitCode.DONE;
+  }
+}

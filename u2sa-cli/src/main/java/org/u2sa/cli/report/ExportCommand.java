@@ -1,0 +1,174 @@
+package org.u2sa.cli.report;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ProgramVersion;
+import org.u2sa.cli.record.SpanOptions;
+import org.u2sa.interfaces.JsonText;
+import org.u2sa.recorder.playback.RecordedMessages;
+import org.u2sa.recorder.playback.RecordedSpan;
+import org.u2sa.report.ReportFile;
+import org.u2sa.report.export.CsvTables;
+import org.u2sa.report.export.GeoJsonText;
+import org.u2sa.report.export.GeoRun;
+import org.u2sa.report.export.GpxText;
+import org.u2sa.report.export.KmlText;
+import org.u2sa.report.export.ViewerRecording;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa export}: exports a recording as tables, or as tracks for maps. */
+@Command(
+    name = "export",
+    description = {
+      "Write a recording as CSV, KML, GPX or GeoJSON, or for viewers that know no CBOR.",
+      "",
+      "  ./u2sa export recording.mcap --format csv --channel state,actuation --out tables",
+      "  ./u2sa export recording.mcap --format kml",
+      "  ./u2sa export recording.mcap --format mcap",
+      "",
+      "csv: a folder with a table for each topic: time of recording [s], then each field that any message of the topic has, with "
+          + "its unit. Lists and messages within a message are JSON.",
+      "kml, gpx, geojson: tracks of the states in the frame GLOBAL, one for each source, and the goals. Default channel: state.",
+      "mcap: a recording whose messages are JSON, for Foxglove, Lichtblick and PlotJuggler; with its views, unless --channel names channels."
+    })
+public final class ExportCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+  @Mixin private SpanOptions part;
+
+  @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
+  private Path file;
+
+  enum Format {
+    csv,
+    kml,
+    gpx,
+    geojson,
+    mcap
+  }
+
+  @Option(
+      names = "--format",
+      required = true,
+      paramLabel = "FORMAT",
+      description = "One of ${COMPLETION-CANDIDATES}.")
+  private Format format;
+
+  @Option(
+      names = "--channel",
+      paramLabel = "NAME",
+      split = ",",
+      description = "Only these channels, for example state,actuation.")
+  private List<String> channels = List.of();
+
+  @Option(
+      names = "--every",
+      paramLabel = "S",
+      defaultValue = "0",
+      description = "Of each topic at most one message in so many seconds. Default: all.")
+  private double everyS;
+
+  @Option(
+      names = {"-o", "--out"},
+      paramLabel = "PATH",
+      description =
+          "Where to: a file; of csv, a folder. Default: beside the recording, with its name.")
+  private Path out;
+
+  @Option(names = "--json", description = "Say what was written as JSON, an object a file.")
+  private boolean json;
+
+  @Override
+  public Integer call() throws IOException {
+    if (!(everyS >= 0.0)) {
+      throw new ParameterException(
+          command.commandLine(), "--every " + everyS + ": expected 0 s or more");
+    }
+    try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
+      RecordedSpan span = part.of(recording.reader());
+      if (format == Format.csv) {
+        tables(recording, span);
+      } else if (format == Format.mcap) {
+        viewers(recording, span);
+      } else {
+        map(recording, span);
+      }
+      recording
+          .undecodable()
+          .ifPresent(what -> command.commandLine().getErr().println("u2sa: " + what));
+    }
+    return ExitCode.DONE;
+  }
+
+  private Path target(String suffix) {
+    String name = file.getFileName().toString().replaceFirst("\\.mcap$", "");
+    return out == null ? file.resolveSibling(name + suffix) : out;
+  }
+
+  private void tables(RecordedMessages recording, RecordedSpan span) throws IOException {
+    CsvTables tables = new CsvTables(recording, span, recording.channels(channels), everyS);
+    tables.write(target("-csv")).forEach((table, rows) -> say(table, Map.of("rows", rows)));
+  }
+
+  /** Prints a file written and its size. */
+  private void say(Path written, Map<String, Long> counts) {
+    PrintWriter printer = command.commandLine().getOut();
+    if (json) {
+      JsonText line = new JsonText().put("file", written.toString());
+      counts.forEach(line::put);
+      printer.println(line.line());
+    } else {
+      printer.println(
+          counts.entrySet().stream()
+              .map(count -> count.getValue() + " " + count.getKey())
+              .collect(Collectors.joining(", ", written + " (", ")")));
+    }
+  }
+
+  private void viewers(RecordedMessages recording, RecordedSpan span) throws IOException {
+    Path target = target("-viewer.mcap");
+    if (Files.exists(target) && Files.isSameFile(target, file)) {
+      throw new ParameterException(
+          command.commandLine(), "--out " + out + ": expected another file than the recording");
+    }
+    long messages =
+        new ViewerRecording(
+                recording, span, recording.channels(channels), channels.isEmpty(), everyS)
+            .write(target, "u2sa " + ProgramVersion.text());
+    say(target, Map.of("messages", messages));
+  }
+
+  private void map(RecordedMessages recording, RecordedSpan span) throws IOException {
+    GeoRun run = GeoRun.read(recording, span, channels, everyS);
+    String title = file.getFileName().toString();
+    Path target = target("." + format);
+    ReportFile.writeText(target, text -> write(text, title, run));
+    Map<String, Long> counts = new LinkedHashMap<>();
+    counts.put("tracks", (long) run.tracks().size());
+    counts.put("points", (long) run.points());
+    counts.put("goals", (long) run.goals().size());
+    say(target, counts);
+  }
+
+  private void write(Writer text, String title, GeoRun run) throws IOException {
+    switch (format) {
+      case kml -> KmlText.write(text, title, run);
+      case gpx -> GpxText.write(text, title, run);
+      default -> GeoJsonText.write(text, run);
+    }
+  }
+}

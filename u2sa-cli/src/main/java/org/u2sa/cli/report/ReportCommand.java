@@ -1,0 +1,78 @@
+package org.u2sa.cli.report;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.interfaces.JsonText;
+import org.u2sa.report.page.RunPage;
+import org.u2sa.report.run.RunContent;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa report}: reports a recorded run on one page. */
+@Command(
+    name = "report",
+    description = {
+      "Write one HTML page about a recorded run, readable without a network.",
+      "",
+      "  ./u2sa demo ugv --record --out out/drive && ./u2sa report out/drive/recording.mcap",
+      "  ./u2sa report flight.mcap --out flight.html",
+      "",
+      "Map with track, goals and obstacles; errors against the truth with the estimator's standard deviations, where the demo's "
+          + "track.csv is beside the recording or named by --truth; distance from the line, altitude, speed, actuators; age of "
+          + "messages; condition of services; events, which move the cursor in all charts. Drag in a chart to zoom."
+    })
+public final class ReportCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+
+  @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
+  private Path file;
+
+  @Option(
+      names = {"-o", "--out"},
+      paramLabel = "FILE",
+      description = "Where to. Default: the recording's name with .html.")
+  private Path out;
+
+  @Option(
+      names = "--truth",
+      paramLabel = "FILE",
+      description = "A demo's track.csv. Default: the one beside the recording, if any.")
+  private Path truth;
+
+  @Option(names = "--json", description = "Print what the page shows as JSON; write no page.")
+  private boolean json;
+
+  @Override
+  public Integer call() throws IOException {
+    for (Path each : truth == null ? List.of(file) : List.of(file, truth)) {
+      if (!Files.isRegularFile(each)) {
+        throw new ParameterException(command.commandLine(), each + ": no such file");
+      }
+    }
+    RunContent run = RunContent.read(file, Optional.ofNullable(truth));
+    if (json) {
+      command
+          .commandLine()
+          .getOut()
+          .println(new JsonText().put("runs", List.of(run.json())).line());
+      return ExitCode.DONE;
+    }
+    Path page =
+        out == null
+            ? file.resolveSibling(
+                file.getFileName().toString().replaceFirst("\\.mcap$", "") + ".html")
+            : out;
+    RunPage.write(page, file.toString(), List.of(run.json()));
+    command.commandLine().getOut().println(page + " (" + Files.size(page) / 1000 + " kB)");
+    return ExitCode.DONE;
+  }
+}

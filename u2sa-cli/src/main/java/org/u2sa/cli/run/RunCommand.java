@@ -1,0 +1,373 @@
+package org.u2sa.cli.run;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Predicate;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.Setting;
+import org.u2sa.cli.record.RunFacts;
+import org.u2sa.cli.record.RunRecording;
+import org.u2sa.core.communication.BrokerSearch;
+import org.u2sa.core.communication.ManagerSettings;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.RunningSystem;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.gcs.remote.BrokerAddress;
+import org.u2sa.gcs.remote.LocalSystems;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.recorder.Recorder;
+import org.u2sa.service.U2SAService;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa run <system.xml>}: runs any system until it ends or is interrupted. */
+@Command(
+    name = "run",
+    description = {
+      "Run the system that a file describes, in real time.",
+      "",
+      "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service has its configuration "
+          + "file and writes its log file. Ctrl-C, or a stop command, ends all of them."
+    })
+public final class RunCommand implements Callable<Integer> {
+  private static final String MANAGER = "CommunicationManager";
+  private static final List<String> LOOPBACK = List.of("127.0.0.1", "::1", "localhost");
+
+  @Spec private CommandSpec command;
+
+  @Parameters(paramLabel = "SYSTEM", description = "System file (XML).")
+  private Path file;
+
+  @Option(
+      names = "--logs",
+      paramLabel = "DIR",
+      defaultValue = "out/logs",
+      description = "Where log files go. Default: ${DEFAULT-VALUE}.")
+  private Path logs;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Random seed. Default: ${DEFAULT-VALUE}.")
+  private long seed;
+
+  @Option(
+      names = "--set",
+      paramLabel = "SERVICE:VARIABLE=VALUE",
+      description =
+          "Set a configuration variable for this run, for example --set \"PathPlanner:LOOK AHEAD=200.0\". May be given several times.")
+  private List<String> settings = List.of();
+
+  @Option(
+      names = "--separate",
+      description = "Run each service in its own process, connected by MQTT.")
+  private boolean separate;
+
+  @Option(
+      names = "--only",
+      paramLabel = "SERVICE",
+      split = ",",
+      description =
+          "Run only these services, given by simple class name and separated by commas; connect to the Communication Manager at its configured address.")
+  private List<String> only = List.of();
+
+  @Option(
+      names = "--host",
+      paramLabel = "NAME",
+      description =
+          "Run what the file assigns to this host. The host that <communication> names runs the Communication Manager; the others connect to its configured address.")
+  private String host;
+
+  @Option(
+      names = "--broker",
+      paramLabel = "HOST[:PORT]",
+      description =
+          "Use this broker instead of starting one, whatever the file says; auto: the one that announces this system by mDNS.")
+  private String broker;
+
+  @Option(
+      names = "--through-broker",
+      description =
+          "Send all messages between the services of this process through the broker; like delivery=\"broker\" in the file.")
+  private boolean throughBroker;
+
+  @Mixin private RunRecording recording;
+
+  @Option(
+      names = "--supervised",
+      hidden = true,
+      description = "With --only: the process that started this one starts it again if need be.")
+  private boolean supervised;
+
+  @Option(
+      names = "--restart",
+      hidden = true,
+      description = "With --only: the service ran before and is to go on where it was.")
+  private boolean restart;
+
+  @Override
+  public Integer call() throws InterruptedException {
+    SystemFile whole = SystemFile.read(file);
+    SystemFile system = whole;
+    PrintWriter out = command.commandLine().getOut();
+    LaunchOptions options = new LaunchOptions().logDirectory(logs).seed(seed).console(out::println);
+    settings = new ArrayList<>(settings);
+    if (broker != null) {
+      settings.addAll(settingsOfBroker());
+    } else if (host == null && only.isEmpty()) {
+      evadeTakenPort(system, out);
+    }
+    set(options, system);
+    recording.check();
+    recording.addTo(options, "", facts(whole));
+    options.making(Recorder.class, context -> new Recorder(context, facts(whole).facts()));
+    if (throughBroker) {
+      options.throughBroker();
+    }
+    if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
+      throw new ParameterException(
+          command.commandLine(), "--separate, --only and --host: expected one of them at most");
+    }
+    if (host != null) {
+      boolean carriesManager = system.communicationHost().equals(host);
+      system = system.onHost(host);
+      if (!carriesManager) {
+        options.override(MANAGER, "BROKER", "external");
+      }
+      options.oneOfSeveral(false);
+    }
+    if (!only.isEmpty()) {
+      refuseNamedTwice();
+      options.override(MANAGER, "BROKER", "external");
+      system = system.only(only);
+      options.oneOfSeveral(supervised).restart(restart);
+    }
+    return separate ? runSeparately(system.apart(), options, out) : run(system, options, out);
+  }
+
+  /**
+   * Moves the broker to another port if the configured one is taken, provided that only this
+   * machine can reach it: clients on other machines expect the configured port.
+   */
+  private void evadeTakenPort(SystemFile system, PrintWriter out) {
+    XmlConfiguration configuration =
+        system
+            .communication()
+            .map(XmlConfiguration::load)
+            .orElseGet(() -> XmlConfiguration.inMemory(MANAGER, Map.of()));
+    List<Setting> ofManager;
+    try {
+      ofManager = Setting.parseAll(settings).stream().filter(RunCommand::isOfManager).toList();
+    } catch (IllegalArgumentException e) {
+      return; // rejected later, with all others
+    }
+    if (ofManager.stream().anyMatch(each -> each.variable().equals(ManagerSettings.PORT))) {
+      return;
+    }
+    ofManager.forEach(each -> configuration.override(each.variable(), each.value()));
+    ManagerSettings manager = configuration.settings(ManagerSettings.class).get();
+    if (!manager.broker().equals("embedded") || !LOOPBACK.contains(manager.bindAddress())) {
+      return;
+    }
+    int port = manager.communicationManagerPort();
+    OptionalInt free = TakenPort.replacement(manager.bindAddress(), port);
+    if (free.isPresent()) {
+      refuseSecondRun(system);
+      settings.add(MANAGER + ":" + ManagerSettings.PORT + "=" + free.getAsInt());
+      out.println(
+          String.format(
+              "Port %s is taken by another program; the broker of this system listens on port %s.",
+              port, free.getAsInt()));
+    }
+  }
+
+  private static boolean isOfManager(Setting setting) {
+    return setting.service().equals(MANAGER);
+  }
+
+  /** Rejects a second run of the same vehicle, because both would command its devices. */
+  private static void refuseSecondRun(SystemFile system) {
+    LocalSystems.ofAccount().running().stream()
+        .filter(each -> each.systemId().equals(system.systemId()))
+        .findFirst()
+        .ifPresent(
+            each -> {
+              throw new BadInputException(
+                  "system " + each + " runs on this machine already; end it first");
+            });
+  }
+
+  private RunFacts facts(SystemFile system) {
+    RunFacts facts = new RunFacts().system(system).logs(logs);
+    Setting.parseAll(settings)
+        .forEach(setting -> facts.setting(setting.service(), setting.variable(), setting.value()));
+    return facts;
+  }
+
+  /** Watches the parent process, if one supervises this process. */
+  private Optional<ParentWatch> parentWatch() {
+    if (!supervised) {
+      return Optional.empty();
+    }
+    ParentWatch watch = new ParentWatch(System.in, Runtime.getRuntime()::halt);
+    watch.start();
+    return Optional.of(watch);
+  }
+
+  private void refuseNamedTwice() {
+    Set<String> names = new HashSet<>();
+    for (String name : only) {
+      if (!names.add(name)) {
+        throw new ParameterException(
+            command.commandLine(), "--only: \"" + name + "\" is named twice");
+      }
+    }
+  }
+
+  /** Returned as settings, so that child processes use the same broker. */
+  private List<String> settingsOfBroker() {
+    String manager = MANAGER + ":";
+    if (broker.equals(BrokerSearch.AUTO)) {
+      return List.of(manager + "BROKER=external", manager + "COMMUNICATION MANAGER IP=" + broker);
+    }
+    try {
+      BrokerAddress address = BrokerAddress.parse(broker);
+      return List.of(
+          manager + "BROKER=external",
+          manager + "COMMUNICATION MANAGER IP=" + address.hostInAddress(),
+          manager + "COMMUNICATION MANAGER PORT=" + address.port());
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--broker " + e.getMessage());
+    }
+  }
+
+  private void set(LaunchOptions options, SystemFile system) {
+    try {
+      for (Setting setting : Setting.parseAll(settings)) {
+        setting.requireServiceOf(system);
+        options.override(setting.service(), setting.variable(), setting.value());
+      }
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
+    }
+  }
+
+  @SuppressWarnings("try") // resources that are there to be closed, not called
+  private Integer run(SystemFile file, LaunchOptions options, PrintWriter out)
+      throws InterruptedException {
+    Optional<ParentWatch> parent = parentWatch();
+    try (RunningSystem system = RunningSystem.start(file, options);
+        TroubleLines troubles = troublesOf(system, ownServices(system), out);
+        LocalSystems.Announcement announced = announced(file, system, out);
+        EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
+      parent.ifPresent(watch -> watch.endingBy(system::close));
+      out.println(
+          String.format(
+              "System %s runs: %s. Ctrl-C ends it.",
+              file.systemId(), file.services().isEmpty() ? MANAGER : names(system.services())));
+      if (file.services().isEmpty()) {
+        new CountDownLatch(1).await(); // the Communication Manager alone, until interrupted
+      }
+      system.awaitEnd();
+      for (U2SAService ended : system.services()) {
+        ended
+            .endReason()
+            .ifPresent(why -> out.println("Service " + ended.getServiceName() + " ended: " + why));
+      }
+      for (U2SAService failed : system.failed()) {
+        out.println("Service " + failed.getServiceName() + " failed; see its log file.");
+      }
+      return system.failed().isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
+    }
+  }
+
+  @SuppressWarnings("try") // resources that are there to be closed, not called
+  private Integer runSeparately(SystemFile file, LaunchOptions options, PrintWriter out)
+      throws InterruptedException {
+    List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
+    ServiceProcesses.ProcessCommand start =
+        new ServiceProcesses.ProcessCommand(file.file(), logs, seed, settings);
+    try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
+        TroubleLines troubles = troublesOf(manager, any -> true, out);
+        LocalSystems.Announcement announced = announced(file, manager, out);
+        ServiceProcesses processes = new ServiceProcesses(start, entries, out::println);
+        Supervisor supervisor = new Supervisor(file, manager, processes, out::println);
+        EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
+      processes.start();
+      out.println(
+          String.format(
+              "System %s runs in processes: %s. Ctrl-C ends it.",
+              file.systemId(), processes.names()));
+      boolean endedWell = processes.awaitEnd().isEmpty();
+      if (processes.isRefused()) {
+        out.println("The system ends: a service refuses what it was started with (see above).");
+        return ExitCode.BAD_INPUT;
+      }
+      return endedWell ? ExitCode.DONE : ExitCode.FAILED;
+    }
+  }
+
+  private static TroubleLines troublesOf(
+      RunningSystem system, Predicate<String> services, PrintWriter out) {
+    return new TroubleLines(
+        system.communicationManager().transport(), services, new SystemClock(), out::println);
+  }
+
+  /**
+   * Entries whose troubles this process prints: with a supervising process, that one prints all.
+   */
+  private Predicate<String> ownServices(RunningSystem system) {
+    Set<String> own = new HashSet<>();
+    if (!supervised) {
+      system.services().forEach(service -> own.add(service.getServiceName()));
+    }
+    return own::contains;
+  }
+
+  private static LocalSystems.Announcement announced(
+      SystemFile file, RunningSystem system, PrintWriter out) {
+    return LocalSystems.ofAccount()
+        .announce(file.systemId(), system.communicationManager().address(), out::println);
+  }
+
+  private static String names(List<U2SAService> services) {
+    return String.join(", ", services.stream().map(U2SAService::getServiceName).toList());
+  }
+
+  /** Closes a resource in an orderly way when the program is interrupted (Ctrl-C, TERM). */
+  private static final class EndOnInterrupt implements AutoCloseable {
+    private final Thread hook;
+
+    EndOnInterrupt(Runnable end) {
+      hook = new Thread(end, "u2sa-end");
+      Runtime.getRuntime().addShutdownHook(hook);
+    }
+
+    @Override
+    public void close() {
+      try {
+        Runtime.getRuntime().removeShutdownHook(hook);
+      } catch (IllegalStateException e) {
+        // Already shutting down: the hook is running now.
+        return;
+      }
+    }
+  }
+}

@@ -1,0 +1,145 @@
+package org.u2sa.cli.run;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * Maps system-file entries to service names by asking the running services, because a name depends
+ * on the service and its configuration.
+ */
+final class ServiceNames implements Receiver, AutoCloseable {
+  private static final int ASKS_AT_MOST = 20; // per unknown name
+
+  private static final int MAX_NAMES = 1_000; // unknown names
+
+  private final List<SystemFile.Entry> entries;
+  private final Clock clock;
+  private final Consumer<String> trouble;
+  private final Map<String, String> entryNames = new ConcurrentHashMap<>(); // by service name
+  private final Map<String, String> roles = new ConcurrentHashMap<>(); // by entry's simple name
+  private final Map<String, Word> words = new ConcurrentHashMap<>(); // by service name
+  private final Map<String, Integer> asked = new ConcurrentHashMap<>(); // by service name
+  private final Connection connection;
+  private final String systemId;
+
+  /**
+   * Last report about a service.
+   *
+   * @param instance that sent it
+   * @param atMicros time of receipt [µs of this clock]
+   * @param isLast whether it announced its stop
+   */
+  record Word(String instance, long atMicros, boolean isLast) {}
+
+  ServiceNames(SystemFile file, Transport transport, Clock clock, Consumer<String> trouble) {
+    entries = file.services();
+    systemId = file.systemId();
+    this.clock = clock;
+    this.trouble = trouble;
+    connection = transport.connect("ServiceNames", this);
+    connection.subscribe(Channels.DISCOVERY);
+    connection.subscribe(Channels.HEALTH);
+  }
+
+  @Override
+  public void receive(Channel<?> channel, U2SAData message) {
+    if (message instanceof DiscoveryResponse response) {
+      learn(response);
+    } else if (message instanceof HealthReport report && !(message instanceof ConnectionLost)) {
+      hear(report);
+    }
+  }
+
+  private void hear(HealthReport report) {
+    String name = report.serviceName();
+    if (asked.size() >= MAX_NAMES && !asked.containsKey(name) && !entryNames.containsKey(name)) {
+      return; // names are being made up
+    }
+    if (report.threadAlive().isEmpty()) { // sent by the service itself
+      boolean isLast = report.status() == ServiceStatus.STOPPED;
+      words.put(name, new Word(report.instance().orElse(""), clock.micros(), isLast));
+    }
+    if (!entryNames.containsKey(name) && asked.merge(name, 1, Integer::sum) <= ASKS_AT_MOST) {
+      ask();
+    }
+  }
+
+  private void ask() {
+    DiscoveryRequest request = new DiscoveryRequest();
+    request.systemId(systemId);
+    request.timestamp(clock.micros());
+    request.freeze();
+    connection.publish(Channels.DISCOVERY, request);
+  }
+
+  private void learn(DiscoveryResponse response) {
+    if (entryNames.size() >= MAX_NAMES && !entryNames.containsKey(response.serviceName())) {
+      return;
+    }
+    for (SystemFile.Entry entry : entries) {
+      if (response.className().equals(Optional.of(entry.className()))) {
+        entryNames.put(response.serviceName(), entry.simpleName());
+        roles.put(entry.simpleName(), response.serviceType());
+      }
+    }
+  }
+
+  /** Returns the simple entry name for a service name; also accepts an entry name. */
+  Optional<String> entryOf(String serviceName) {
+    String known = entryNames.get(serviceName);
+    boolean itself = entries.stream().anyMatch(entry -> entry.simpleName().equals(serviceName));
+    return known == null && itself ? Optional.of(serviceName) : Optional.ofNullable(known);
+  }
+
+  /** Returns the service name of the entry, if known. */
+  Optional<String> nameOf(String entryName) {
+    return entryNames.entrySet().stream()
+        .filter(each -> each.getValue().equals(entryName))
+        .map(Map.Entry::getKey)
+        .findFirst();
+  }
+
+  /** Returns the entries known to have the role. */
+  List<String> entriesOf(String role) {
+    return entries.stream()
+        .map(SystemFile.Entry::simpleName)
+        .filter(entry -> role.equals(roles.get(entry)))
+        .toList();
+  }
+
+  /** Returns the last status reported by the service itself. */
+  Optional<Word> lastWord(String serviceName) {
+    return Optional.ofNullable(words.get(serviceName));
+  }
+
+  /** Returns the role of the entry's service, if known. */
+  Optional<String> roleOf(String entryName) {
+    return Optional.ofNullable(roles.get(entryName));
+  }
+
+  @Override
+  public void trouble(String what) {
+    trouble.accept(what);
+  }
+
+  @Override
+  public void close() {
+    connection.close();
+  }
+}

@@ -1,0 +1,139 @@
+package org.u2sa.cli.run;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.u2sa.core.launch.Launcher;
+import org.u2sa.core.launch.RunningSystem;
+import org.u2sa.core.launch.ServiceHost;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.ServiceAction;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Executes start and restart orders when each service has its own process: kills it (SIGKILL,
+ * because it may hang) and starts it again. Actuators go neutral meanwhile, as their commands
+ * expire.
+ *
+ * <p>It reports ended processes on the health channel. It restarts a health monitor's process
+ * without an order, because nothing else would give one, and any process while no monitor works.
+ */
+final class Supervisor implements ServiceHost, AutoCloseable {
+  private final ServiceProcesses processes;
+  private final ServiceNames names;
+  private final Launcher launcher;
+  private final Clock clock = new SystemClock();
+  private final MonitorGuard guard;
+
+  /**
+   * Connects and starts executing orders.
+   *
+   * @param system the Communication Manager of the processes
+   */
+  Supervisor(
+      SystemFile file, RunningSystem system, ServiceProcesses processes, Consumer<String> console) {
+    this.processes = processes;
+    names = new ServiceNames(file, system.communicationManager().transport(), clock, console);
+    ServiceContext context = system.contextFor(XmlConfiguration.inMemory(Launcher.NAME, Map.of()));
+    try {
+      launcher = new Launcher(context, Launcher.NAME, this);
+      launcher.start();
+    } catch (RuntimeException | Error e) {
+      context.abandon();
+      names.close();
+      throw e;
+    }
+    guard = new MonitorGuard(names, clock, new GuardedProcesses(console), console);
+    guard.start();
+    processes.onFailure(this::ended);
+  }
+
+  /**
+   * Acts if no monitor does, and reports the end immediately: this process is the first to know,
+   * and the broker only sees a broken link.
+   */
+  private void ended(String entry, int exitCode) {
+    Optional<ServiceNames.Word> last = names.nameOf(entry).flatMap(names::lastWord);
+    guard.ended(entry, exitCode);
+    names
+        .nameOf(entry)
+        .ifPresent(
+            name -> {
+              ConnectionLost word = new ConnectionLost();
+              word.serviceName(name)
+                  .status(ServiceStatus.FAILED)
+                  .lastError("its process has ended with exit code " + exitCode)
+                  .threadAlive(false);
+              last.ifPresent(said -> word.instance(said.instance()));
+              launcher.publish(Channels.HEALTH, word);
+            });
+  }
+
+  /** The guard's view of the processes. */
+  private final class GuardedProcesses implements MonitorGuard.Processes {
+    private final Consumer<String> console;
+
+    GuardedProcesses(Consumer<String> console) {
+      this.console = console;
+    }
+
+    @Override
+    public boolean isAlive(String entry) {
+      return processes.isAlive(entry);
+    }
+
+    @Override
+    public void startAnew(String entry) {
+      Supervisor.this.startAnew(entry).ifPresent(console);
+    }
+  }
+
+  @Override
+  public boolean isFor(ServiceOrder order) {
+    return order.action() != ServiceAction.SWAP && names.entryOf(order.serviceName()).isPresent();
+  }
+
+  @Override
+  public Optional<String> start(String serviceName) {
+    String entry = names.entryOf(serviceName).orElseThrow();
+    return processes.isAlive(entry)
+        ? Optional.of("service " + serviceName + " runs already")
+        : startAnew(entry);
+  }
+
+  @Override
+  public Optional<String> restart(String serviceName) {
+    return startAnew(names.entryOf(serviceName).orElseThrow());
+  }
+
+  @Override
+  public Optional<String> swap(String serviceName, String className) {
+    return Optional.of("a service is swapped in its own process");
+  }
+
+  private Optional<String> startAnew(String entry) {
+    try {
+      return processes.startAnew(entry) ? Optional.empty() : Optional.of("the system is ending");
+    } catch (IOException e) {
+      return Optional.of("the process cannot be started: " + e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of("interrupted");
+    }
+  }
+
+  @Override
+  public void close() {
+    guard.close();
+    launcher.kill();
+    names.close();
+  }
+}

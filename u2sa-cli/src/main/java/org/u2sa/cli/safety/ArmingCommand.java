@@ -1,0 +1,96 @@
+package org.u2sa.cli.safety;
+
+import java.io.PrintWriter;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicReference;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.remote.RemoteSystem;
+import org.u2sa.gcs.remote.Operator;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** Asks the Safety Manager to arm or disarm, and prints its answer. */
+public abstract class ArmingCommand implements Callable<Integer> {
+  private final boolean arm;
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+
+  private ArmingCommand(boolean arm) {
+    this.arm = arm;
+  }
+
+  /** {@code u2sa arm}: arms a vehicle, or prints why it cannot be armed. */
+  @Command(
+      name = "arm",
+      description = {
+        "Arm a vehicle, or say why it cannot be armed.",
+        "",
+        "Its Safety Manager checks services, state, battery, fence, mission and actuators. Of an armed vehicle it ends a RETURN "
+            + "or LAND whose cause is gone."
+      })
+  public static final class Arm extends ArmingCommand {
+    /** The command. */
+    public Arm() {
+      super(true);
+    }
+  }
+
+  /** {@code u2sa disarm}: disarms a vehicle. */
+  @Command(
+      name = "disarm",
+      description = {
+        "Disarm a vehicle, even in mid-air.",
+        "",
+        "Actuators whose variable REQUIRES ARMING is true go neutral; failsafes no longer act."
+      })
+  public static final class Disarm extends ArmingCommand {
+    /** The command. */
+    public Disarm() {
+      super(false);
+    }
+  }
+
+  @Override
+  public final Integer call() throws InterruptedException {
+    PrintWriter out = command.commandLine().getOut();
+    try (RemoteLink link = remote.connect()) {
+      Optional<ArmingState> answer = answer(link);
+      if (answer.isEmpty()) {
+        out.println(
+            link.systemId() + ": no Safety Manager answered within " + link.timeoutS() + " s");
+        remote.otherSystems(link).ifPresent(out::println);
+        return ExitCode.FAILED;
+      }
+      boolean armed = answer.get().armed();
+      out.println(link.systemId() + (armed ? ": armed" : ": not armed"));
+      if (arm) {
+        answer.get().reasons().forEach(reason -> out.println("  " + reason));
+      }
+      return armed == arm ? ExitCode.DONE : ExitCode.FAILED;
+    }
+  }
+
+  private Optional<ArmingState> answer(RemoteLink link) throws InterruptedException {
+    String id = UUID.randomUUID().toString();
+    AtomicReference<ArmingState> answer = new AtomicReference<>();
+    link.listen(
+        Channels.ARMING_STATE,
+        state -> {
+          if (state.requestId().filter(id::equals).isPresent()) {
+            answer.set(state);
+          }
+        });
+    link.publish(
+        Channels.ARMING, new ArmCommand().requestId(id).arm(arm).operator(Operator.name()));
+    link.await(() -> answer.get() != null, link.timeoutS());
+    return Optional.ofNullable(answer.get());
+  }
+}

@@ -1,0 +1,122 @@
+package org.u2sa.cli.safety;
+
+import java.io.PrintWriter;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.remote.RemoteSystem;
+import org.u2sa.gcs.remote.Operator;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.OperatorHeartbeat;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa operator}: sends operator heartbeats and shows the vehicle's safety state. */
+@Command(
+    name = "operator",
+    description = {
+      "Watch over a vehicle as its operator until Ctrl-C.",
+      "",
+      "Sends an operator heartbeat every second and shows each change of arming state, failsafe and services. Once a vehicle "
+          + "has heard a heartbeat, it treats silence as a lost operator."
+    })
+public final class OperatorCommand implements Callable<Integer> {
+  private static final double INTERVAL_S = 1.0;
+  private static final String ARMING = "arming";
+
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+
+  @Option(
+      names = "--for",
+      paramLabel = "S",
+      description = "Stop after this many seconds. Default: at Ctrl-C.")
+  private Double forS;
+
+  private final Map<String, String> shown = new LinkedHashMap<>(); // guarded by itself
+
+  @Override
+  public Integer call() throws InterruptedException {
+    if (forS != null && !(forS > 0.0)) {
+      throw new ParameterException(
+          command.commandLine(), "--for " + forS + ": expected more than 0 s");
+    }
+    try (RemoteLink link = remote.connect();
+        Clock.Waiter waiter = link.clock().newWaiter("operator")) {
+      link.listen(Channels.ARMING_STATE, this::show);
+      link.listen(Channels.FAILSAFE, this::show);
+      link.listen(Channels.CONDITIONS, this::show);
+      long end = forS == null ? Clock.NEVER : link.clock().micros() + Clock.micros(forS);
+      long due = link.clock().micros();
+      while (due < end) {
+        link.publish(
+            Channels.OPERATOR,
+            new OperatorHeartbeat().operator(Operator.name()).interval(INTERVAL_S));
+        due += Clock.micros(INTERVAL_S);
+        while (link.clock().micros() < Math.min(due, end)) {
+          waiter.await(Math.min(due, end));
+        }
+      }
+      return isHeard() ? ExitCode.DONE : nobody(link);
+    }
+  }
+
+  private boolean isHeard() {
+    synchronized (shown) {
+      return shown.containsKey(ARMING);
+    }
+  }
+
+  private int nobody(RemoteLink link) throws InterruptedException {
+    PrintWriter out = command.commandLine().getOut();
+    out.println(
+        link.systemId()
+            + ": no Safety Manager answers: the vehicle does not watch for an operator");
+    remote.otherSystems(link).ifPresent(out::println);
+    return ExitCode.FAILED;
+  }
+
+  private void show(ArmingState state) {
+    show(
+        ARMING,
+        state.armed() ? "armed" : "not armed: " + state.reasons(),
+        state.armed() + " " + state.reasons().size());
+  }
+
+  private void show(FailsafeState state) {
+    String line =
+        state.action() + (state.causes().isEmpty() ? "" : " because of " + state.causes());
+    show("failsafe", line, state.action() + " " + state.causes().size());
+  }
+
+  private void show(ServiceCondition condition) {
+    String line =
+        condition.condition()
+            + (condition.reason().isEmpty() ? "" : ": " + condition.reason())
+            + (condition.action().isEmpty() ? "" : ", " + condition.action());
+    show("service " + condition.serviceName(), line, condition.condition() + condition.action());
+  }
+
+  /**
+   * Shows a line unless it only differs in numbers from the last one shown. Called on the
+   * transport's thread.
+   */
+  private void show(String subject, String line, String gist) {
+    synchronized (shown) {
+      if (!gist.equals(shown.put(subject, gist))) {
+        PrintWriter out = command.commandLine().getOut();
+        out.println(subject + ": " + line);
+      }
+    }
+  }
+}

@@ -1,0 +1,140 @@
+package org.u2sa.cli.security;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.List;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.core.security.SecurityDirectory;
+import org.u2sa.core.security.User;
+import org.u2sa.core.security.UserFile;
+import org.u2sa.interfaces.BadInputException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/**
+ * {@code u2sa security}: prints its help; init, certificate and mosquitto are subcommands,
+ * implemented as methods.
+ */
+@Command(
+    name = "security",
+    description = {
+      "Make certificates and users for a vehicle that is reached over a network.",
+      "",
+      "They write to one folder; SECURITY DIRECTORY in CommunicationManager.xml names it. docs/security.md has the steps."
+    },
+    subcommands = UserCommand.class)
+public final class SecurityCommand implements Runnable {
+  @Spec private CommandSpec command;
+
+  @Override
+  public void run() {
+    command.commandLine().usage(command.commandLine().getOut());
+  }
+
+  @Command(
+      name = "init",
+      description = "Make a local authority, the broker's certificate and an empty list of users.")
+  Integer init(
+      @Parameters(
+              paramLabel = "DIR",
+              defaultValue = "security",
+              description = "New folder. Default: ${DEFAULT-VALUE}.")
+          Path folder,
+      @Option(
+              names = "--host",
+              paramLabel = "HOST",
+              description =
+                  "Name or address under which clients reach the broker; several times for several. localhost and this host's name are always there.")
+          List<String> hosts)
+      throws IOException, InterruptedException {
+    SecurityDirectory directory = new SecurityDirectory(folder);
+    if (Files.exists(directory.authority()) || Files.exists(directory.users())) {
+      throw new BadInputException(
+          folder + ": holds an authority or users already; they are not overwritten");
+    }
+    SecurityFolder.makePrivate(folder);
+    LocalAuthority authority = LocalAuthority.create(directory);
+    List<String> names = LocalAuthority.HostNames.with(hosts == null ? List.of() : hosts);
+    authority.certify(names);
+    UserFile.write(directory.users(), List.of());
+    out()
+        .printf(
+            "%s: authority and certificate for %s.%nNext: ./u2sa security user add NAME --role ROLE --dir %s;"
+                + " give clients %s, and keep %s off the vehicle.%n",
+            folder,
+            String.join(", ", names),
+            folder,
+            directory.authority(),
+            directory.authorityKey());
+    return ExitCode.DONE;
+  }
+
+  @Command(
+      name = "certificate",
+      description =
+          "Renew the broker's key and certificate under the same authority; clients need no change.")
+  Integer certificate(
+      @Parameters(
+              paramLabel = "HOST",
+              arity = "1..*",
+              description =
+                  "Names or addresses under which clients reach the broker, beside localhost.")
+          List<String> hosts,
+      @Mixin SecurityFolder folder)
+      throws IOException, InterruptedException {
+    SecurityDirectory directory = folder.existing();
+    List<String> names = LocalAuthority.HostNames.with(hosts);
+    LocalAuthority.in(directory).certify(names);
+    out()
+        .printf(
+            "%s: certificate for %s. Restart the broker to use it.%n",
+            directory.certificate(), String.join(", ", names));
+    return ExitCode.DONE;
+  }
+
+  @Command(
+      name = "mosquitto",
+      description =
+          "Write configuration, users and their rights for Mosquitto in place of the embedded broker.")
+  Integer mosquitto(
+      @Parameters(
+              paramLabel = "DIR",
+              description = "Where mosquitto.conf and the files that it names go.")
+          Path target,
+      @Option(
+              names = "--port",
+              paramLabel = "N",
+              defaultValue = "8883",
+              description = "TCP port. Default: ${DEFAULT-VALUE}.")
+          int port,
+      @Option(
+              names = "--bind",
+              paramLabel = "ADDRESS",
+              defaultValue = "0.0.0.0",
+              description = "Address on which it listens. Default: ${DEFAULT-VALUE}.")
+          String bind,
+      @Mixin SecurityFolder folder)
+      throws IOException {
+    SecurityDirectory directory = folder.existing();
+    directory.check();
+    Collection<User> users = UserFile.read(directory.users()).values();
+    SecurityFolder.makePrivate(target);
+    MosquittoFiles.write(target.toAbsolutePath().normalize(), directory, users, bind, port);
+    out()
+        .printf(
+            "%s: %d users. Start it with: mosquitto -c %s%n",
+            target, users.size(), target.resolve("mosquitto.conf"));
+    return ExitCode.DONE;
+  }
+
+  private PrintWriter out() {
+    return command.commandLine().getOut();
+  }
+}

@@ -1,0 +1,125 @@
+package org.u2sa.cli.configuration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.cli.Main;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.remote.ForeignSystem;
+
+/** {@code u2sa config} on a system of another process. */
+@Timeout(120)
+class ConfigCommandTest {
+  private static final String PLANNER = "PathPlanner";
+
+  @TempDir private static Path directory;
+  private static ForeignSystem foreign;
+
+  private final StringWriter out = new StringWriter();
+  private final StringWriter err = new StringWriter();
+
+  @BeforeAll
+  static void start() {
+    foreign =
+        ForeignSystem.start(
+            directory,
+            "rover",
+            "org.u2sa.planning.PathPlanner",
+            "org.u2sa.estimation.PassThroughStateEstimator");
+  }
+
+  @AfterAll
+  static void end() {
+    foreign.close();
+  }
+
+  private int run(String action, String... arguments) {
+    List<String> all = new ArrayList<>(List.of("config", action));
+    all.addAll(List.of(arguments));
+    all.addAll(List.of("--broker", foreign.broker(), "--system", "rover"));
+    if (!all.contains("--timeout")) {
+      all.addAll(List.of("--timeout", "60")); // ends with the answer
+    }
+    out.getBuffer().setLength(0);
+    err.getBuffer().setLength(0);
+    return Main.run(new PrintWriter(out), new PrintWriter(err), all.toArray(new String[0]));
+  }
+
+  @Test
+  void list_oneService_showsValueTypeWhatIsAllowedAndMeaning() {
+    assertThat(run("list", PLANNER)).isEqualTo(ExitCode.DONE);
+
+    assertThat(out.toString())
+        .startsWith("PathPlanner (revision ")
+        .doesNotContain("StateEstimator")
+        .containsPattern("GUIDANCE +LINE +string +LINE \\| DIRECT +\\w")
+        .containsPattern("STALE AFTER +[0-9.]+ s +double +\\S");
+  }
+
+  @Test
+  void list_allAsJson_namesEveryServiceAndEndsWithTheLastAnswer() {
+    assertThat(run("list", "--json", "--timeout", "3600")).isEqualTo(ExitCode.DONE);
+
+    assertThat(out.toString())
+        .contains("\"name\" : \"PathPlanner\"", "\"name\" : \"StateEstimator\"")
+        .contains("\"system\" : \"rover\"", "\"choices\"");
+  }
+
+  @Test
+  void setGetUndo_twoVariables_changeTogetherAndBack() {
+    assertThat(run("set", PLANNER, "LOITER RADIUS=0.5 km", "ATTEMPTS=7")).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString())
+        .containsPattern("LOITER RADIUS: [0-9.]+ → 500.0 m\n")
+        .containsPattern("ATTEMPTS: \\d+ → 7\n")
+        .containsPattern("PathPlanner is at revision \\d+\n");
+
+    assertThat(run("get", PLANNER, "LOITER RADIUS")).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString()).isEqualTo("500.0 m\n");
+
+    assertThat(run("undo", PLANNER)).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString()).containsPattern("LOITER RADIUS: 500.0 → [0-9.]+ m\n");
+    assertThat(run("get", PLANNER, "LOITER RADIUS")).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString()).isNotEqualTo("500.0 m\n");
+  }
+
+  @Test
+  void set_refusedByTheService_tellsItsReasonAndFails() {
+    assertThat(run("set", PLANNER, "ATTEMPTS=3", "LOITER RADIUS=-1")).isEqualTo(ExitCode.FAILED);
+
+    assertThat(err.toString())
+        .startsWith("u2sa: ")
+        .contains("variable \"LOITER RADIUS\": -1 m is not at least 0 m");
+  }
+
+  @Test
+  void set_oldRevision_isRefused() {
+    assertThat(run("set", PLANNER, "ATTEMPTS=5", "--revision", "999")).isEqualTo(ExitCode.FAILED);
+
+    assertThat(err.toString()).contains("not 999");
+  }
+
+  @Test
+  void misspeltNames_areBadInputWithASuggestion() {
+    assertThat(run("set", PLANNER, "LOITER RADUIS=5")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("did you mean \"LOITER RADIUS\"?");
+
+    assertThat(run("get", "PathPlaner", "ATTEMPTS", "--timeout", "3600"))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("did you mean \"PathPlanner\"?");
+
+    assertThat(run("set", PLANNER, "ATTEMPTS")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("\"ATTEMPTS\": expected VARIABLE=VALUE");
+
+    assertThat(run("set", PLANNER, "LOITER RADIUS=5 kg")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("variable \"LOITER RADIUS\": ").contains("kg");
+  }
+}

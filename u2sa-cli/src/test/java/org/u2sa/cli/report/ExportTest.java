@@ -1,0 +1,298 @@
+package org.u2sa.cli.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.cli.Main;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.ChunkCompression;
+import org.u2sa.recorder.mcap.McapOptions;
+import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+
+/** A vehicle that goes north for 10 s, and first knows only where it is from where it began. */
+class ExportTest {
+  @TempDir private Path folder;
+  private final StringWriter out = new StringWriter();
+  private final StringWriter err = new StringWriter();
+  private final Map<String, McapChannel> channels = new HashMap<>();
+  private Path recording;
+
+  @BeforeEach
+  void write() throws IOException {
+    recording = folder.resolve("run.mcap");
+    try (McapWriter writer =
+        new McapWriter(
+            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
+            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+      Waypoint goal = new Waypoint().uid("<a>").x(8.0).y(50.001).horizontalThreshold(2.0);
+      write(writer, 0, Channels.GOALS, new GoalList().goals(List.of(goal.copy())));
+      write(writer, 0, Channels.STATE, state().referenceFrame(ReferenceFrame.LOCAL_ENU).x(1.5));
+      for (int i = 1; i <= 10; i++) {
+        write(writer, i, Channels.STATE, state().x(8.0).y(50.0 + i * 1e-4).z(100.0 + i));
+      }
+      write(
+          writer,
+          10,
+          Channels.ACTUATION,
+          new PercentageCommand().percentage(-12.5).actuatorName("LEFT, \"fast\""));
+      goal.completed(true);
+      write(writer, 10, Channels.GOAL_REPORTS, goal.copy());
+    }
+  }
+
+  private static StateInformation state() {
+    return new StateInformation().sensorName("filter");
+  }
+
+  /** A vehicle that goes east over the antimeridian, and back. */
+  private void writeOverTheAntimeridian() throws IOException {
+    recording = folder.resolve("antimeridian.mcap");
+    channels.clear();
+    try (McapWriter writer =
+        new McapWriter(
+            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
+            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+      double[] longitudes = {179.9, 180.0, 180.1, -179.8, 179.9};
+      for (int i = 0; i < longitudes.length; i++) {
+        write(writer, i, Channels.STATE, state().x(longitudes[i]).y(10.0 + i).z(100.0));
+      }
+      Waypoint goal = new Waypoint().uid("a").x(180.0).y(10.0).horizontalThreshold(2.0);
+      write(writer, 5, Channels.GOALS, new GoalList().goals(List.of(goal)));
+    }
+  }
+
+  @Test
+  void gpx_antimeridian_hasLongitudesBelow180() throws IOException {
+    writeOverTheAntimeridian();
+    XmlElement gpx = XmlReader.read(exported("--format", "gpx"), "gpx");
+    assertThat(gpx.children("trk").get(0).children("trkseg").get(0).children("trkpt"))
+        .extracting(point -> point.optionalAttribute("lon").orElseThrow())
+        .containsExactly(
+            "179.900000000", "-180.000000000", "-179.900000000", "-179.800000000", "179.900000000");
+    assertThat(gpx.children("wpt").get(0).optionalAttribute("lon")).contains("-180.000000000");
+  }
+
+  @Test
+  void geojson_antimeridian_isCutThere() throws IOException {
+    writeOverTheAntimeridian();
+    JsonNode line =
+        new ObjectMapper().readTree(exported("--format", "geojson").toFile()).at("/features/0");
+    assertThat(line.at("/geometry/type").asText()).isEqualTo("MultiLineString");
+    assertThat(line.at("/geometry/coordinates").toString())
+        .isEqualTo(
+            "[[[179.9,10.0,100.0],[180.0,11.0,100.0],[180.0,11.0,100.0]],"
+                + "[[-180.0,11.0,100.0],[-179.9,12.0,100.0],[-179.8,13.0,100.0],"
+                + "[-180.0,13.666666667,100.0]],"
+                + "[[180.0,13.666666667,100.0],[179.9,14.0,100.0]]]");
+    assertThat(line.at("/properties/coordTimes")).hasSize(3);
+    assertThat(line.at("/properties/coordTimes/2/0").asText())
+        .startsWith("2023-11-14T22:13:23.666");
+  }
+
+  @Test
+  void kml_antimeridian_isCutThere() throws IOException {
+    writeOverTheAntimeridian();
+    XmlElement placemark =
+        XmlReader.read(exported("--format", "kml"), "kml")
+            .children("Document")
+            .get(0)
+            .children("Placemark")
+            .get(0);
+    List<XmlElement> tracks = placemark.children("gx:MultiTrack").get(0).children("gx:Track");
+    assertThat(tracks).hasSize(3);
+    assertThat(tracks.get(1).children("gx:coord"))
+        .extracting(XmlElement::text)
+        .containsExactly(
+            "-180.000000000 11.000000000 100.000",
+            "-179.900000000 12.000000000 100.000",
+            "-179.800000000 13.000000000 100.000",
+            "-180.000000000 13.666666667 100.000");
+    assertThat(tracks).allMatch(t -> t.children("when").size() == t.children("gx:coord").size());
+  }
+
+  /** Two sensors of one class, which share a topic. */
+  private void writeTwoSensors() throws IOException {
+    recording = folder.resolve("sensors.mcap");
+    channels.clear();
+    try (McapWriter writer =
+        new McapWriter(
+            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
+            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+      for (int i = 0; i < 6; i++) {
+        for (String sensor : List.of("gps-1", "gps-2")) {
+          StateInformation state = new StateInformation().sensorName(sensor).x(8.0).y(50.0);
+          write(writer, i, Channels.SENSED_STATE, state);
+        }
+      }
+    }
+  }
+
+  @Test
+  void csv_spacing_keepsBothSensorsOfAClass() throws IOException {
+    writeTwoSensors();
+    Path tables = exported("--format", "csv", "--every", "2");
+    assertThat(Files.readAllLines(tables.resolve("sensed-state-StateInformation.csv")))
+        .extracting(line -> line.split(",")[0] + " " + line.split(",")[2])
+        .containsExactly(
+            "time [s] sensorName",
+            "0.000000 gps-1",
+            "0.000000 gps-2",
+            "2.000000 gps-1",
+            "2.000000 gps-2",
+            "4.000000 gps-1",
+            "4.000000 gps-2");
+  }
+
+  @Test
+  void mcap_spacing_keepsBothSensorsOfAClass() throws IOException {
+    writeTwoSensors();
+    Path exported = exported("--format", "mcap", "--every", "2");
+    try (McapReader reader = McapReader.open(exported)) {
+      assertThat(reader.statistics().messages()).isEqualTo(6);
+    }
+  }
+
+  private void write(McapWriter writer, int second, Channel<?> channel, U2SAData message)
+      throws IOException {
+    message.timestamp(1_700_000_000_000_000L + second * 1_000_000L);
+    String topic = Topic.of("rover", channel, message).toString();
+    McapChannel known = channels.get(topic);
+    if (known == null) {
+      known = new McapChannel(channels.size() + 1, 0, topic, "cbor", Map.of());
+      channels.put(topic, known);
+      writer.add(known);
+    }
+    long nanos = 1_700_000_000_000_000_000L + second * 1_000_000_000L;
+    writer.add(new McapMessage(known.id(), 0, nanos, nanos, message.serialize()));
+  }
+
+  private int export(String... arguments) {
+    String[] all = new String[arguments.length + 2];
+    all[0] = "export";
+    all[1] = recording.toString();
+    System.arraycopy(arguments, 0, all, 2, arguments.length);
+    return Main.run(new PrintWriter(out), new PrintWriter(err), all);
+  }
+
+  private Path exported(String... arguments) {
+    Path exported = folder.resolve("exported");
+    String[] all = new String[arguments.length + 2];
+    System.arraycopy(arguments, 0, all, 0, arguments.length);
+    all[arguments.length] = "--out";
+    all[arguments.length + 1] = exported.toString();
+    assertThat(export(all)).as(err.toString()).isEqualTo(ExitCode.DONE);
+    return exported;
+  }
+
+  @Test
+  void csv_fieldInTwoUnits_hasAColumnForEach() throws IOException {
+    List<String> lines =
+        Files.readAllLines(
+            exported("--format", "csv", "--channel", "state")
+                .resolve("state-StateInformation.csv"));
+    assertThat(lines.get(0))
+        .isEqualTo("time [s],timestamp [us],sensorName,referenceFrame,x [m],x [deg],y [deg],z [m]");
+    assertThat(lines.get(1)).startsWith("0.000000,").endsWith(",filter,LOCAL_ENU,1.5,,,");
+    assertThat(lines.get(2)).startsWith("1.000000,").endsWith(",filter,GLOBAL,,8.0,50.0001,101.0");
+    assertThat(lines).hasSize(12);
+  }
+
+  @Test
+  void csv_textWithCommaAndQuotes_isQuoted() throws IOException {
+    Path tables = exported("--format", "csv");
+    assertThat(Files.readString(tables.resolve("actuation-PercentageCommand.csv")))
+        .contains(",\"LEFT, \"\"fast\"\"\",")
+        .contains("-12.5");
+    assertThat(Files.readString(tables.resolve("goals-GoalList.csv")))
+        .contains("\"[{\"\"type\"\":\"\"Waypoint\"\"");
+  }
+
+  @Test
+  void csv_partAndSpacing_leaveTheRestOut() throws IOException {
+    Path tables = exported("--format", "csv", "--from", "2", "--to", "8", "--every", "3");
+    assertThat(Files.readAllLines(tables.resolve("state-StateInformation.csv")))
+        .extracting(line -> line.split(",")[0])
+        .containsExactly("time [s]", "2.000000", "5.000000", "8.000000");
+    assertThat(tables.resolve("actuation-PercentageCommand.csv")).doesNotExist();
+  }
+
+  @Test
+  void gpx_run_hasTrackAndReachedGoal() {
+    XmlElement gpx = XmlReader.read(exported("--format", "gpx"), "gpx");
+    XmlElement goal = gpx.children("wpt").get(0);
+    assertThat(goal.children("name").get(0).text()).isEqualTo("<a>");
+    assertThat(goal.children("desc").get(0).text()).isEqualTo("reached");
+    List<XmlElement> points =
+        gpx.children("trk").get(0).children("trkseg").get(0).children("trkpt");
+    assertThat(points).hasSize(10);
+    assertThat(points.get(9).optionalAttribute("lat")).contains("50.001000000");
+    assertThat(points.get(9).children("ele").get(0).text()).isEqualTo("110.000");
+    assertThat(points.get(9).children("time").get(0).text()).isEqualTo("2023-11-14T22:13:30Z");
+  }
+
+  @Test
+  void kml_run_hasATimeForEachPlace() {
+    XmlElement document =
+        XmlReader.read(exported("--format", "kml"), "kml").children("Document").get(0);
+    XmlElement track = document.children("Placemark").get(0).children("gx:Track").get(0);
+    assertThat(track.children("when")).hasSize(10);
+    assertThat(track.children("gx:coord"))
+        .hasSize(10)
+        .first()
+        .extracting(XmlElement::text)
+        .isEqualTo("8.000000000 50.000100000 101.000");
+    assertThat(track.children("altitudeMode").get(0).text()).isEqualTo("absolute");
+  }
+
+  @Test
+  void geojson_run_hasLineAndGoal() throws IOException {
+    JsonNode features =
+        new ObjectMapper().readTree(exported("--format", "geojson").toFile()).get("features");
+    assertThat(features).hasSize(2);
+    JsonNode line = features.get(0);
+    assertThat(line.at("/geometry/type").asText()).isEqualTo("LineString");
+    assertThat(line.at("/geometry/coordinates/9/1").asDouble()).isCloseTo(50.001, within(1e-9));
+    assertThat(line.at("/properties/coordTimes")).hasSize(10);
+    assertThat(features.get(1).at("/properties/reached").asBoolean()).isTrue();
+  }
+
+  @Test
+  void map_channelWithoutPlaces_isRefused() {
+    assertThat(export("--format", "gpx", "--channel", "actuation")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("actuation").contains("GLOBAL").contains("--channel");
+  }
+
+  @Test
+  void export_beginsBehindTheEnd_isRefusedWithTheLength() {
+    assertThat(export("--format", "csv", "--from", "60")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("--from 60.0").contains("10.0 s");
+  }
+}

@@ -1,0 +1,139 @@
+package org.u2sa.cli.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.cli.Main;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.services.Lidar;
+import org.u2sa.core.health.HealthMonitor;
+import org.u2sa.core.safety.SafetyManager;
+import org.u2sa.testkit.FreePort;
+
+/**
+ * Processes of {@code --separate}: how they end with the one that started them, and it with them.
+ */
+@Timeout(240)
+class SeparateProcessesTest {
+  @TempDir private Path folder;
+
+  private ProcessBuilder run(Path system, String... options) {
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                "run",
+                system.toString(),
+                "--separate",
+                "--logs",
+                folder.resolve("logs").toString()));
+    command.addAll(List.of(options));
+    return new ProcessBuilder(command)
+        .redirectInput(new File("/dev/null"))
+        .redirectErrorStream(true);
+  }
+
+  private Path system(Class<?>... services) throws IOException {
+    Files.writeString(
+        folder.resolve("Manager.xml"),
+        "<configuration><variable name=\"COMMUNICATION MANAGER PORT\" type=\"int\" value=\""
+            + FreePort.find()
+            + "\"/></configuration>");
+    StringBuilder text =
+        new StringBuilder("<system id=\"boat\"><communication configuration=\"Manager.xml\"/>");
+    for (Class<?> service : services) {
+      text.append("<service class=\"").append(service.getName()).append("\"/>");
+    }
+    return Files.writeString(folder.resolve("system.xml"), text.append("</system>"));
+  }
+
+  @Test
+  void separate_valueThatAServiceRefuses_endsAllAsBadInput() throws Exception {
+    Path system = system(Lidar.class, HealthMonitor.class);
+    Process run = run(system, "--set", "HealthMonitor:NO SUCH VARIABLE=1").start();
+    try {
+      String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+      assertThat(run.waitFor()).as(said).isEqualTo(ExitCode.BAD_INPUT);
+      assertThat(said).contains("NO SUCH VARIABLE").contains("The system ends");
+    } finally {
+      run.descendants().forEach(ProcessHandle::destroyForcibly);
+      run.destroyForcibly();
+    }
+  }
+
+  @Test
+  void separate_supervisorKilled_servicesEndAndTheNextRunHasTheirNames() throws Exception {
+    Path system = system(Lidar.class);
+    List<ProcessHandle> services = new ArrayList<>();
+    Process supervisor = run(system).start();
+    try {
+      awaitLine(supervisor, "System boat runs: Lidar");
+      supervisor.descendants().forEach(services::add);
+      assertThat(services).hasSize(1);
+
+      supervisor.toHandle().destroyForcibly(); // SIGKILL: no hook runs
+
+      services.get(0).onExit().get(90, TimeUnit.SECONDS);
+    } finally {
+      supervisor.destroyForcibly().waitFor();
+      services.forEach(ProcessHandle::destroyForcibly);
+    }
+
+    Process next = run(system).start();
+    try {
+      awaitLine(next, "System boat runs: Lidar");
+    } finally {
+      next.destroy(); // ends its services first
+      next.waitFor();
+    }
+  }
+
+  @Test
+  void separate_serviceKilledWithoutAMonitor_isRestarted() throws Exception {
+    Process supervisor = run(system(Lidar.class, SafetyManager.class)).start();
+    try {
+      awaitLine(supervisor, "System boat runs");
+      supervisor.descendants().findFirst().orElseThrow().destroyForcibly();
+
+      awaitLine(supervisor, line -> line.matches("Service \\w+ was restarted\\."));
+    } finally {
+      supervisor.destroy(); // ends its services first
+      supervisor.waitFor();
+    }
+  }
+
+  private static void awaitLine(Process process, String begin) throws Exception {
+    awaitLine(process, line -> line.startsWith(begin));
+  }
+
+  private static void awaitLine(Process process, Predicate<String> wanted) throws Exception {
+    BufferedReader lines =
+        new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+    List<String> seen = new ArrayList<>();
+    for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+      seen.add(line);
+      if (wanted.test(line)) {
+        return;
+      }
+    }
+    throw new AssertionError("ended without the wanted line: " + seen);
+  }
+}

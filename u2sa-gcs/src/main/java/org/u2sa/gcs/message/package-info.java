@@ -1,5 +1,0 @@
-/**
- * Text forms of messages: JSON by their types' schema, field paths, conditions on fields. Commands
- * that use them are elsewhere.
- */
-package org.u2sa.gcs.message;

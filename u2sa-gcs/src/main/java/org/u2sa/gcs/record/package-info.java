@@ -1,5 +1,0 @@
-/**
- * Commands for recordings: making, recovering and playing them. The recorder and the file format
- * belong to u2sa-recorder.
- */
-package org.u2sa.gcs.record;

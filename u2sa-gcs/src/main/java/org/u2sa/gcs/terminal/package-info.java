@@ -1,5 +1,0 @@
-/**
- * Terminal output: live status, tables. Machine-readable output (JSON, CSV) and pictures are
- * elsewhere.
- */
-package org.u2sa.gcs.terminal;

@@ -1,0 +1,25 @@
+package org.u2sa.interfaces;
+
+/**
+ * Thrown when a run fails for a reason fully explained by the message: the command line prints it
+ * without a stack trace and exits with 1.
+ */
+public class RunFailedException extends RuntimeException {
+
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * @param message what failed, on what, and why, in one line
+   */
+  public RunFailedException(String message) {
+    super(message);
+  }
+
+  /**
+   * @param message what failed, on what, and why, in one line
+   * @param cause shown with {@code --debug}
+   */
+  public RunFailedException(String message, Throwable cause) {
+    super(message, cause);
+  }
+}

@@ -1,0 +1,139 @@
+package org.u2sa.mavlink;
+
+import io.dronefleet.mavlink.MavlinkDialect;
+import io.dronefleet.mavlink.annotations.MavlinkMessageInfo;
+import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
+import io.dronefleet.mavlink.protocol.MavlinkPacket;
+import io.dronefleet.mavlink.serialization.payload.reflection.ReflectionPayloadDeserializer;
+import io.dronefleet.mavlink.serialization.payload.reflection.ReflectionPayloadSerializer;
+import java.util.Arrays;
+import java.util.function.Consumer;
+
+/**
+ * Decodes MAVLink 1 and 2 and encodes MAVLink 2 (mavlink.io/en/guide/serialization). Framing is
+ * done here, because the library's reader blocks; checksums and payloads are left to the library.
+ * Signatures are ignored.
+ */
+public final class MavlinkStream {
+  private static final int MAGIC_1 = 0xFE;
+  private static final int MAGIC_2 = 0xFD;
+  private static final int HEADER_1 = 6;
+  private static final int HEADER_2 = 10;
+  private static final int CHECKSUM = 2;
+  private static final int SIGNATURE = 13;
+  private static final int SIGNED = 0x01;
+
+  private final MavlinkDialect dialect = new ArdupilotmegaDialect(); // includes all common messages
+  private final ReflectionPayloadDeserializer deserializer = new ReflectionPayloadDeserializer();
+  private final ReflectionPayloadSerializer serializer = new ReflectionPayloadSerializer();
+  private final int systemId;
+  private final int componentId;
+  private byte[] pending = new byte[0];
+  private int sequence;
+  private long malformed;
+
+  /**
+   * A received message.
+   *
+   * @param payload instance of a library message class
+   */
+  public record Received(int systemId, int componentId, Object payload) {}
+
+  /** Creates a stream that sends as this component and system. */
+  public MavlinkStream(int systemId, int componentId) {
+    this.systemId = systemId;
+    this.componentId = componentId;
+  }
+
+  /** Discards a partial frame after an interruption. */
+  public void reset() {
+    pending = new byte[0];
+  }
+
+  /** Consumes bytes and delivers completed messages. */
+  public void accept(byte[] bytes, int length, Consumer<Received> to) {
+    int kept = pending.length;
+    pending = Arrays.copyOf(pending, kept + length);
+    System.arraycopy(bytes, 0, pending, kept, length);
+    int from = 0;
+    int used;
+    while ((used = step(from, to)) > 0) {
+      from += used;
+    }
+    pending = Arrays.copyOfRange(pending, from, pending.length);
+  }
+
+  /** Parses at an index; returns the number of bytes consumed, 0 if more are needed. */
+  private int step(int from, Consumer<Received> to) {
+    int left = pending.length - from;
+    if (left == 0) {
+      return 0;
+    }
+    int magic = pending[from] & 0xFF;
+    if (magic != MAGIC_1 && magic != MAGIC_2) {
+      return 1;
+    }
+    int header = magic == MAGIC_2 ? HEADER_2 : HEADER_1;
+    if (left < header) {
+      return 0;
+    }
+    int flags = magic == MAGIC_2 ? pending[from + 2] & 0xFF : 0;
+    if ((flags & ~SIGNED) != 0) {
+      malformed++;
+      return 1; // unknown incompatibility flags: the frame must be dropped
+    }
+    int payload = pending[from + 1] & 0xFF;
+    int whole = header + payload + CHECKSUM + (flags == SIGNED ? SIGNATURE : 0);
+    if (left < whole) {
+      return 0;
+    }
+    byte[] frame = Arrays.copyOfRange(pending, from, from + whole);
+    return decode(frame, to) ? whole : 1;
+  }
+
+  /** Returns false if the bytes are not a frame. */
+  private boolean decode(byte[] frame, Consumer<Received> to) {
+    MavlinkPacket packet =
+        (frame[0] & 0xFF) == MAGIC_2
+            ? MavlinkPacket.fromV2Bytes(frame)
+            : MavlinkPacket.fromV1Bytes(frame);
+    if (!dialect.supports(packet.getMessageId())) {
+      return true; // unknown message: its checksum cannot be verified
+    }
+    Class<?> type = dialect.resolve(packet.getMessageId());
+    if (!packet.validateCrc(type.getAnnotation(MavlinkMessageInfo.class).crc())) {
+      malformed++;
+      return false;
+    }
+    try {
+      Object payload = deserializer.deserialize(packet.getPayload(), type);
+      to.accept(new Received(packet.getSystemId(), packet.getComponentId(), payload));
+    } catch (IllegalArgumentException | IllegalStateException | IndexOutOfBoundsException e) {
+      malformed++; // valid checksum, but the library cannot decode it
+    }
+    return true;
+  }
+
+  /** Encodes a message as MAVLink 2. */
+  public byte[] encode(Object message) {
+    MavlinkMessageInfo info = message.getClass().getAnnotation(MavlinkMessageInfo.class);
+    byte[] payload = serializer.serialize(message);
+    int length = payload.length;
+    while (length > 1 && payload[length - 1] == 0) {
+      length--; // MAVLink 2 truncates trailing zeros
+    }
+    return MavlinkPacket.createUnsignedMavlink2Packet(
+            sequence++ & 0xFF,
+            systemId,
+            componentId,
+            info.id(),
+            info.crc(),
+            Arrays.copyOf(payload, length))
+        .getRawBytes();
+  }
+
+  /** Number of false frame starts. */
+  public long malformed() {
+    return malformed;
+  }
+}

@@ -1,0 +1,185 @@
+package org.u2sa.recorder.playback;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.McapCursor;
+import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapMessage;
+
+/** Reads a recording's native messages, by topic and decoded. Not thread-safe. */
+public final class RecordedMessages implements AutoCloseable {
+  private static final String ENCODING = "cbor";
+
+  private final Path file;
+  private final McapReader reader;
+  private final Map<Integer, Topic> topics = new TreeMap<>();
+  private final MessageCodec codec = new MessageCodec(MessageTypes.discovered());
+  private long undecodable;
+  private String firstUndecodable = "";
+
+  /** Receives messages in sequence. */
+  @FunctionalInterface
+  public interface Taker {
+    /**
+     * Receives a message.
+     *
+     * @param logNanos recording time [ns of the recording's clock]
+     */
+    void take(Topic topic, U2SAData message, long logNanos) throws IOException;
+  }
+
+  private RecordedMessages(Path file, McapReader reader) {
+    this.file = file;
+    this.reader = reader;
+    for (McapChannel channel : reader.channels().values()) {
+      if (channel.messageEncoding().equals(ENCODING)) {
+        topics.put(channel.id(), parsed(channel.topic()));
+      }
+    }
+  }
+
+  /**
+   * Opens a recording.
+   *
+   * @throws BadInputException if the file does not exist or contains an invalid U2SA topic
+   * @throws IOException if it cannot be read or is not a complete MCAP file
+   */
+  public static RecordedMessages open(Path file) throws IOException {
+    if (!Files.isRegularFile(file)) {
+      throw new BadInputException(file + ": no such file; expected a recording (MCAP)");
+    }
+    McapReader reader = McapReader.open(file);
+    try {
+      return new RecordedMessages(file, reader);
+    } catch (BadInputException e) {
+      reader.close();
+      throw e;
+    }
+  }
+
+  private Topic parsed(String topic) {
+    try {
+      return Topic.parse(topic);
+    } catch (IllegalArgumentException e) {
+      throw new BadInputException(file + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** Underlying MCAP file, for everything but U2SA messages. */
+  public McapReader reader() {
+    return reader;
+  }
+
+  /** Topic of a channel; empty if its messages are not native U2SA messages. */
+  public Optional<Topic> topic(McapChannel channel) {
+    return Optional.ofNullable(topics.get(channel.id()));
+  }
+
+  /** Recorded system; empty if the file has no native messages. */
+  public Optional<String> systemId() {
+    return topics.values().stream().map(Topic::systemId).findFirst();
+  }
+
+  /**
+   * Rejects a recording without native messages.
+   *
+   * @return this
+   * @throws BadInputException saying how to record them
+   */
+  public RecordedMessages requireMessages() {
+    if (topics.isEmpty()) {
+      throw new BadInputException(
+          file
+              + ": holds no message as it was published; expected one recorded with --form u2sa or both");
+    }
+    return this;
+  }
+
+  /**
+   * Selects channels of the file.
+   *
+   * @param names U2SA channel names, such as {@code state}; empty for all
+   * @throws BadInputException if one was not recorded; lists those that were
+   */
+  public Predicate<McapChannel> channels(Collection<String> names) {
+    Set<String> recorded =
+        topics.values().stream().map(Topic::channel).collect(Collectors.toCollection(TreeSet::new));
+    Set<String> unknown = new TreeSet<>(names);
+    unknown.removeAll(recorded);
+    if (!unknown.isEmpty()) {
+      throw new BadInputException(
+          file + ": has no channel " + unknown + "; expected some of " + recorded);
+    }
+    return channel -> {
+      Topic topic = topics.get(channel.id());
+      return topic != null && (names.isEmpty() || names.contains(topic.channel()));
+    };
+  }
+
+  /**
+   * Decodes a message; empty if that fails, which {@link #undecodable} reports. A single malformed
+   * message, e.g. from an attacker, must not make a recording unusable.
+   */
+  public Optional<U2SAData> decode(Topic topic, McapMessage recorded) {
+    try {
+      return Optional.of(codec.decode(topic.typeChain(), recorded.data()));
+    } catch (MalformedMessageException e) {
+      if (undecodable++ == 0) {
+        firstUndecodable = topic + ": " + e.getMessage();
+      }
+      return Optional.empty();
+    }
+  }
+
+  /** Decoding failures so far, in words; empty if none. */
+  public Optional<String> undecodable() {
+    return undecodable == 0
+        ? Optional.empty()
+        : Optional.of(
+            "messages that cannot be decoded: "
+                + undecodable
+                + ", the first on "
+                + firstUndecodable);
+  }
+
+  /**
+   * Passes all decodable messages of the selected channels to the receiver, in log-time order.
+   *
+   * @param wanted channels, see {@link #channels}
+   * @param span part to read
+   */
+  public void forEach(Predicate<McapChannel> wanted, RecordedSpan span, Taker taker)
+      throws IOException {
+    McapCursor cursor = reader.messages(span.fromNanos(), wanted);
+    for (Optional<McapMessage> m = cursor.next();
+        m.isPresent() && m.get().logTimeNanos() <= span.toNanos();
+        m = cursor.next()) {
+      Topic topic = topics.get(m.get().channelId());
+      Optional<U2SAData> message = decode(topic, m.get());
+      if (message.isPresent()) {
+        taker.take(topic, message.get(), m.get().logTimeNanos());
+      }
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    reader.close();
+  }
+}

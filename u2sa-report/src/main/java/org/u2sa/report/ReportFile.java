@@ -1,0 +1,89 @@
+package org.u2sa.report;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import org.u2sa.interfaces.RunFailedException;
+
+/** Writes a file atomically: to a temporary file in the same folder, renamed when complete. */
+public final class ReportFile {
+
+  /** Writes a file's bytes. */
+  @FunctionalInterface
+  public interface Bytes {
+    void writeTo(OutputStream out) throws IOException;
+  }
+
+  /** Writes a file's text. */
+  @FunctionalInterface
+  public interface Text {
+    void writeTo(Writer out) throws IOException;
+  }
+
+  private ReportFile() {}
+
+  /**
+   * Writes UTF-8. @throws RunFailedException if it cannot be written; nothing is left behind then
+   */
+  public static void writeText(Path file, Text content) {
+    write(
+        file,
+        out -> {
+          Writer writer = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+          content.writeTo(writer);
+          writer.flush();
+        });
+  }
+
+  /**
+   * @throws RunFailedException if it cannot be written; nothing is left behind then
+   */
+  public static void write(Path file, Bytes content) {
+    Path temporary = file.resolveSibling("." + file.getFileName() + ".part");
+    try {
+      try (OutputStream out = Files.newOutputStream(temporary)) {
+        content.writeTo(out);
+      }
+      Files.move(
+          temporary, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+    } catch (IOException e) {
+      throw new RunFailedException(
+          "cannot write " + file + ": " + reason(e), discard(temporary, e));
+    }
+  }
+
+  /**
+   * Returns the operating system's reason; java.nio exceptions whose message is only a path get an
+   * explanation.
+   */
+  public static String reason(IOException e) {
+    if (e instanceof AccessDeniedException) {
+      return "permission denied";
+    }
+    if (e instanceof NoSuchFileException) {
+      return "its directory does not exist";
+    }
+    if (e instanceof FileAlreadyExistsException) {
+      return "a file of that name is in the way";
+    }
+    return e.getMessage();
+  }
+
+  private static IOException discard(Path temporary, IOException first) {
+    try {
+      Files.deleteIfExists(temporary);
+    } catch (IOException second) {
+      first.addSuppressed(second);
+    }
+    return first;
+  }
+}

@@ -1,0 +1,85 @@
+package org.u2sa.report.export;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import org.u2sa.interfaces.JsonText;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.FieldValue;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.report.message.MessageJson;
+
+/**
+ * Columns of one table: the union of its messages' fields. A field has one column per unit, because
+ * coordinates have different units in different frames; a point has one per axis.
+ */
+final class CsvColumns {
+  private static final String TIME = "time [s]";
+
+  private final Set<String> heads = new LinkedHashSet<>();
+
+  /** Adds the fields of a message. */
+  void learn(U2SAData message) {
+    heads.addAll(cells(message).keySet());
+  }
+
+  /** Header line. */
+  String head() {
+    List<String> row = new ArrayList<>();
+    row.add(TIME);
+    row.addAll(heads);
+    return line(row);
+  }
+
+  /**
+   * Row of a message.
+   *
+   * @param timeS time of recording [s from the start of the recording]
+   */
+  String row(double timeS, U2SAData message) {
+    Map<String, String> cells = cells(message);
+    List<String> row = new ArrayList<>();
+    row.add(String.format(Locale.ROOT, "%.6f", timeS));
+    heads.forEach(head -> row.add(cells.getOrDefault(head, "")));
+    return line(row);
+  }
+
+  private static Map<String, String> cells(U2SAData message) {
+    Map<String, String> cells = new LinkedHashMap<>();
+    for (FieldValue field : message.enumerateFields()) {
+      Object value = field.value().orElse(null);
+      if (value instanceof Point point) {
+        cells.put(head(field.name() + ".x", field.unit()), Double.toString(point.x()));
+        cells.put(head(field.name() + ".y", field.unit()), Double.toString(point.y()));
+        cells.put(head(field.name() + ".z", field.unit()), Double.toString(point.z()));
+      } else if (value != null) {
+        cells.put(head(field.name(), field.unit()), text(MessageJson.plain(value)));
+      }
+    }
+    return cells;
+  }
+
+  private static String head(String name, String unit) {
+    return unit.isEmpty() ? name : name + " [" + unit + "]";
+  }
+
+  private static String text(Object plain) {
+    if (plain instanceof List<?>) {
+      String object = new JsonText().put("a", plain).line();
+      return object.substring(object.indexOf('['), object.length() - 1);
+    }
+    return plain instanceof JsonText json ? json.line() : String.valueOf(plain);
+  }
+
+  private static String line(List<String> cells) {
+    StringBuilder line = new StringBuilder();
+    for (String cell : cells) {
+      line.append(line.length() == 0 ? "" : ",").append(CsvCell.of(cell));
+    }
+    return line.append("\r\n").toString();
+  }
+}

@@ -1,0 +1,78 @@
+package org.u2sa.report.export;
+
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.OpenOption;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.HashSet;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Text files written alternately, with only some open at a time: a recording may have more topics
+ * than the system's limit of open files. Not thread-safe.
+ */
+final class CsvFiles implements AutoCloseable {
+  private static final int MAX_OPEN = 256;
+
+  private final Map<Path, Writer> open =
+      new LinkedHashMap<>(16, 0.75f, true); // least recently used first
+  private final Set<Path> begun = new HashSet<>();
+  private final Opener opener;
+
+  /** Opens a file. */
+  @FunctionalInterface
+  interface Opener {
+    Writer open(Path file, OpenOption... how) throws IOException;
+  }
+
+  CsvFiles() {
+    this(Files::newBufferedWriter);
+  }
+
+  CsvFiles(Opener opener) {
+    this.opener = opener;
+  }
+
+  /** Appends text to a file, which is created or truncated before the first. */
+  void write(Path file, String text) throws IOException {
+    Writer writer = open.get(file);
+    if (writer == null) {
+      makeRoom();
+      writer =
+          begun.add(file)
+              ? opener.open(file)
+              : opener.open(file, StandardOpenOption.WRITE, StandardOpenOption.APPEND);
+      open.put(file, writer);
+    }
+    writer.write(text);
+  }
+
+  private void makeRoom() throws IOException {
+    if (open.size() >= MAX_OPEN) {
+      Iterator<Writer> oldest = open.values().iterator();
+      Writer ended = oldest.next();
+      oldest.remove();
+      ended.close();
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    IOException failure = null;
+    for (Writer writer : open.values()) {
+      try {
+        writer.close();
+      } catch (IOException e) {
+        failure = e;
+      }
+    }
+    if (failure != null) {
+      throw failure;
+    }
+  }
+}

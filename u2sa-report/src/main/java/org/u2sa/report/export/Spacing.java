@@ -1,0 +1,37 @@
+package org.u2sa.report.export;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.U2SAData;
+
+/** Thins items by a minimum time spacing per kind. */
+final class Spacing {
+  private final double everyS;
+  private final Map<Object, Double> takenS = new HashMap<>();
+
+  /**
+   * @param everyS minimum time between two accepted items [s]; 0 accepts all
+   */
+  Spacing(double everyS) {
+    this.everyS = everyS;
+  }
+
+  /** Whether to accept a message at this time [s]; each source of a topic is counted separately. */
+  boolean takes(Topic topic, U2SAData message, double timeS) {
+    String source = Channels.namedOrNew(topic.channel()).sourceOf(message);
+    return takes(List.of(topic, source), timeS);
+  }
+
+  /** Whether to accept an item of this kind at this time [s]. */
+  boolean takes(Object kind, double timeS) {
+    Double last = takenS.get(kind);
+    if (last != null && timeS < last + everyS) {
+      return false;
+    }
+    takenS.put(kind, timeS);
+    return true;
+  }
+}

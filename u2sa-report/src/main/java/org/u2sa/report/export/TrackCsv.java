@@ -1,0 +1,64 @@
+package org.u2sa.report.export;
+
+import java.io.IOException;
+import java.io.Writer;
+import java.util.List;
+import java.util.Locale;
+import org.u2sa.report.score.Domain;
+import org.u2sa.report.score.TrackSample;
+
+/**
+ * Writes {@code track.csv} (RFC 4180, with line feeds): one line per sample, units in the header,
+ * fixed decimals; output is byte-identical on every platform.
+ */
+public final class TrackCsv {
+
+  private static final String FLIGHT_HEADER =
+      "time_s,longitude_deg,latitude_deg,altitude_m,heading_deg,roll_deg,pitch_deg,calibrated_airspeed_mps,ground_speed_mps,cross_track_m,leg,on_ground,phase\n";
+  private static final String HEADER =
+      "time_s,longitude_deg,latitude_deg,altitude_m,heading_deg,ground_speed_mps,cross_track_m,leg,phase\n";
+
+  private TrackCsv() {}
+
+  public static void write(Writer out, Domain domain, List<TrackSample> track) throws IOException {
+    out.write(domain == Domain.AIR ? FLIGHT_HEADER : HEADER);
+    for (TrackSample s : track) {
+      out.write(domain == Domain.AIR ? ofFlight(s) : of(s));
+    }
+  }
+
+  private static String of(TrackSample s) {
+    return String.format(
+        Locale.ROOT,
+        "%.3f,%.8f,%.8f,%.3f,%.3f,%.3f,%.3f,%d,%s\n",
+        s.timeS(),
+        s.longitudeDeg(),
+        s.latitudeDeg(),
+        s.altitudeM(),
+        Math.toDegrees(s.headingRad()),
+        s.groundSpeedMps(),
+        s.crossTrackM(),
+        s.leg(),
+        CsvCell.of(s.phase()));
+  }
+
+  private static String ofFlight(TrackSample s) {
+    TrackSample.Flight flight = s.flight().orElseThrow();
+    return String.format(
+        Locale.ROOT,
+        "%.3f,%.8f,%.8f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%d,%d,%s\n",
+        s.timeS(),
+        s.longitudeDeg(),
+        s.latitudeDeg(),
+        s.altitudeM(),
+        Math.toDegrees(s.headingRad()),
+        Math.toDegrees(flight.rollRad()),
+        Math.toDegrees(flight.pitchRad()),
+        flight.calibratedAirspeedMps(),
+        s.groundSpeedMps(),
+        s.crossTrackM(),
+        s.leg(),
+        flight.onGround() ? 1 : 0,
+        CsvCell.of(s.phase()));
+  }
+}

@@ -1,0 +1,101 @@
+package org.u2sa.report.picture;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.TrackSample;
+
+/**
+ * A quantity along a track, shown by colour or over time.
+ *
+ * @param name name, e.g. {@code altitude above sea level}
+ * @param unit unit, e.g. {@code m}
+ * @param low lower end of the displayed range
+ * @param high upper end, more than {@code low}
+ * @param of value of a sample
+ * @param plannedName name of the planned value
+ * @param planned planned value on the leg to a waypoint
+ */
+record Quantity(
+    String name,
+    String unit,
+    double low,
+    double high,
+    ToDoubleFunction<TrackSample> of,
+    String plannedName,
+    Function<RunPlan.Waypoint, OptionalDouble> planned) {
+
+  private static final double MIN_ALTITUDE_SPAN_M = 100.0;
+  private static final double MIN_SPEED_SPAN_MPS = 0.5;
+  private static final double MIN_OFF_TRACK_M = 0.5;
+  private static final double MAX_OFF_TRACK_M = 2.0; // jumps between two legs
+
+  /** Quantity that colours the track on the map. */
+  static Quantity onMap(RunPlan plan, List<TrackSample> track) {
+    return switch (plan.domain()) {
+      case AIR -> altitude(plan, track);
+      case GROUND -> speed(track);
+    };
+  }
+
+  /** Quantity shown over time. */
+  static Quantity overTime(RunPlan plan, List<TrackSample> track) {
+    return switch (plan.domain()) {
+      case AIR -> altitude(plan, track);
+      case GROUND -> offTrack(track);
+    };
+  }
+
+  private static Quantity altitude(RunPlan plan, List<TrackSample> track) {
+    DoubleStream planned =
+        Stream.concat(
+                plan.home().stream().map(RunPlan.Start::altitudeM),
+                plan.waypoints().stream()
+                    .filter(w -> w.altitudeM().isPresent())
+                    .map(w -> w.altitudeM().getAsDouble()))
+            .mapToDouble(Double::doubleValue);
+    double[] all =
+        DoubleStream.concat(planned, track.stream().mapToDouble(TrackSample::altitudeM))
+            .sorted()
+            .toArray();
+    double low = all.length == 0 ? 0.0 : all[0];
+    double high = all.length == 0 ? 0.0 : all[all.length - 1];
+    return new Quantity(
+        "altitude above sea level",
+        "m",
+        low,
+        Math.max(high, low + MIN_ALTITUDE_SPAN_M),
+        TrackSample::altitudeM,
+        "of the waypoint flown to",
+        RunPlan.Waypoint::altitudeM);
+  }
+
+  private static Quantity speed(List<TrackSample> track) {
+    double most = track.stream().mapToDouble(TrackSample::groundSpeedMps).max().orElse(0.0);
+    return new Quantity(
+        "speed over ground",
+        "m/s",
+        0.0,
+        Math.max(most, MIN_SPEED_SPAN_MPS),
+        TrackSample::groundSpeedMps,
+        "",
+        waypoint -> OptionalDouble.empty());
+  }
+
+  private static Quantity offTrack(List<TrackSample> track) {
+    double most = track.stream().mapToDouble(s -> Math.abs(s.crossTrackM())).max().orElse(0.0);
+    double bound = Math.max(MIN_OFF_TRACK_M, Math.min(MAX_OFF_TRACK_M, most));
+    return new Quantity(
+        "to the right of the line",
+        "m",
+        -bound,
+        bound,
+        TrackSample::crossTrackM,
+        "the line to the waypoint",
+        waypoint -> OptionalDouble.of(0.0));
+  }
+}

@@ -1,0 +1,109 @@
+package org.u2sa.report.picture;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.u2sa.report.score.Domain;
+import org.u2sa.report.score.RunDetails;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.RunScore;
+import org.u2sa.report.score.TrackSample;
+
+/**
+ * Draws a run on one page: facts and results, the map, and a quantity over time (altitude of
+ * aircraft, cross-track error of others).
+ */
+public final class TrackPicture {
+  public static final int WIDTH = 1600;
+  public static final int HEIGHT = 1200;
+
+  /** Room beside and below a plot for its axes [px]. */
+  static final double LEFT = 80.0;
+
+  static final double BELOW = 50.0;
+  static final double RIGHT = 20.0;
+
+  private static final Rectangle2D MAP = new Rectangle2D.Double(LEFT, 118.0, 1480.0, 672.0);
+  private static final Rectangle2D PROFILE = new Rectangle2D.Double(LEFT, 870.0, 1480.0, 240.0);
+  private static final double LEGEND = 30.0; // px
+
+  private TrackPicture() {}
+
+  public static String title(RunDetails facts, RunScore score) {
+    return String.format(
+        Locale.ROOT,
+        "%s, seed %d: %d of %d waypoints captured",
+        facts.demo(),
+        facts.seed(),
+        score.captured(),
+        score.waypoints().size());
+  }
+
+  public static void draw(
+      Graphics2D graphics,
+      RunDetails facts,
+      RunPlan plan,
+      RunScore score,
+      List<TrackSample> track) {
+    graphics.setPaint(ChartStyle.PAPER);
+    graphics.fill(new Rectangle2D.Double(0.0, 0.0, WIDTH, HEIGHT));
+    text(graphics, 58, title(facts, score), ChartStyle.TEXT, ChartStyle.font(Font.BOLD, 34));
+    String alarm =
+        (score.outcome().crashed() ? "CRASHED    " : "")
+            + (score.outcome().stalled() ? "STALLED    " : "");
+    text(
+        graphics,
+        92,
+        alarm + subtitle(facts, plan.domain(), score),
+        alarm.isEmpty() ? ChartStyle.MUTED : ChartStyle.MISSED,
+        ChartStyle.font(alarm.isEmpty() ? Font.PLAIN : Font.BOLD, 19));
+    Quantity colour = Quantity.onMap(plan, track);
+    MapChart.of(plan, track, score, colour, MAP).draw(graphics, withAxes(MAP, 0.0));
+    ProfileChart.of(plan, track, score, Quantity.overTime(plan, track), colour, PROFILE)
+        .draw(graphics, withAxes(PROFILE, LEGEND));
+  }
+
+  private static Rectangle2D withAxes(Rectangle2D plot, double legend) {
+    return new Rectangle2D.Double(
+        0.0, plot.getY(), plot.getMaxX() + RIGHT, plot.getHeight() + BELOW + legend);
+  }
+
+  private static void text(Graphics2D graphics, int y, String text, Color color, Font font) {
+    graphics.setPaint(color);
+    graphics.setFont(font);
+    graphics.drawString(text, (int) LEFT, y);
+  }
+
+  /** Formats minutes and seconds. */
+  static String clock(double seconds) {
+    long whole = Math.round(seconds);
+    return String.format(Locale.ROOT, "%d:%02d", whole / 60, whole % 60);
+  }
+
+  private static String subtitle(RunDetails facts, Domain domain, RunScore score) {
+    List<String> parts = new ArrayList<>();
+    String rms = domain == Domain.AIR ? "cross-track RMS %.1f m" : "cross-track RMS %.2f m";
+    add(parts, rms, score.crossTrackRmsM());
+    score
+        .flight()
+        .ifPresent(
+            flight -> {
+              add(parts, "altitude RMS %.1f m on level legs", flight.altitudeRmsM());
+              add(parts, "bank up to %.0f\u00b0", flight.maxBankDeg());
+            });
+    parts.add(clock(score.simSeconds()) + " min simulated");
+    parts.add(facts.simulator());
+    return String.join("  \u00b7  ", parts);
+  }
+
+  private static void add(List<String> parts, String pattern, OptionalDouble value) {
+    if (value.isPresent()) {
+      parts.add(String.format(Locale.ROOT, pattern, value.getAsDouble()));
+    }
+  }
+}

@@ -1,0 +1,41 @@
+package org.u2sa.report.score;
+
+/** Kind of vehicle of a run, which determines what is measured and the scale of distances. */
+public enum Domain {
+  /**
+   * An aircraft, over kilometres. After flying over a waypoint it needs some distance to settle on
+   * the next leg: one radius of a coordinated turn, r = V² / (g tan φ) = 636 m at 60 m/s and 30° of
+   * bank, plus some 360 m for rolling in and out (3 s each).
+   */
+  AIR(1000.0, 500.0, "flown"),
+  /**
+   * A ground vehicle, over metres. It turns beside the waypoint, up to 2 m away if the mission
+   * allows it, and then needs about a metre to settle on the line.
+   */
+  GROUND(3.0, 10.0, "driven");
+
+  private final double settlingDistanceM;
+  private final double leastMapM;
+  private final String moved;
+
+  Domain(double settlingDistanceM, double leastMapM, String moved) {
+    this.settlingDistanceM = settlingDistanceM;
+    this.leastMapM = leastMapM;
+    this.moved = moved;
+  }
+
+  /** Distance after a waypoint that still counts as turn [m]. */
+  public double settlingDistanceM() {
+    return settlingDistanceM;
+  }
+
+  /** Minimum extent of a map [m]. */
+  public double leastMapM() {
+    return leastMapM;
+  }
+
+  /** Verb for the vehicle's motion, e.g. {@code flown}. */
+  public String moved() {
+    return moved;
+  }
+}

@@ -1,0 +1,17 @@
+package org.u2sa.report.score;
+
+import java.util.OptionalInt;
+
+/**
+ * What a summary tells of a run besides its score.
+ *
+ * @param demo name of the demo or system, e.g. {@code cessna}; heads the picture
+ * @param seed seed of everything random in the run
+ * @param simulator what simulated the vehicle, e.g. {@code embedded} or {@code FlightGear
+ *     2020.3.16}
+ * @param wallSeconds time of the wall clock that the run took [s], more than 0
+ * @param goalsCompleted goals that the Mission Manager called completed, by its estimates; empty:
+ *     not asked
+ */
+public record RunDetails(
+    String demo, long seed, String simulator, double wallSeconds, OptionalInt goalsCompleted) {}

@@ -1,0 +1,57 @@
+package org.u2sa.report.score;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Outcome of a run according to the simulator.
+ *
+ * @param contacts number of collisions, including ground contacts beyond the landing gear's limit
+ * @param stalled whether a wing stalled in the air
+ * @param violations other rule violations, one sentence each
+ * @param counts other counts by the rules, by name in {@code summary.json}, in order
+ * @param figures other metrics by the rules, likewise
+ */
+public record RunOutcome(
+    int contacts,
+    boolean stalled,
+    List<String> violations,
+    Map<String, Integer> counts,
+    Map<String, Double> figures) {
+
+  public RunOutcome {
+    violations = List.copyOf(violations);
+    counts = Collections.unmodifiableMap(new LinkedHashMap<>(counts));
+    figures = Collections.unmodifiableMap(new LinkedHashMap<>(figures));
+  }
+
+  /** Creates an outcome without further metrics. */
+  public RunOutcome(int contacts, boolean stalled, List<String> violations) {
+    this(contacts, stalled, violations, Map.of(), Map.of());
+  }
+
+  /** A clean outcome. */
+  public static RunOutcome clean() {
+    return new RunOutcome(0, false, List.of());
+  }
+
+  /** Copy with further violations. */
+  RunOutcome breaking(List<String> more) {
+    List<String> all = new ArrayList<>(violations);
+    all.addAll(more);
+    return new RunOutcome(contacts, stalled, all, counts, figures);
+  }
+
+  /** Whether nothing was hit, no wing stalled and no rule was broken. */
+  public boolean isClean() {
+    return contacts == 0 && !stalled && violations.isEmpty();
+  }
+
+  /** Whether it hit anything. */
+  public boolean crashed() {
+    return contacts > 0;
+  }
+}

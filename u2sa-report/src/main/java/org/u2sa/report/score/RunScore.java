@@ -1,0 +1,55 @@
+package org.u2sa.report.score;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * Score of a run by ground truth. A number is empty if the vehicle was never in the state to be
+ * measured.
+ *
+ * @param waypoints one result for each planned waypoint, in order
+ * @param crossTrackRmsM RMS cross-track error over time relative to the straight line between
+ *     consecutive waypoints [m], without the first {@link Domain#settlingDistanceM} of each leg;
+ *     the path to the first waypoint is not a leg
+ * @param crossTrackRmsWholeLegsM same for whole legs [m]
+ * @param flight metrics of aircraft; empty for others
+ * @param obstacles one result per surrounding object, in order
+ * @param outcome outcome according to the simulator
+ * @param simSeconds simulated time from first to last sample [s]
+ */
+public record RunScore(
+    List<WaypointResult> waypoints,
+    OptionalDouble crossTrackRmsM,
+    OptionalDouble crossTrackRmsWholeLegsM,
+    Optional<FlightFigures> flight,
+    List<ObstacleResult> obstacles,
+    RunOutcome outcome,
+    double simSeconds) {
+
+  public RunScore {
+    waypoints = List.copyOf(waypoints);
+    obstacles = List.copyOf(obstacles);
+  }
+
+  /** Number of waypoints captured. */
+  public int captured() {
+    return (int) waypoints.stream().filter(WaypointResult::captured).count();
+  }
+
+  /** Number of waypoints passed within a distance [m], regardless of their capture radius. */
+  public int within(double distanceM) {
+    return (int)
+        waypoints.stream()
+            .filter(result -> result.missM().orElse(Double.POSITIVE_INFINITY) <= distanceM)
+            .count();
+  }
+
+  /**
+   * Whether all waypoints were captured, at least one was planned, and the {@linkplain
+   * RunOutcome#isClean outcome is clean}: the condition for exit code 0.
+   */
+  public boolean success() {
+    return !waypoints.isEmpty() && captured() == waypoints.size() && outcome.isClean();
+  }
+}

@@ -1,0 +1,76 @@
+package org.u2sa.report.score;
+
+import java.util.List;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.MovingSphere;
+
+/**
+ * Ground truth of the static and moving objects of a run, whether known to the vehicle or not.
+ *
+ * @param objects in GLOBAL, UTM, or a local frame with its origin at the vehicle's start
+ * @param reachM radius of the vehicle around its reference point [m]; nearer objects are touched
+ */
+public record Surroundings(List<ObjectDescription> objects, double reachM) {
+  public Surroundings {
+    objects = List.copyOf(objects);
+  }
+
+  /** No objects. */
+  public static Surroundings none() {
+    return new Surroundings(List.of(), 0.0);
+  }
+
+  /** Whether an object moves, according to its description. */
+  public static boolean moves(ObjectDescription object) {
+    boolean turns = object instanceof MovingSphere sphere && !sphere.trajectory().isEmpty();
+    return turns || object.motion().velocity().filter(v -> !v.equals(Point.ORIGIN)).isPresent();
+  }
+
+  /**
+   * Centre of an object at a time of the run [s], in its own frame. In global frames, an object
+   * that moves straight keeps its altitude above sea level, except for its climb.
+   */
+  public static Point centreAfter(ObjectDescription object, double seconds) {
+    if (!moves(object)) {
+      return object.center();
+    }
+    if (object instanceof MovingSphere sphere && !sphere.trajectory().isEmpty()) {
+      return sphere.centerAfter(seconds);
+    }
+    Point velocity = object.motion().velocity().orElseThrow();
+    Point there = object.after(seconds).center();
+    return object.referenceFrame().isEarth()
+        ? Point.of(there.x(), there.y(), object.z() + velocity.z() * seconds)
+        : there;
+  }
+
+  /** Object at a time of the run [s]. */
+  public static ObjectDescription after(ObjectDescription object, double seconds) {
+    return moves(object) ? object.movedTo(centreAfter(object, seconds)) : object;
+  }
+
+  /** Converts a position to an object's frame, for {@link ObjectDescription#distanceTo}. */
+  static Point in(ObjectDescription object, Geodetic place, Geodetic home) {
+    if (object.referenceFrame().isEarth()) {
+      return place.point();
+    }
+    Point enu =
+        home.enuOf(new Geodetic(place.longitudeDeg(), place.latitudeDeg(), home.altitudeM()));
+    double upM = place.altitudeM() - home.altitudeM();
+    return object.referenceFrame().equals(ReferenceFrame.LOCAL_NED)
+        ? Point.of(enu.y(), enu.x(), -upM)
+        : Point.of(enu.x(), enu.y(), upM);
+  }
+
+  /** Global position of a point in an object's frame: the inverse of {@link #in}. */
+  public static Geodetic onEarth(ObjectDescription object, Point point, Geodetic home) {
+    if (object.referenceFrame().isEarth()) {
+      return Geodetic.of(point);
+    }
+    boolean ned = object.referenceFrame().equals(ReferenceFrame.LOCAL_NED);
+    return home.fromEnu(Point.of(ned ? point.y() : point.x(), ned ? point.x() : point.y(), 0.0));
+  }
+}

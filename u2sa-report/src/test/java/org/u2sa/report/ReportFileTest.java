@@ -1,0 +1,40 @@
+package org.u2sa.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.RunFailedException;
+
+class ReportFileTest {
+
+  @TempDir private Path directory;
+
+  @Test
+  void writeText_diskFullHalfWay_keepsTheOldFileAndNamesThePath() throws IOException {
+    Path file = Files.writeString(directory.resolve("track.csv"), "old");
+    assertThatThrownBy(
+            () ->
+                ReportFile.writeText(
+                    file,
+                    out -> {
+                      out.write("half");
+                      throw new IOException("No space left on device");
+                    }))
+        .isInstanceOf(RunFailedException.class)
+        .hasMessage("cannot write " + file + ": No space left on device");
+    assertThat(file).hasContent("old");
+    assertThat(directory.toFile().list()).containsExactly("track.csv");
+  }
+
+  @Test
+  void writeText_noDirectory_saysSo() {
+    Path file = directory.resolve("gone/track.csv");
+    assertThatThrownBy(() -> ReportFile.writeText(file, out -> out.write("x")))
+        .hasMessage("cannot write " + file + ": its directory does not exist");
+  }
+}

@@ -1,0 +1,25 @@
+package org.u2sa.report.export;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.u2sa.messages.CameraImage;
+import org.u2sa.messages.schema.ByteString;
+
+class CsvColumnsTest {
+  @Test
+  void row_bytes_areBase64() {
+    CameraImage image =
+        new CameraImage()
+            .sensorName("Camera")
+            .format(CameraImage.JPEG)
+            .size(2, 1)
+            .data(ByteString.copyOf(new byte[] {(byte) 0xff, (byte) 0xd8, 0}));
+    CsvColumns columns = new CsvColumns();
+    columns.learn(image);
+
+    assertThat(columns.head())
+        .isEqualTo("time [s],sensorName,format,width [px],height [px],data\r\n");
+    assertThat(columns.row(1.5, image)).isEqualTo("1.500000,Camera,jpeg,2,1,/9gA\r\n");
+  }
+}

@@ -1,0 +1,49 @@
+package org.u2sa.report.export;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.FilterWriter;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.OpenOption;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class CsvFilesTest {
+  private static final int FILES = 1_000;
+
+  @TempDir Path folder;
+  private int open;
+  private int mostOpen;
+
+  private Writer opened(Path file, OpenOption... how) throws IOException {
+    open++;
+    mostOpen = Math.max(mostOpen, open);
+    return new FilterWriter(Files.newBufferedWriter(file, how)) {
+      @Override
+      public void close() throws IOException {
+        open--;
+        super.close();
+      }
+    };
+  }
+
+  @Test
+  void write_manyFilesByTurns_fewAreOpenAndEachHasItsLinesInOrder() throws IOException {
+    Files.writeString(folder.resolve("7"), "of an earlier export");
+    try (CsvFiles files = new CsvFiles(this::opened)) {
+      for (int line = 0; line < 3; line++) {
+        for (int i = 0; i < FILES; i++) {
+          files.write(folder.resolve("" + i), line + "\n");
+        }
+      }
+    }
+    assertThat(mostOpen).isBetween(2, 256);
+    assertThat(open).isZero();
+    for (int i = 0; i < FILES; i++) {
+      assertThat(folder.resolve("" + i)).hasContent("0\n1\n2\n");
+    }
+  }
+}

@@ -1,0 +1,36 @@
+package org.u2sa.report.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import org.junit.jupiter.api.Test;
+import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+class RunMapTest {
+  @Test
+  void map_gridOfALocalFrame_isPlacedByDeadReckoning() throws IOException {
+    RunMap map = new RunMap();
+    map.take(0.0, new StateInformation().sensorName("e").x(8.0).y(50.0));
+    StateInformation local = new StateInformation().sensorName("e");
+    map.takeLocal(local.referenceFrame(ReferenceFrame.LOCAL_ENU).x(100.0).y(200.0));
+    OccupancyGrid grid =
+        new OccupancyGrid()
+            .anchor(ReferenceFrame.LOCAL_ENU, Point.of(103.0, 204.0, 0.0))
+            .corner(0.0, 0.0)
+            .resolution(0.2)
+            .cells(2, new byte[] {100, OccupancyGrid.UNKNOWN});
+    map.take(grid);
+    JsonNode cells =
+        new ObjectMapper().readTree(map.json(null, 0.0).line()).get("cells").get("squares");
+    assertThat(cells).hasSize(2);
+    assertThat(cells.get(0).asInt()).isEqualTo(15); // 3.1 m east
+    assertThat(cells.get(1).asInt()).isEqualTo(20); // 4.1 m north
+    map.take(grid.copy().cells(2, new byte[] {-100, OccupancyGrid.UNKNOWN}));
+    assertThat(map.json(null, 0.0).line()).contains("\"squares\":[]");
+  }
+}
