@@ -240,8 +240,12 @@ public final class Channel<T extends U2SAData> {
    * @param types permitted types, with subclasses; empty for all except the service contract's
    */
   record CarriedTypes(List<MessageType<?>> types) {
-    /** Package of the service contract's messages: commands, requests, responses, reports. */
-    private static final String CONTRACT = "org.u2sa.messages.contract.";
+    /** Packages of the service contract's messages: commands, requests, responses, reports. */
+    private static final List<String> CONTRACT =
+        List.of(
+            "org.u2sa.messages.contract.",
+            "org.u2sa.messages.mission.",
+            "org.u2sa.messages.safety.");
 
     static CarriedTypes only(MessageType<?>... types) {
       return new CarriedTypes(List.of(types));
@@ -269,7 +273,8 @@ public final class Channel<T extends U2SAData> {
 
     /** Whether the type belongs to the service contract. */
     static boolean isOfContract(MessageType<?> type) {
-      return type.messageClass().getName().startsWith(CONTRACT);
+      String name = type.messageClass().getName();
+      return CONTRACT.stream().anyMatch(name::startsWith);
     }
   }
 }
