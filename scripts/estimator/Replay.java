@@ -64,7 +64,7 @@ final class Replay {
     System.err.printf(
         Locale.ROOT, "%d measurements, %.1f µs each%n", count, (System.nanoTime() - began) / 1e3 / count);
     replay.filter.sources().at(replay.filter.micros()).forEach(each -> System.err.println(each.text()));
-    System.err.println("begun anew " + replay.filter.resets());
+    System.err.println("reset " + replay.filter.resets());
   }
 
   private void fuse(String[] w) {

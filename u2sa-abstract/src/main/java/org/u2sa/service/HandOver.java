@@ -54,7 +54,11 @@ public final class HandOver {
     return set(name, value);
   }
 
-  /** The text of that name. @throws IllegalArgumentException if the value is not a text */
+  /**
+   * The text of that name.
+   *
+   * @throws IllegalArgumentException if the value is not a text
+   */
   public Optional<String> text(String name) {
     return get(name, String.class, "text");
   }
@@ -64,7 +68,11 @@ public final class HandOver {
     return Double.isNaN(value) ? this : set(name, value);
   }
 
-  /** The number of that name. @throws IllegalArgumentException if the value is not a number */
+  /**
+   * The number of that name.
+   *
+   * @throws IllegalArgumentException if the value is not a number
+   */
   public OptionalDouble number(String name) {
     Optional<Double> value = get(name, Double.class, "number");
     return value.isPresent() ? OptionalDouble.of(value.get()) : OptionalDouble.empty();
@@ -76,7 +84,9 @@ public final class HandOver {
   }
 
   /**
-   * The flag of that name; false without one. @throws IllegalArgumentException if it is not a flag
+   * The flag of that name; false without one.
+   *
+   * @throws IllegalArgumentException if it is not a flag
    */
   public boolean flag(String name) {
     return get(name, Boolean.class, "flag").orElse(false);
@@ -88,8 +98,9 @@ public final class HandOver {
   }
 
   /**
-   * The list of texts of that name; empty without one. @throws IllegalArgumentException if it is
-   * another kind of value
+   * The list of texts of that name; empty without one.
+   *
+   * @throws IllegalArgumentException if it is another kind of value
    */
   public List<String> texts(String name) {
     return members(name, String.class, "list of texts");

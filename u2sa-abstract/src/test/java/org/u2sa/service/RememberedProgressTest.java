@@ -21,7 +21,7 @@ import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
 
-/** What a service knows after it was started anew. */
+/** What a service knows after it was started again. */
 @Timeout(120)
 class RememberedProgressTest {
   @TempDir private Path directory;

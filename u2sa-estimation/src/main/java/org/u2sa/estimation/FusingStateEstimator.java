@@ -162,14 +162,9 @@ public final class FusingStateEstimator extends StateEstimator {
     }
     remark(
         "all sources",
-        "late "
-            + filter.late()
-            + ", replayed "
-            + filter.replayed()
-            + ", begun anew "
-            + filter.resets());
+        "late " + filter.late() + ", replayed " + filter.replayed() + ", reset " + filter.resets());
     if (filter.resets() > resets) {
-      trouble("all sources of a quantity contradicted the estimate: it began anew from them");
+      trouble("all sources of a quantity contradicted the estimate: it was reset to them");
     }
     resets = filter.resets();
   }

@@ -185,7 +185,7 @@ record FusionVariables(
             unit = "s",
             min = 0.1,
             ifAbsent = 5,
-            text = "Time after which a quantity begins anew if all its sources contradict it.")
+            text = "Time after which a quantity is reset if all its sources contradict it.")
         double resetAfter,
     @Variable(
             unit = "m",

@@ -13,7 +13,8 @@ import org.u2sa.messages.frame.Rotation;
  * @param yaw about down [rad]
  * @param pitch about the axis to the right of the heading, level [rad]
  * @param roll about the vehicle's forward axis [rad]
- * @param right pitch axis in north, east, down @param forward roll axis in north, east, down
+ * @param right pitch axis in north, east, down
+ * @param forward roll axis in north, east, down
  */
 record VehicleUncertainty(
     Point place, double yaw, double pitch, double roll, Point right, Point forward) {

@@ -57,7 +57,7 @@ final class TestDrive implements AutoCloseable {
     managerVariables.forEach(kit::with);
   }
 
-  /** Ends the Mission Manager and starts it anew, as a launcher does. */
+  /** Ends the Mission Manager and starts it again, as a launcher does. */
   void restartManager() {
     configureManager();
     manager = kit.restart(manager, MissionManager::new);

@@ -32,7 +32,9 @@ public final class ReportFile {
   private ReportFile() {}
 
   /**
-   * Writes UTF-8. @throws RunFailedException if it cannot be written; nothing is left behind then
+   * Writes UTF-8.
+   *
+   * @throws RunFailedException if it cannot be written; nothing is left behind then
    */
   public static void writeText(Path file, Text content) {
     write(

@@ -37,7 +37,7 @@ final class Gaps implements Receiver, AutoCloseable {
     }
   }
 
-  /** Begins anew. */
+  /** Begins again. */
   synchronized void forget() {
     longestMicros.clear();
   }

@@ -49,7 +49,7 @@ class ConfigurationPageTest {
       # Configuration
 
       Generated from the variables that the code declares; a test fails when this page is out of date, and
-      this writes it anew:
+      this rewrites it:
 
       ```
       %s

@@ -18,7 +18,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Holds the tables of messages in docs/wire-protocol.md to the schemas. To write them anew:
+ * Holds the tables of messages in docs/wire-protocol.md to the schemas. To write them again:
  * -Du2sa.docs.write=true.
  */
 class MessageTablesTest {

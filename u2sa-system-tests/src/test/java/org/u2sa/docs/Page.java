@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A file of the repository's prose, which a test checks, or writes anew where it is generated. */
+/** A file of the repository's prose, which a test checks, or writes again where it is generated. */
 final class Page {
   /** The repository's root. */
   static final Path ROOT = Path.of("").toAbsolutePath().getParent();
@@ -32,11 +32,11 @@ final class Page {
       Files.writeString(file, expected);
     }
     assertThat(text())
-        .as("%s is out of date; `%s` writes it anew", ROOT.relativize(file), command())
+        .as("%s is out of date; `%s` rewrites it", ROOT.relativize(file), command())
         .isEqualTo(expected);
   }
 
-  /** What writes all generated pages anew. */
+  /** What writes all generated pages again. */
   static String command() {
     return "mvn -q -pl u2sa-system-tests -am test -Dtest='org.u2sa.docs.*Test'"
         + " -Dsurefire.failIfNoSpecifiedTests=false -Du2sa.docs.write=true";

@@ -32,7 +32,7 @@ import org.u2sa.messages.schema.ValueField;
 
 /**
  * docs/schema/u2sa-messages.json has every channel and message, for clients in other languages. To
- * write it anew: -Du2sa.docs.write=true.
+ * write it again: -Du2sa.docs.write=true.
  */
 class SchemaFileTest {
   private static final Path FILE = Page.ROOT.resolve("docs/schema/u2sa-messages.json");
@@ -82,7 +82,11 @@ class SchemaFileTest {
     return text + "\n";
   }
 
-  /** A channel. @param system whose own it is; empty: everybody's */
+  /**
+   * A channel.
+   *
+   * @param system whose own it is; empty: everybody's
+   */
   private void channel(Channel<?> channel, String system) throws IOException {
     json.writeStartObject();
     json.writeStringField("name", channel.name());

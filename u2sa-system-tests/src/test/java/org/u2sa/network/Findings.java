@@ -64,7 +64,7 @@ final class Findings implements AutoCloseable {
   /**
    * Waits until nothing is wrong any more; that it did not come to that is a failure.
    *
-   * @param ask asks all services anew
+   * @param ask asks all services again
    * @param wrong what is wrong by the answers so far
    * @return how long it took since then [s]
    */

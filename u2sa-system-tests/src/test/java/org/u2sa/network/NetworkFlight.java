@@ -143,7 +143,7 @@ final class NetworkFlight implements AutoCloseable {
   /**
    * Waits for the mission's end, and says what went wrong in the whole flight.
    *
-   * @param startedAnew services that were killed once and started anew; no other may have been
+   * @param startedAnew services that were killed once and started again; no other may have been
    */
   void land(Set<String> startedAnew) throws IOException {
     try {

@@ -123,7 +123,9 @@ final class Outsider implements Receiver, AutoCloseable {
     connection.publish(Channels.DISCOVERY, request);
   }
 
-  /** Waits until that many services answer, and returns which; asks anew as long as some do not. */
+  /**
+   * Waits until that many services answer, and returns which; asks again as long as some do not.
+   */
   Set<String> awaitAll(int count) {
     await(count + " services of " + system + " answer")
         .atMost(UP_WITHIN)
@@ -198,7 +200,7 @@ final class Outsider implements Receiver, AutoCloseable {
         .reduce(Losses.NONE, Losses::plus);
   }
 
-  /** Services of which there were not two instances, if started anew, or one. */
+  /** Services of which there were not two instances, if started again, or one. */
   synchronized List<String> wrongInstances(Set<String> startedAnew) {
     List<String> wrong = new ArrayList<>();
     lost.forEach(

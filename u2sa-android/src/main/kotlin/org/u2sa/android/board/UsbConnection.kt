@@ -22,7 +22,7 @@ internal class UsbConnection(private val usb: UsbManager, link: BoardLink) : Pho
     override fun connect(): Streams {
         val accessory = usb.accessoryList?.firstOrNull(::isBoard) ?: throw IOException("no IOIO is at the USB port")
         if (!usb.hasPermission(accessory)) {
-            throw IOException("the permission to use the IOIO at the USB port was not given: plug it in anew")
+            throw IOException("the permission to use the IOIO at the USB port was not given: unplug it and plug it in again")
         }
         val made = usb.openAccessory(accessory) ?: throw IOException("the IOIO at the USB port cannot be opened")
         descriptor = made

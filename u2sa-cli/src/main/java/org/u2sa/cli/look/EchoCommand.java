@@ -71,7 +71,7 @@ public final class EchoCommand implements Callable<Integer> {
       names = "--rate",
       paramLabel = "HZ",
       description =
-          "Print at most so many messages a second; the others are skipped. Default: all.")
+          "Print at most this many messages per second; others are skipped. Default: all.")
   private Double rate;
 
   @Option(names = "--json", description = "Print JSON, one object a line.")

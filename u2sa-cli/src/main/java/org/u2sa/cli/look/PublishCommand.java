@@ -78,14 +78,15 @@ public final class PublishCommand implements Callable<Integer> {
       names = "--rate",
       paramLabel = "HZ",
       defaultValue = "1",
-      description = "With --count: so many a second. Default: ${DEFAULT-VALUE}.")
+      description = "With --count: messages per second. Default: ${DEFAULT-VALUE}.")
   private double rate;
 
   @Option(
       names = "--count",
       paramLabel = "N",
       defaultValue = "1",
-      description = "Publish so many, each with a timestamp of its own. Default: ${DEFAULT-VALUE}.")
+      description =
+          "Number of messages to publish, each with its own timestamp. Default: ${DEFAULT-VALUE}.")
   private long count;
 
   @Option(names = "--json", description = "Print JSON.")

@@ -94,7 +94,7 @@ public final class ViewCommand implements Callable<Integer> {
 
   @Mixin private SpanOptions part;
 
-  @Option(names = "--loop", description = "Of a recording: begin anew at the end.")
+  @Option(names = "--loop", description = "Of a recording: restart at the end.")
   private boolean loop;
 
   @Override

@@ -68,7 +68,7 @@ public final class ReplayCommand implements Callable<Integer> {
       description = "Publish only these channels, for example state,actuation. Default: all.")
   private List<String> wanted = List.of();
 
-  @Option(names = "--loop", description = "Begin anew at the end, until Ctrl-C.")
+  @Option(names = "--loop", description = "Restart at the end, until Ctrl-C.")
   private boolean loop;
 
   @Mixin private RerunOptions rerun;

@@ -17,14 +17,14 @@ public final class SpanOptions {
       paramLabel = "S",
       defaultValue = "0",
       description =
-          "Of a recording: begin so many seconds after its first message. Default: ${DEFAULT-VALUE}.")
+          "Of a recording: begin this many seconds after its first message. Default: ${DEFAULT-VALUE}.")
   private double fromS;
 
   @Option(
       names = "--to",
       paramLabel = "S",
       description =
-          "Of a recording: end so many seconds after its first message. Default: at its end.")
+          "Of a recording: end this many seconds after its first message. Default: at its end.")
   private Double toS;
 
   /**

@@ -79,7 +79,8 @@ public final class ExportCommand implements Callable<Integer> {
       names = "--every",
       paramLabel = "S",
       defaultValue = "0",
-      description = "Of each topic at most one message in so many seconds. Default: all.")
+      description =
+          "Minimum interval between messages of a topic [s]; those between are left out. Default: all.")
   private double everyS;
 
   @Option(

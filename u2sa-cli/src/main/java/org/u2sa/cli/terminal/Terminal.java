@@ -31,9 +31,10 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
   /**
    * Detects the terminal of this process.
    *
-   * @param out output stream @param environment environment variables: {@code NO_COLOR} (any value,
-   *     no-color.org) disables colours, {@code TERM=dumb} also redrawing, {@code COLUMNS} is the
-   *     width (80 if unset or not a number)
+   * @param out output stream
+   * @param environment environment variables: {@code NO_COLOR} (any value, no-color.org) disables
+   *     colours, {@code TERM=dumb} also redrawing, {@code COLUMNS} is the width (80 if unset or not
+   *     a number)
    */
   public static Terminal detect(PrintWriter out, Map<String, String> environment) {
     return of(out, System.console() != null, environment);

@@ -55,8 +55,8 @@ final class ActuationWatch implements Watch {
     String instance = report.instance().orElse("");
     long obeyed = report.commandsObeyed().getAsLong();
     long refused = report.commandsRefused().orElse(0L);
-    boolean anew = !instance.equals(service.instance) || refused < service.refused;
-    if (anew || obeyed != service.obeyed) {
+    boolean restarted = !instance.equals(service.instance) || refused < service.refused;
+    if (restarted || obeyed != service.obeyed) {
       service.sinceMicros = Clock.NEVER;
     } else if (refused > service.refused) {
       if (service.sinceMicros == Clock.NEVER) {

@@ -85,7 +85,7 @@ final class AttackedBroker implements AutoCloseable {
     soon().until(() -> hasLogged(part));
   }
 
-  /** Fails if the broker had to be started anew: whoever can bring that about can do it again. */
+  /** Fails if the broker had to be started again: whoever can bring that about can do it again. */
   @Override
   public void close() throws IOException {
     leaveStrangers();

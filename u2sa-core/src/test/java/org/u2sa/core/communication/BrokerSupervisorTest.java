@@ -60,10 +60,10 @@ class BrokerSupervisorTest {
   }
 
   private void awaitBrokers(int started) {
-    await().atMost(SOON).until(() -> died.size() == started && anew() == started - 1);
+    await().atMost(SOON).until(() -> died.size() == started && again() == started - 1);
   }
 
-  private long anew() {
+  private long again() {
     return log.stream().filter(line -> line.contains("restarted")).count();
   }
 
@@ -82,7 +82,7 @@ class BrokerSupervisorTest {
     connect();
     died.get(1).run(); // and the next one
     awaitBrokers(3);
-    assertThat(anew()).isEqualTo(2);
+    assertThat(again()).isEqualTo(2);
   }
 
   @Test

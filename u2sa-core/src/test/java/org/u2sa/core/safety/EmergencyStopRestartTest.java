@@ -17,9 +17,9 @@ class EmergencyStopRestartTest extends StoppedBoat {
     EmergencyStop stop = stop(before);
     end(before);
 
-    Motor anew = startMotor();
+    Motor again = startMotor();
 
-    requireStoppedUntilCleared(anew, stop);
+    requireStoppedUntilCleared(again, stop);
   }
 
   @Test
@@ -33,8 +33,8 @@ class EmergencyStopRestartTest extends StoppedBoat {
 
     requireStopped(before);
     end(before);
-    Motor anew = startMotor();
-    requireStoppedUntilCleared(anew, stop);
+    Motor again = startMotor();
+    requireStoppedUntilCleared(again, stop);
   }
 
   @Test
@@ -49,9 +49,9 @@ class EmergencyStopRestartTest extends StoppedBoat {
     awaitKnown(startedMicros);
     startBrokerAnewWithoutTheOperator();
     end(motor);
-    Motor anew = startMotor();
+    Motor again = startMotor();
 
-    requireStoppedUntilCleared(anew, stop);
+    requireStoppedUntilCleared(again, stop);
     assertThat(second.isRunning()).isTrue();
   }
 }

@@ -222,10 +222,10 @@ abstract class StoppedBoat {
   }
 
   /** Shows that it obeys nothing until the stop is cleared, and then does. */
-  void requireStoppedUntilCleared(Motor anew, EmergencyStop stop) {
-    requireStopped(anew);
-    assertThat(anew.moves).hasValue(0);
+  void requireStoppedUntilCleared(Motor again, EmergencyStop stop) {
+    requireStopped(again);
+    assertThat(again.moves).hasValue(0);
     clear(stop);
-    awaitMoving(anew);
+    awaitMoving(again);
   }
 }

@@ -31,7 +31,7 @@ final class BoardPins {
   private boolean ledIsLit;
 
   /**
-   * * Opens the pins.
+   * Opens the pins.
    *
    * @throws IllegalArgumentException if the connected board lacks a function at a pin
    */

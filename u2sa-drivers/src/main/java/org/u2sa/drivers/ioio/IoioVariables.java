@@ -101,7 +101,7 @@ record IoioVariables(
   record ActuatorPin(String name, int pin) {}
 
   /**
-   * * Parses the actuators.
+   * Parses the actuators.
    *
    * @throws BadInputException naming the variable, if it is not "NAME=PIN, NAME=PIN"
    */
@@ -127,7 +127,7 @@ record IoioVariables(
   }
 
   /**
-   * * Validates and assigns the pins.
+   * Validates and assigns the pins.
    *
    * @throws BadInputException naming the variable, if a pin does not exist, lacks the function, or
    *     is used twice
@@ -170,7 +170,7 @@ record IoioVariables(
     }
 
     /**
-     * * Assigns a pin.
+     * Assigns a pin.
      *
      * @param variable configuration variable, for the error
      * @param pin number; {@link PinPlan#NONE} assigns nothing

@@ -76,7 +76,7 @@ record SensorVariables(
   }
 
   /**
-   * * Creates the compass on a line.
+   * Creates the compass on a line.
    *
    * @throws BadInputException if it must be polled and has no TX pin
    */

@@ -8,7 +8,7 @@ import java.util.function.Function;
 /** A MAVLink command encoding and the actuators it provides. */
 interface CommandForm {
   /**
-   * * An actuator.
+   * An actuator.
    *
    * @param minimum minimum percentage [%]
    * @param effect effect on the vehicle

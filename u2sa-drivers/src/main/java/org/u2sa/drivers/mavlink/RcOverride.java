@@ -20,7 +20,7 @@ final class RcOverride implements CommandForm {
   private static final double FULL_PERCENT = 100.0;
 
   /**
-   * * A radio channel.
+   * A radio channel.
    *
    * @param channel 1…8
    * @param oneWay whether 0 % is the shortest pulse, as for an aeroplane's throttle, rather than

@@ -90,7 +90,7 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   }
 
   /**
-   * * Motor command.
+   * Motor command.
    *
    * @param width PWM duty, 0…1023; 0 stops it
    */

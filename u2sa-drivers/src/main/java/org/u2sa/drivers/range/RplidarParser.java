@@ -38,7 +38,7 @@ final class RplidarParser {
   record Health(int status, int errorCode) {}
 
   /**
-   * * One revolution.
+   * One revolution.
    *
    * @param firstMicros arrival of its first measurement [µs]
    * @param endMicros arrival of the next revolution's first measurement [µs]

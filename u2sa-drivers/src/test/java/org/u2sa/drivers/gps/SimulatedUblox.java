@@ -9,7 +9,7 @@ import org.u2sa.drivers.link.MemoryLink;
 
 /**
  * A receiver of u-blox at the other end of a link: knows the setup's messages byte by byte, answers
- * them, sends only what it was told to send, and forgets all when it is switched on anew.
+ * them, sends only what it was told to send, and forgets all when it is switched on again.
  */
 public final class SimulatedUblox implements MemoryLink.Device {
   private static final List<String> COMMANDS =

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.time.Clock;
 
-/** Boards over TCP that hang, stay silent, garble, or are none: given up, and connected anew. */
+/** Boards over TCP that hang, stay silent, garble, or are none: given up, and connected again. */
 class BadBoardTest {
   private final TcpBench on = new TcpBench();
 

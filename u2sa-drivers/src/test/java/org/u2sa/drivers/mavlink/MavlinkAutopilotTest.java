@@ -363,12 +363,12 @@ class MavlinkAutopilotTest {
     kit.advance(0.2);
     RcChannelsOverride before = last(RcChannelsOverride.class);
     heard.clear();
-    MemoryLink anew = new MemoryLink();
-    anew.with(bytes -> vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload())));
+    MemoryLink again = new MemoryLink();
+    again.with(bytes -> vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload())));
 
-    kit.swap(service, context -> new MavlinkAutopilot(context, anew));
+    kit.swap(service, context -> new MavlinkAutopilot(context, again));
     for (int i = 0; i < 4; i++) {
-      anew.fromDevice(vehicle.encode(heartbeat(MavState.MAV_STATE_ACTIVE)));
+      again.fromDevice(vehicle.encode(heartbeat(MavState.MAV_STATE_ACTIVE)));
       kit.advance(0.5);
     }
 
@@ -485,7 +485,7 @@ class MavlinkAutopilotTest {
       live(0.1);
     }
     assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1900);
-    assertThat(heard(CommandLong.class)).as("asked anew").isNotEmpty();
+    assertThat(heard(CommandLong.class)).as("asked again").isNotEmpty();
   }
 
   @Test

@@ -302,7 +302,7 @@ class WheelMotorsTest {
     link.plug();
     command(50.0, 50.0, 2.0);
     assertThat(device.duty(1)).isCloseTo(0.5, within(NEAR));
-    assertThat(device.serialTimeout()).as("told anew").isEqualTo(3);
+    assertThat(device.serialTimeout()).as("told again").isEqualTo(3);
     assertThat(kit.published(Channels.SENSED_STATE))
         .isNotEmpty()
         .allSatisfy(state -> assertThat(state.xDot().getAsDouble()).isBetween(-0.01, 1.6));

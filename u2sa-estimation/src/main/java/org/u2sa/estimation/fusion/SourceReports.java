@@ -30,7 +30,7 @@ public final class SourceReports {
   }
 
   /**
-   * * Report on one source.
+   * Report on one source.
    *
    * @param used number of vectors fused
    * @param gated number of vectors rejected

@@ -31,6 +31,7 @@ public final class Measurement {
     return this;
   }
 
+  /** Copies all values of another measurement. */
   public void copyFrom(Measurement other) {
     source = other.source;
     micros = other.micros;
@@ -42,6 +43,7 @@ public final class Measurement {
     isLandmarkOnEarth = other.isLandmarkOnEarth;
   }
 
+  /** Sets one component of a quantity, in the unit of the quantity, with its standard deviation. */
   public void set(SensedQuantity quantity, int component, double value, double sigma) {
     int at = quantity.ordinal() * WIDTH + component;
     values[at] = value;
@@ -60,6 +62,7 @@ public final class Measurement {
     return this;
   }
 
+  /** Offset of the sensor along an axis of BODY_FRD [m]. */
   public double mounted(int axis) {
     return mounted[axis];
   }
@@ -144,6 +147,7 @@ public final class Measurement {
     return landmark[component];
   }
 
+  /** Whether the landmark position is latitude and longitude. */
   public boolean isLandmarkOnEarth() {
     return isLandmarkOnEarth;
   }
@@ -203,22 +207,27 @@ public final class Measurement {
     return true;
   }
 
+  /** Whether at least one component of the quantity is measured. */
   public boolean has(SensedQuantity quantity) {
     return present[quantity.ordinal()] != 0;
   }
 
+  /** Whether that component of the quantity is measured. */
   public boolean has(SensedQuantity quantity, int component) {
     return (present[quantity.ordinal()] & 1 << component) != 0;
   }
 
+  /** Whether all components of the quantity are measured. */
   public boolean isWhole(SensedQuantity quantity) {
     return present[quantity.ordinal()] == (1 << quantity.size()) - 1;
   }
 
+  /** Value of a component, in the unit of the quantity. */
   public double value(SensedQuantity quantity, int component) {
     return values[quantity.ordinal() * WIDTH + component];
   }
 
+  /** Standard deviation of a component, in the unit of the quantity. */
   public double sigma(SensedQuantity quantity, int component) {
     return sigmas[quantity.ordinal() * WIDTH + component];
   }
@@ -233,6 +242,7 @@ public final class Measurement {
     return true;
   }
 
+  /** Writes the measurement into an array from an index on; returns the index behind it. */
   public int keep(double[] to, int from) {
     System.arraycopy(values, 0, to, from, values.length);
     return values.length;

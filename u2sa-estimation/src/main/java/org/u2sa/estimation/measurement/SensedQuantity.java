@@ -49,6 +49,7 @@ public enum SensedQuantity {
     return ALL[ordinal];
   }
 
+  /** Number of quantities. */
   public static int count() {
     return ALL.length;
   }
@@ -58,6 +59,7 @@ public enum SensedQuantity {
     return text;
   }
 
+  /** Number of components. */
   public int size() {
     return size;
   }

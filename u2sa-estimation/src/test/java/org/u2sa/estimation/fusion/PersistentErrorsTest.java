@@ -93,7 +93,7 @@ class PersistentErrorsTest {
     Map<String, String> texts = new HashMap<>();
     FilterMemory.write(filter, texts::put);
     ErrorStateFilter next = new ErrorStateFilter(tuning);
-    next.trust().source("another"); // sources are numbered anew
+    next.trust().source("another"); // sources are numbered again
     assertThat(FilterMemory.read(next, name -> Optional.ofNullable(texts.get(name)))).isTrue();
     for (int i = 0; i < 20; i++) {
       second(next);

@@ -49,7 +49,11 @@ final class StandInCommands {
     }
   }
 
-  /** Runs a command with arguments "name=value". @return whether it succeeded */
+  /**
+   * Runs a command with arguments "name=value".
+   *
+   * @return whether it succeeded
+   */
   boolean run(String command, List<String> arguments) {
     Map<String, String> values = new HashMap<>();
     for (String argument : arguments) {

@@ -168,7 +168,11 @@ public final class StandInFlightGear implements AutoCloseable {
             told.count());
   }
 
-  /** Adds a channel; on its own thread only. @return whether it could be opened */
+  /**
+   * Adds a channel; on its own thread only.
+   *
+   * @return whether it could be opened
+   */
   boolean add(String name, Opening opening) {
     try {
       channels.put(name, opening.open());
@@ -179,7 +183,11 @@ public final class StandInFlightGear implements AutoCloseable {
     }
   }
 
-  /** Removes a channel; on its own thread only. @return whether it existed */
+  /**
+   * Removes a channel; on its own thread only.
+   *
+   * @return whether it existed
+   */
   boolean remove(String name) {
     StandInChannel channel = channels.remove(name);
     if (channel != null) {

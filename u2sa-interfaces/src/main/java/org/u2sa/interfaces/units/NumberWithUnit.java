@@ -24,6 +24,7 @@ public record NumberWithUnit(String number, String unit) {
         : Optional.empty();
   }
 
+  /** The number, in the unit that was written. */
   public double value() {
     return Double.parseDouble(number);
   }

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** An audit log at the sizes where it begins anew or is not read from its start, or replaced. */
+/** An audit log at the sizes where it restarts or is not read from its start, or replaced. */
 class LongAuditFileTest {
   private static final int BEGINS_ANEW = 1 << 20; // bytes
   private static final int READ_AT_MOST = 4 << 20; // bytes

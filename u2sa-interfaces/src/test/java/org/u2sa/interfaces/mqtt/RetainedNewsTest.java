@@ -9,7 +9,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.safety.FailsafeState;
 
-/** Which retained message is news, as long as no session is made anew. */
+/** Which retained message is news, as long as no session is made again. */
 class RetainedNewsTest {
   private static final String TOPIC =
       Topic.of("cessna", Channels.FAILSAFE, FailsafeState.TYPE).toString();

@@ -146,8 +146,9 @@ final class FieldTable<T extends U2SAData> {
    * Fast path: reads pairs of a map as long as they are in our writers' form: shortest keys in
    * field order, numbers as {@link NumberRun} expects them.
    *
-   * @param pairs number of pairs in the map @param read number of pairs already read @return number
-   *     of pairs read in total
+   * @param pairs number of pairs in the map
+   * @param read number of pairs already read
+   * @return number of pairs read in total
    */
   long readInOrder(CborReader reader, CborInput in, T message, long pairs, long read)
       throws MalformedMessageException {

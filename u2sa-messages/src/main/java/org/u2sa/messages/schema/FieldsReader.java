@@ -38,7 +38,8 @@ final class FieldsReader<T extends U2SAData> {
   }
 
   /**
-   * @param pairs number of pairs in the map @param read number of pairs already read
+   * @param pairs number of pairs in the map
+   * @param read number of pairs already read
    */
   void readRest(long pairs, long read) throws MalformedMessageException {
     for (long done = read; !in.isDone(pairs, done); done++) {

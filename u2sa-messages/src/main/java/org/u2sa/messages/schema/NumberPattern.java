@@ -83,7 +83,8 @@ final class NumberPattern {
   /**
    * Writes keys and values.
    *
-   * @param numbers the values; this run's start at {@code first} @return end position
+   * @param numbers the values; this run's start at {@code first}
+   * @return end position
    */
   int put(byte[] into, int at, double[] numbers, int first) {
     System.arraycopy(bytes, 0, into, at, bytes.length);

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
 /**
- * Holds the example of docs/wire-protocol.md to its golden vector. To write it anew:
+ * Holds the example of docs/wire-protocol.md to its golden vector. To write it again:
  * -Du2sa.docs.write=true.
  */
 class WireProtocolDocTest {

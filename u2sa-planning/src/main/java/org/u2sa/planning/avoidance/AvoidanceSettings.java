@@ -310,6 +310,7 @@ public record AvoidanceSettings(
     return Math.min(0.5 * clearance, TOUCH_CELLS * cellM);
   }
 
+  /** Whether the vehicle can stop. */
   public boolean stops() {
     return leastSpeed == 0.0;
   }
@@ -334,6 +335,7 @@ public record AvoidanceSettings(
     return Clock.micros(overlookAfter);
   }
 
+  /** Time without progress after which a goal is given up [µs]. */
   public long giveUpMicros() {
     return Clock.micros(giveUpAfter);
   }

@@ -49,6 +49,7 @@ public final class LineGuidance implements WaypointGuidance {
     this(settings, GuidanceLaw.carrot());
   }
 
+  /** Follows lines by the given guidance law. */
   public LineGuidance(Supplier<LineSettings> settings, GuidanceLaw law) {
     this.settings = settings;
     this.law = law;

@@ -31,7 +31,7 @@ final class GridRoutes implements RoutePlanner {
     return new GridRoutes(new Repaired());
   }
 
-  static GridRoutes anew() {
+  static GridRoutes fromScratch() {
     return new GridRoutes(new ThetaStar()::plan);
   }
 

@@ -13,7 +13,7 @@ public final class HousePlanners {
   public static Map<String, RoutePlanner> all(Configurator configuration) {
     Map<String, RoutePlanner> planners = new LinkedHashMap<>();
     planners.put("GRID", GridRoutes.repaired());
-    planners.put("THETA", GridRoutes.anew());
+    planners.put("THETA", GridRoutes.fromScratch());
     planners.put("HYBRID", new HybridRoutes());
     planners.put("AIR", new AirRoutes());
     for (RoutePlannerProvider provider : ServiceLoader.load(RoutePlannerProvider.class)) {

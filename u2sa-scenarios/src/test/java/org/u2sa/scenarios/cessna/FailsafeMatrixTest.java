@@ -87,7 +87,7 @@ class FailsafeMatrixTest {
   private static void require(FailsafeAction action, Trouble trouble, TroubledFlight flight)
       throws InterruptedException {
     if (trouble == Trouble.ESTIMATOR && action != FailsafeAction.STOP) {
-      flight.fly(2.0); // as long as it takes to start it anew: without estimates nothing flies
+      flight.fly(2.0); // as long as it takes to start it again: without estimates nothing flies
       trouble.end(flight);
     }
     boolean over = trouble == Trouble.ESTIMATOR && action == FailsafeAction.HOLD;

@@ -62,7 +62,7 @@ public final class BlueRov2 {
   }
 
   /**
-   * * Creates a vehicle at rest.
+   * Creates a vehicle at rest.
    *
    * @param world with water
    * @param start east, north, up [m]

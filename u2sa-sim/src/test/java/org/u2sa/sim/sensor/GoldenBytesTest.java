@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * The emitters still send the bytes that outside decoders have judged: {@code
  * scripts/sensors/check.py} reads the same files with pynmea2 and pyubx2.
  *
- * <p>{@code -Du2sa.golden.write=true} writes them anew, to be judged again.
+ * <p>{@code -Du2sa.golden.write=true} writes them again, to be judged again.
  */
 class GoldenBytesTest {
   private static final UtcTime UTC = new UtcTime(Instant.parse("2026-11-21T23:59:58.5Z"));

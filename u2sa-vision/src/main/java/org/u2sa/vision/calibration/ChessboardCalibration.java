@@ -58,7 +58,8 @@ public final class ChessboardCalibration {
   /**
    * Detects the board in an image.
    *
-   * @param name image name, for messages @return whether a complete board was found
+   * @param name image name, for messages
+   * @return whether a complete board was found
    * @throws BadInputException if the image size differs from earlier ones
    */
   public boolean add(String name, CameraFrame picture) {

@@ -5,7 +5,7 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * * One end of a line.
+ * One end of a line.
  *
  * @param at the outermost point
  * @param dx direction outward, as a unit vector

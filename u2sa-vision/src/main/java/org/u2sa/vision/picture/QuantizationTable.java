@@ -75,7 +75,8 @@ final class QuantizationTable {
   /**
    * Divides by the steps and rounds.
    *
-   * @param frequencies row-major @param coefficients output, in zigzag order
+   * @param frequencies row-major
+   * @param coefficients output, in zigzag order
    */
   void quantize(double[] frequencies, int[] coefficients) {
     for (int i = 0; i < coefficients.length; i++) {

@@ -18,13 +18,14 @@ import org.u2sa.world.modeller.Sighting;
  * unknown, the grid covers the latest scans only.
  */
 public final class GridModeller implements Modeller {
+  /** Variables of the grid. */
   public record Tuning(
       @Variable(
               unit = "m",
               min = 0.01,
               max = 100,
               ifAbsent = 0.1,
-              text = "Side of a grid cell. Changes start the grid anew.")
+              text = "Side of a grid cell. A change clears the grid.")
           double cellSize,
       @Variable(
               unit = "m",
@@ -80,6 +81,7 @@ public final class GridModeller implements Modeller {
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 
+    /** Validates the limits. */
     public Tuning {
       if (gridSize / cellSize > MAX_CELLS) {
         throw new IllegalArgumentException(
@@ -91,6 +93,7 @@ public final class GridModeller implements Modeller {
       }
     }
 
+    /** The height band and range in which echoes count. */
     public ScanEntry.Band band() {
       return new ScanEntry.Band(lowest, highest, freeWithoutEcho);
     }
@@ -109,6 +112,7 @@ public final class GridModeller implements Modeller {
   private long beams;
   private boolean fresh; // in BODY: published since the last scan, so reset next
 
+  /** Creates an empty grid. */
   public GridModeller(Configurator configuration) {
     settings = configuration.settings(Tuning.class);
   }

@@ -45,6 +45,7 @@ public final class ObjectMapModeller implements Modeller {
   private long misread;
   private long absurd;
 
+  /** Creates an empty map. */
   public ObjectMapModeller(Configurator configuration) {
     settings = configuration.settings(ObjectMapSettings.class);
     heights = configuration.settings(GridModeller.Tuning.class);

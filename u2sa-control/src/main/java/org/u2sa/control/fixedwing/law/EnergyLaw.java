@@ -51,6 +51,7 @@ public final class EnergyLaw {
   private double throttle;
   private double pitch;
 
+  /** Starts with empty integrators. */
   public EnergyLaw(EnergyParameters parameters) {
     this.parameters = parameters;
   }
@@ -70,6 +71,7 @@ public final class EnergyLaw {
     climbDemand = Math.max(0.0, climbDemand);
   }
 
+  /** Stores the state of its integrators for a successor. */
   public void handOver(HandOver state) {
     state
         .number("FILTERED AIRSPEED", filteredAirspeed)
@@ -80,6 +82,7 @@ public final class EnergyLaw {
         .number("PITCH OF ENERGY", pitch);
   }
 
+  /** Continues from the state that a predecessor stored; resets without one. */
   public void takeOver(HandOver state) {
     filteredAirspeed = state.number("FILTERED AIRSPEED").orElse(Double.NaN);
     climbDemand = state.number("CLIMB DEMAND").orElse(0.0);

@@ -52,6 +52,7 @@ public final class FlareLaw {
   private double trimRad; // integral
   private double pitchRad;
 
+  /** Starts with an empty integrator. */
   public FlareLaw(Parameters parameters) {
     this.parameters = parameters;
   }
@@ -62,10 +63,12 @@ public final class FlareLaw {
     trimRad = Double.NaN;
   }
 
+  /** Stores the state of its integrators for a successor. */
   public void handOver(HandOver state) {
     state.number("FLARE PITCH", pitchRad).number("FLARE TRIM", trimRad);
   }
 
+  /** Continues from the state that a predecessor stored; resets without one. */
   public void takeOver(HandOver state) {
     pitchRad = state.number("FLARE PITCH").orElse(0.0);
     trimRad = state.number("FLARE TRIM").orElse(Double.NaN);

@@ -99,6 +99,7 @@ public final class GroundSteering {
   private double integral;
   private boolean lined;
 
+  /** Starts without a centre line. */
   public GroundSteering(Parameters parameters) {
     this.parameters = parameters;
   }
@@ -128,6 +129,7 @@ public final class GroundSteering {
     integral = rudder;
   }
 
+  /** Stores the state of its integrators for a successor. */
   public void handOver(HandOver state) {
     if (lined) {
       state
@@ -138,6 +140,7 @@ public final class GroundSteering {
     }
   }
 
+  /** Continues from the state that a predecessor stored; resets without one. */
   public void takeOver(HandOver state) {
     lined = state.number("CENTRELINE HEADING").isPresent();
     northM = state.number("CENTRELINE NORTH").orElse(0.0);
@@ -146,6 +149,7 @@ public final class GroundSteering {
     integral = state.number("STEERING INTEGRAL").orElse(0.0);
   }
 
+  /** Whether a centre line is set. */
   public boolean lined() {
     return lined;
   }

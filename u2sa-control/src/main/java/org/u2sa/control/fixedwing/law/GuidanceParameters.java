@@ -83,6 +83,7 @@ public record GuidanceParameters(
             text =
                 "Share of the wind speed added to the rotation speed and the minimum airspeed: gusts near the ground are as strong (MIL-F-8785C: σ about 0.2).")
         double gustShare) {
+  /** Validates the order of the speeds. */
   public GuidanceParameters {
     if (cruiseSpeed > fastestSpeed) {
       throw new IllegalArgumentException(

@@ -47,6 +47,7 @@ public final class PitchLaw {
   private final Parameters parameters;
   private final RateLoop loop;
 
+  /** Starts with an empty integrator. */
   public PitchLaw(Parameters parameters) {
     this.parameters = parameters;
     this.loop =
@@ -67,12 +68,14 @@ public final class PitchLaw {
     return -loop.step(rate + turnRate(state), state.pitchRate(), scale, dtS);
   }
 
+  /** Pitch rate of a coordinated turn at the current bank [rad/s]. */
   public static double turnRate(FlightState state) {
     double bank = Limit.symmetric(state.rollRad(), STEEPEST_RAD);
     double speed = Math.max(SLOWEST_MPS, state.trueAirspeedMps());
     return Gravity.STANDARD_MPS2 / speed * StrictMath.sin(bank) * StrictMath.tan(bank);
   }
 
+  /** Clears the integrator. */
   public void restart() {
     loop.restart(0.0);
   }
@@ -82,10 +85,12 @@ public final class PitchLaw {
     loop.restart(-surface);
   }
 
+  /** Stores the state of its integrators for a successor. */
   public void handOver(HandOver state) {
     state.number("PITCH INTEGRAL", loop.integral());
   }
 
+  /** Continues from the state that a predecessor stored; resets without one. */
   public void takeOver(HandOver state) {
     state.number("PITCH INTEGRAL").ifPresent(loop::restart);
   }

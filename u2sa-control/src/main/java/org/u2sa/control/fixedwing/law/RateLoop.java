@@ -18,6 +18,7 @@ public final class RateLoop {
   private final Gains gains;
   private double integral;
 
+  /** Starts with an empty integrator. */
   public RateLoop(Gains gains) {
     this.gains = gains;
   }
@@ -40,6 +41,7 @@ public final class RateLoop {
     return Limit.symmetric(direct + integral, 1.0);
   }
 
+  /** Value of the integrator: share of the deflection. */
   public double integral() {
     return integral;
   }

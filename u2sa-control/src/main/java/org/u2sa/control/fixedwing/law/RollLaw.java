@@ -33,6 +33,7 @@ public final class RollLaw {
   private final Parameters parameters;
   private final RateLoop loop;
 
+  /** Starts with an empty integrator. */
   public RollLaw(Parameters parameters) {
     this.parameters = parameters;
     this.loop =
@@ -53,6 +54,7 @@ public final class RollLaw {
     return loop.step(rate, state.rollRate(), scale, dtS);
   }
 
+  /** Clears the integrator. */
   public void restart() {
     loop.restart(0.0);
   }
@@ -62,10 +64,12 @@ public final class RollLaw {
     loop.restart(surface);
   }
 
+  /** Stores the state of its integrators for a successor. */
   public void handOver(HandOver state) {
     state.number("ROLL INTEGRAL", loop.integral());
   }
 
+  /** Continues from the state that a predecessor stored; resets without one. */
   public void takeOver(HandOver state) {
     state.number("ROLL INTEGRAL").ifPresent(loop::restart);
   }

@@ -7,6 +7,7 @@ package org.u2sa.control.fixedwing.law;
 public final class StallGuard {
   private final GuidanceParameters parameters;
 
+  /** Guards by the stall speed of these parameters. */
   public StallGuard(GuidanceParameters parameters) {
     this.parameters = parameters;
   }

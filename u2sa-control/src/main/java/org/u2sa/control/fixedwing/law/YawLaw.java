@@ -38,6 +38,7 @@ public final class YawLaw {
   private final Parameters parameters;
   private double integral;
 
+  /** Starts with an empty integrator. */
   public YawLaw(Parameters parameters) {
     this.parameters = parameters;
   }
@@ -65,10 +66,12 @@ public final class YawLaw {
         * StrictMath.cos(state.pitchRad());
   }
 
+  /** Stores the state of its integrators for a successor. */
   public void handOver(HandOver state) {
     state.number("YAW INTEGRAL", integral);
   }
 
+  /** Continues from the state that a predecessor stored; resets without one. */
   public void takeOver(HandOver state) {
     state.number("YAW INTEGRAL").ifPresent(this::restart);
   }

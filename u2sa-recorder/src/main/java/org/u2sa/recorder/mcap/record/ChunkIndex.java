@@ -26,6 +26,7 @@ public record ChunkIndex(
     String compression,
     long compressedSize,
     long size) {
+  /** Appends the record, opcode and length included. */
   public void write(RecordBuffer out) {
     out.begin(Opcode.CHUNK_INDEX).uint64(startNanos).uint64(endNanos);
     out.uint64(offset).uint64(length);
@@ -35,6 +36,7 @@ public record ChunkIndex(
     out.uint64(messageIndexLength).string(compression).uint64(compressedSize).uint64(size).end();
   }
 
+  /** Reads the fields of a record. */
   public static ChunkIndex read(RecordFields in) throws McapException {
     long start = in.uint64();
     long end = in.uint64();

@@ -13,12 +13,14 @@ import java.util.zip.CRC32;
  */
 public record McapAttachment(
     long logTimeNanos, long createTimeNanos, String name, String mediaType, byte[] data) {
+  /** Appends the record, opcode and length included. */
   public void write(RecordBuffer out) {
     out.begin(Opcode.ATTACHMENT).uint64(logTimeNanos).uint64(createTimeNanos);
     out.string(name).string(mediaType).uint64(data.length).bytes(data, 0, data.length);
     out.uint32(out.crcOfContent()).end();
   }
 
+  /** Reads the fields of a record. */
   public static McapAttachment read(RecordFields in) throws McapException {
     long logTime = in.uint64();
     long createTime = in.uint64();

@@ -13,11 +13,13 @@ import java.util.Map;
  */
 public record McapChannel(
     int id, int schemaId, String topic, String messageEncoding, Map<String, String> metadata) {
+  /** Appends the record, opcode and length included. */
   public void write(RecordBuffer out) {
     out.begin(Opcode.CHANNEL).uint16(id).uint16(schemaId).string(topic).string(messageEncoding);
     out.map(metadata).end();
   }
 
+  /** Reads the fields of a record. */
   public static McapChannel read(RecordFields in) throws McapException {
     return new McapChannel(in.uint16(), in.uint16(), in.string(), in.string(), in.map());
   }

@@ -14,11 +14,13 @@ public record McapMessage(
   /** Size of a message record without its payload [B]. */
   public static final int FIXED = 2 + 4 + 8 + 8;
 
+  /** Appends the record, opcode and length included. */
   public void write(RecordBuffer out) {
     out.begin(Opcode.MESSAGE).uint16(channelId).uint32(sequence);
     out.uint64(logTimeNanos).uint64(publishTimeNanos).bytes(data, 0, data.length).endAsIs();
   }
 
+  /** Reads the fields of a record. */
   public static McapMessage read(RecordFields in) throws McapException {
     return new McapMessage(
         in.uint16(), in.uint32(), in.uint64(), in.uint64(), in.bytes(in.remaining()));

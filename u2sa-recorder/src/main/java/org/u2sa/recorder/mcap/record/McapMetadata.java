@@ -9,10 +9,12 @@ import java.util.Map;
  * @param entries texts by name, in the order of writing
  */
 public record McapMetadata(String name, Map<String, String> entries) {
+  /** Appends the record, opcode and length included. */
   public void write(RecordBuffer out) {
     out.begin(Opcode.METADATA).string(name).map(entries).end();
   }
 
+  /** Reads the fields of a record. */
   public static McapMetadata read(RecordFields in) throws McapException {
     return new McapMetadata(in.string(), in.map());
   }

@@ -26,6 +26,7 @@ public record McapStatistics(
     long startNanos,
     long endNanos,
     Map<Integer, Long> messagesByChannel) {
+  /** Appends the record, opcode and length included. */
   public void write(RecordBuffer out) {
     out.begin(Opcode.STATISTICS).uint64(messages).uint16(schemas).uint32(channels);
     out.uint32(attachments).uint32(metadata).uint32(chunks).uint64(startNanos).uint64(endNanos);
@@ -35,6 +36,7 @@ public record McapStatistics(
     out.end();
   }
 
+  /** Reads the fields of a record. */
   public static McapStatistics read(RecordFields in) throws McapException {
     long messages = in.uint64();
     int schemas = in.uint16();

@@ -23,6 +23,7 @@ public final class RecordBuffer {
     this.laterFields = laterFields;
   }
 
+  /** Begins a record with an opcode; end writes its length. */
   public RecordBuffer begin(int opcode) {
     room(Opcode.PREFIX);
     bytes.put((byte) opcode).putLong(0);
@@ -43,30 +44,35 @@ public final class RecordBuffer {
     bytes.putLong(start - Long.BYTES, bytes.position() - start);
   }
 
+  /** Appends one byte. */
   public RecordBuffer uint8(int value) {
     room(1);
     bytes.put((byte) value);
     return this;
   }
 
+  /** Appends an unsigned 16-bit integer. */
   public RecordBuffer uint16(int value) {
     room(Short.BYTES);
     bytes.putShort((short) value);
     return this;
   }
 
+  /** Appends an unsigned 32-bit integer. */
   public RecordBuffer uint32(long value) {
     room(Integer.BYTES);
     bytes.putInt((int) value);
     return this;
   }
 
+  /** Appends an unsigned 64-bit integer. */
   public RecordBuffer uint64(long value) {
     room(Long.BYTES);
     bytes.putLong(value);
     return this;
   }
 
+  /** Appends a UTF-8 string with its length. */
   public RecordBuffer string(String value) {
     byte[] text = value.getBytes(StandardCharsets.UTF_8);
     return uint32(text.length).bytes(text, 0, text.length);
@@ -85,10 +91,12 @@ public final class RecordBuffer {
     return bytes.position();
   }
 
+  /** Writes the 32-bit length of everything since that position. */
   public void endLength(int from) {
     bytes.putInt(from - Integer.BYTES, bytes.position() - from);
   }
 
+  /** Appends part of an array. */
   public RecordBuffer bytes(byte[] data, int offset, int length) {
     room(length);
     bytes.put(data, offset, length);
@@ -98,7 +106,7 @@ public final class RecordBuffer {
   /** Writes into an array from an offset, and returns the end offset. */
   @FunctionalInterface
   public interface Filler {
-    public int fill(byte[] array, int from);
+    int fill(byte[] array, int from);
   }
 
   /** Appends the filler's output, at most this many bytes. */
@@ -128,6 +136,7 @@ public final class RecordBuffer {
     return crc.getValue();
   }
 
+  /** Number of bytes in the buffer. */
   public int length() {
     return bytes.position();
   }
@@ -137,6 +146,7 @@ public final class RecordBuffer {
     return bytes.array();
   }
 
+  /** Removes all bytes. */
   public void clear() {
     place(bytes).clear();
   }

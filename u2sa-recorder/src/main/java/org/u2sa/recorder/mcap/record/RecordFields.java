@@ -15,10 +15,12 @@ public final class RecordFields {
   private final ByteBuffer bytes;
   private final Buffer place; // alias: Android 28 has position(int) in Buffer only
 
+  /** Reads all of an array. */
   public RecordFields(byte[] content) {
     this(content, 0, content.length);
   }
 
+  /** Reads part of an array. */
   public RecordFields(byte[] content, int from, int length) {
     this.content = content;
     this.from = from;
@@ -26,30 +28,36 @@ public final class RecordFields {
     place = bytes;
   }
 
+  /** Reads one byte. */
   public int uint8() throws McapException {
     require(1);
     return bytes.get() & 0xFF;
   }
 
+  /** Reads an unsigned 16-bit integer. */
   public int uint16() throws McapException {
     require(Short.BYTES);
     return bytes.getShort() & 0xFFFF;
   }
 
+  /** Reads an unsigned 32-bit integer. */
   public long uint32() throws McapException {
     require(Integer.BYTES);
     return bytes.getInt() & 0xFFFF_FFFFL;
   }
 
+  /** Reads an unsigned 64-bit integer. */
   public long uint64() throws McapException {
     require(Long.BYTES);
     return bytes.getLong();
   }
 
+  /** Reads a UTF-8 string with its length. */
   public String string() throws McapException {
     return new String(bytes(uint32()), StandardCharsets.UTF_8);
   }
 
+  /** Reads this many bytes. */
   public byte[] bytes(long length) throws McapException {
     require(length);
     byte[] value = new byte[(int) length];
@@ -81,6 +89,7 @@ public final class RecordFields {
     return crc;
   }
 
+  /** Number of bytes not yet read. */
   public int remaining() {
     return bytes.remaining();
   }
@@ -90,6 +99,7 @@ public final class RecordFields {
     return bytes.position();
   }
 
+  /** Skips this many bytes. */
   public void skip(long length) throws McapException {
     require(length);
     place.position(bytes.position() + (int) length);
