@@ -111,6 +111,9 @@ final class Fuser {
     }
     int at = trust.of(s, source, quantity);
     int slot = persistent.slot(s, m, quantity, source, at);
+    if (PersistentErrors.isPosition(slot) && s.trust[at + SourceTrust.LEARNT] == 0.0) {
+      SourceTrust.raise(s.trust, at, PersistentErrors.ALL_WHITE); // until its scatter is known
+    }
     int delay = delays.slot(s, quantity, source);
     if (starts.begin(s, m, quantity, at, slot)) {
       DelayErrors.share(s, delay);

@@ -17,9 +17,12 @@ import org.u2sa.messages.frame.Rotation;
  */
 public record SensorPose(Point place, Point vehicle, Point ahead, Point aside) {
   /**
+   * Pose of the sensor of a scan in the map.
+   *
+   * @param vehicle state of the vehicle at the time of the scan; empty in a map in BODY
    * @throws IllegalArgumentException if the scan is not in a body frame
    */
-  static SensorPose of(RangeScan scan, MapFrame map, Optional<StateInformation> vehicle) {
+  public static SensorPose of(RangeScan scan, MapFrame map, Optional<StateInformation> vehicle) {
     ReferenceFrame frame = scan.referenceFrame();
     if (!frame.isBody()) {
       throw new IllegalArgumentException(
