@@ -72,7 +72,11 @@ public final class DirectPath {
     }
   }
 
-  public static void main(String[] args) throws Exception {
+  public static void main(String[] args) {
+    Bench.runAndExit(() -> measureAll(args));
+  }
+
+  private static void measureAll(String[] args) throws Exception {
     Bench.printMachine("Way of a message");
     int port = Integer.parseInt(args[0]);
     try (CommunicationManager manager = Bench.manager(port)) {
@@ -85,7 +89,6 @@ public final class DirectPath {
     if (args.length > 1) {
       measure("MQTT, Mosquitto", Bench.mqtt(Integer.parseInt(args[1])), 3_000, 30_000, 200);
     }
-    System.exit(0);
   }
 
   private static ServiceContext context(Transport transport, Path logs, double spin) {

@@ -125,7 +125,12 @@ public final class ChainBenchmark {
       System.out.print(HELP);
       return;
     }
-    new ChainBenchmark(args).run();
-    System.exit(0);
+    try {
+      new ChainBenchmark(args).run();
+      System.exit(0);
+    } catch (Exception e) {
+      e.printStackTrace();
+      System.exit(1); // running services would keep the process alive
+    }
   }
 }

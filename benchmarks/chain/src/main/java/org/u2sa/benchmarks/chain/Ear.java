@@ -9,7 +9,7 @@ import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
-/** Hears one channel, counts, and times: a message's x is when it was sent [ns], 0 if it is not timed. */
+/** Hears one channel, counts, and times: a message's x is when it was sent [s], 0 if it is not timed. */
 final class Ear extends EventDrivenService {
   private final Histogram took = new SynchronizedHistogram(60_000_000_000L, 3);
   private final AtomicLong heard = new AtomicLong();
@@ -24,7 +24,7 @@ final class Ear extends EventDrivenService {
 
   private void hear(StateInformation message) {
     long now = System.nanoTime();
-    long sent = (long) message.x().orElse(0.0); // up to 2^53 ns a double has each
+    long sent = Math.round(Voice.NANOS_PER_S * message.x().orElse(0.0)); // exact up to 2^53 ns
     if (sent > 0) {
       took.recordValueWithExpectedInterval(Math.max(1, now - sent), periodNanos);
     }

@@ -213,7 +213,12 @@ public final class FanOutBenchmark {
       System.out.println("--subscribers 1,10,100 --ways direct,mqtt --hz 50 --seconds 5 --rounds 2 --flood 100000 --json FILE");
       return;
     }
-    new FanOutBenchmark(args).run();
-    System.exit(0);
+    try {
+      new FanOutBenchmark(args).run();
+      System.exit(0);
+    } catch (Exception e) {
+      e.printStackTrace();
+      System.exit(1); // running services would keep the process alive
+    }
   }
 }

@@ -8,6 +8,8 @@ import org.u2sa.service.ServiceRole;
 
 /** Publishes on one channel, from the benchmark's thread. */
 final class Voice extends EventDrivenService {
+  static final double NANOS_PER_S = 1e9; // x of the messages is a time in seconds: its range is ±1e9
+
   private final Channel<StateInformation> channel;
 
   Voice(ServiceContext context, Channel<StateInformation> channel) {
@@ -21,6 +23,6 @@ final class Voice extends EventDrivenService {
    * @return whether it was taken
    */
   boolean say(long sentNanos) {
-    return publish(channel, new StateInformation().sensorName("Voice").x(sentNanos));
+    return publish(channel, new StateInformation().sensorName("Voice").x(sentNanos / NANOS_PER_S));
   }
 }

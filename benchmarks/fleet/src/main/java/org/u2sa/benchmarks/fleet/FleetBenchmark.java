@@ -155,7 +155,12 @@ public final class FleetBenchmark {
       System.out.print(HELP);
       return;
     }
-    new FleetBenchmark(args).run();
-    System.exit(0);
+    try {
+      new FleetBenchmark(args).run();
+      System.exit(0);
+    } catch (Exception e) {
+      e.printStackTrace();
+      System.exit(1); // running services would keep the process alive
+    }
   }
 }
