@@ -39,7 +39,7 @@ public abstract class RunBackendContract {
     backend = backend(directory);
   }
 
-  static RunRequest request(int number, boolean keepsFiles, String... more) {
+  protected static RunRequest request(int number, boolean keepsFiles, String... more) {
     List<String> arguments = new ArrayList<>(List.of("trial", "--seed", Integer.toString(number)));
     arguments.addAll(List.of(more));
     return new RunRequest(number, arguments, "run-" + number, keepsFiles);

@@ -75,6 +75,9 @@ final class WorkerPool implements RunBackend {
       if (e.getCause() instanceof RuntimeException known) {
         throw known;
       }
+      if (e.getCause() instanceof Error error) {
+        throw error;
+      }
       throw new RunFailedException(
           "a process of the campaign could not be started: " + e.getCause().getMessage(), e);
     }
@@ -107,7 +110,7 @@ final class WorkerPool implements RunBackend {
         }
         tell(next, answer, done);
       }
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) {
       stop(); // the other runs are no longer needed
       throw e;
     } finally {
@@ -119,8 +122,14 @@ final class WorkerPool implements RunBackend {
 
   private void tell(RunRequest request, RunAnswer answer, BiConsumer<RunRequest, RunAnswer> done) {
     synchronized (lock) {
-      if (answer != null && !stopped) { // if aborted, treat the run as not started
+      if (answer == null || stopped) {
+        return; // aborted: treat the run as not started
+      }
+      try {
         done.accept(request, answer);
+      } catch (RuntimeException | Error e) {
+        stop(); // before another thread gets the lock: a listener that failed is told nothing more
+        throw e;
       }
     }
   }
@@ -148,6 +157,9 @@ final class WorkerPool implements RunBackend {
               Path.of("").toAbsolutePath(),
               ProcessBuilder.Redirect.appendTo(directory.resolve("workers.log").toFile()));
       working.add(worker);
+      if (stopped) {
+        worker.close(); // stop() came between the caller's check and this process
+      }
       return worker;
     }
   }
