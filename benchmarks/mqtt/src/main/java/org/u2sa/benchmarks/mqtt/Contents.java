@@ -5,8 +5,10 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.StateInformation;
 
-/** What is sent: bytes that open with the time of sending, or a state that has it as y. */
+/** What is sent: bytes that open with the time of sending, or a state that has it as x. */
 final class Contents {
+  private static final double NANOS_PER_S = 1e9; // x has a range: times are in seconds
+
   static final String SYSTEM = "benchmark";
   private static final int NUMBERS_BYTES = 40; // of a state besides the filling text
   private static final SystemClock CLOCK = new SystemClock();
@@ -18,7 +20,7 @@ final class Contents {
     return quality == 1
         ? Channel.every("benchmark-every", StateInformation.TYPE)
         : Channel.latest(
-            "benchmark", StateInformation.TYPE, state -> String.valueOf(state.y().orElse(0)));
+            "benchmark", StateInformation.TYPE, state -> String.valueOf(state.x().orElse(0)));
   }
 
   static byte[] bytes(int length, long sentNanos) {
@@ -35,7 +37,7 @@ final class Contents {
   }
 
   static StateInformation state(String filling, long sentNanos) {
-    return new StateInformation().sensorName(filling).x(1.0).y(sentNanos);
+    return new StateInformation().sensorName(filling).x(sentNanos / NANOS_PER_S).y(1.0);
   }
 
   static StateInformation frozen(String filling, long sentNanos) {
@@ -47,6 +49,6 @@ final class Contents {
   }
 
   static long sentNanos(StateInformation state) {
-    return (long) state.y().orElseThrow();
+    return Math.round(NANOS_PER_S * state.x().orElseThrow()); // exact up to 2^53 ns
   }
 }
