@@ -14,11 +14,6 @@ final class LookAround {
   private long turnedMicros = Long.MIN_VALUE;
   private double headingRad;
 
-  /** Ends the search because a route exists. */
-  void end() {
-    turnedMicros = Long.MIN_VALUE;
-  }
-
   /** Heading to look to [rad]. */
   double headingRad(Pose pose, long micros) {
     if (turnedMicros == Long.MIN_VALUE || micros - turnedMicros > EACH_MICROS) {

@@ -15,12 +15,13 @@ final class TrafficHold {
   private static final double PATIENCE_S = 300.0;
 
   private long lastMicros;
-  private long heldMicros; // for this goal
+  private long heldMicros;
 
-  /** Called when another goal is started. */
-  void begin(long micros) {
+  /**
+   * @param micros time at which the goal is begun [µs]
+   */
+  TrafficHold(long micros) {
     lastMicros = micros;
-    heldMicros = 0;
   }
 
   /**

@@ -1,2 +1,4 @@
-/** Obstacle avoidance on the way to a goal: passages, guesses, waiting, and looking around. */
+/**
+ * Obstacle avoidance on the way to a goal: routes, virtual obstacles, waiting, and looking around.
+ */
 package org.u2sa.planning.avoidance;

@@ -15,7 +15,7 @@ import org.u2sa.planning.seen.SeenWorld;
  * Virtual obstacles that the planner adds while another route exists: the way back, gaps found
  * closed, and the wrong sides of marks. Confined to the planner's thread.
  */
-final class Guesses {
+final class VirtualObstacles {
   private final SeenWorld world;
   private final FalseGaps gaps = new FalseGaps();
   private final PassSides sides = new PassSides();
@@ -24,7 +24,7 @@ final class Guesses {
   /**
    * @param world world to which they are added
    */
-  Guesses(SeenWorld world) {
+  VirtualObstacles(SeenWorld world) {
     this.world = world;
   }
 

@@ -23,7 +23,7 @@ import org.u2sa.planning.search.Inflation;
 import org.u2sa.planning.seen.SeenWorld;
 
 /** What the planner closes by itself, seen in what ways cost. The vehicle stands at the origin. */
-class GuessesTest {
+class VirtualObstaclesTest {
   private static final double RADIUS_M = 0.6;
 
   private final SeenWorld world =
@@ -33,7 +33,7 @@ class GuessesTest {
                   0.1, 20.0, new Inflation(RADIUS_M, 1.4, 3.0), 0.65, "corridor", List.of(), 0.0));
   private final StateInformation state =
       new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).z(0.0).psi(0.0);
-  private final Guesses guesses = new Guesses(world);
+  private final VirtualObstacles obstacles = new VirtualObstacles(world);
   private final RouteTrack northward =
       new RouteTrack(
           Route.of(List.of(new Route.Point(0.0, 0.0, false), new Route.Point(8.0, 0.0, false)), 8));
@@ -71,7 +71,7 @@ class GuessesTest {
   private void blockTwice() {
     for (double seconds : new double[] {10.0, 20.0}) {
       see(post(2.5, 0.3));
-      guesses.blocked(northward, Clock.micros(seconds));
+      obstacles.blocked(northward, Clock.micros(seconds));
       see();
     }
   }
@@ -87,7 +87,7 @@ class GuessesTest {
   @Test
   void forgetGaps_afterTwo_opensThem() {
     blockTwice();
-    guesses.forgetGaps();
+    obstacles.forgetGaps();
     update();
     assertThat(isFree(2.0, 0.0)).isTrue();
   }
@@ -96,7 +96,7 @@ class GuessesTest {
   void closeBehind_betweenTwoLines_theWayBackIsClosed() {
     see(line(-2.0), line(2.0));
     assertThat(isFree(-1.0, 0.0)).isTrue();
-    guesses.closeBehind(new Pose(0.0, 0.0, 0.0), RADIUS_M, 3.5);
+    obstacles.closeBehind(new Pose(0.0, 0.0, 0.0), RADIUS_M, 3.5);
     update();
     assertThat(isFree(-1.0, 0.0)).isFalse();
     assertThat(isFree(1.5, 0.0)).isTrue();
@@ -122,7 +122,7 @@ class GuessesTest {
             .settings(AvoidanceSettings.class)
             .get();
     assertThat(isFree(3.0, 2.0)).isTrue();
-    guesses.keepSides(new Pose(0.0, 0.0, 0.0), state, Optional.of(northward), settings);
+    obstacles.keepSides(new Pose(0.0, 0.0, 0.0), state, Optional.of(northward), settings);
     update();
     assertThat(isFree(3.0, 2.0)).isFalse();
     assertThat(isFree(3.0, -2.0)).isTrue();

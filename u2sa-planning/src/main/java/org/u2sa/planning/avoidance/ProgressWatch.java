@@ -9,19 +9,19 @@ import org.u2sa.interfaces.time.Clock;
  * gap that is a sensor error, so only the remaining distance to the goal counts. Confined to the
  * planner's thread.
  */
-final class Nearing {
+final class ProgressWatch {
   /** Without progress, a goal is given up after the time to travel the route this many times. */
   private static final double MAX_ROUTES = 4.0;
 
-  private double nearestM; // shortest remaining route to this goal [m]
+  private double nearestM = Double.POSITIVE_INFINITY; // shortest remaining route to this goal [m]
   private double longestM; // longest remaining route since then [m]
   private long nearestMicros;
 
-  /** Called when another goal is started. */
-  void begin(long micros) {
+  /**
+   * @param micros time at which the goal is begun [µs]
+   */
+  ProgressWatch(long micros) {
     nearestMicros = micros;
-    nearestM = Double.POSITIVE_INFINITY;
-    longestM = 0.0;
   }
 
   /** Excludes time in which something else held the vehicle up. */

@@ -1,0 +1,124 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import org.u2sa.planning.local.ArcChoice;
+import org.u2sa.planning.local.ArcChooser;
+import org.u2sa.planning.local.RouteTrack;
+
+/**
+ * The attempt to reach one goal, a state machine:
+ *
+ * <pre>
+ * {@link Searching} ── route found ──▶ {@link Following} ── no progress ──▶ {@link BackingOut}
+ *        ◀── route blocked, none left ──                                         │
+ *        ◀───────────────────────── backed out ─────────────────────────────────┘
+ * </pre>
+ *
+ * <p>It ends with a reason for giving up, or when the goal is reached. Confined to the planner's
+ * thread.
+ */
+final class GoalAttempt {
+  private static final int BACKING_SHARE =
+      3; // a stuck vehicle backs out for a third of STUCK AFTER
+
+  private final RouteKeeper routes;
+  private final Passages passages;
+  private final BiConsumer<String, Boolean> say;
+  private final ProgressWatch watch;
+  private final TrafficHold hold;
+  private Behaviour behaviour;
+  private int recoveries;
+  private long overlooksUntil = Long.MIN_VALUE;
+
+  /**
+   * @param say reports a message to the operator; true for a warning
+   * @param micros time of the first step [µs]
+   */
+  GoalAttempt(RouteKeeper routes, Passages passages, BiConsumer<String, Boolean> say, long micros) {
+    this.routes = routes;
+    this.passages = passages;
+    this.say = say;
+    watch = new ProgressWatch(micros);
+    hold = new TrafficHold(micros);
+    behaviour = new Searching(routes, micros);
+  }
+
+  /** Whether the vehicle has freed itself at least once. */
+  boolean hasRecovered() {
+    return recoveries > 0;
+  }
+
+  /**
+   * Whether to ignore obstacles that are guessed rather than seen: for a while whenever none of the
+   * remaining routes was free for a while, because a gap may have been closed in error.
+   */
+  boolean overlooks(AvoidanceSettings settings, long micros) {
+    if (at(micros) instanceof Searching search && search.doubtsObstacles(settings, micros)) {
+      if (micros >= overlooksUntil) {
+        say.accept("no way: passes through what is only guessed", false);
+        routes.tryAgain();
+      }
+      overlooksUntil = micros + settings.overlookMicros();
+    }
+    return micros < overlooksUntil;
+  }
+
+  /** Chooses the motion of this step, after {@link RouteKeeper#update}. */
+  ArcChoice choose(ArcChooser arcs, Situation now) {
+    behaviour = next(at(now.micros()), now.micros());
+    return behaviour.choose(arcs, now);
+  }
+
+  private Behaviour at(long micros) {
+    return behaviour instanceof BackingOut backing ? backing.at(micros) : behaviour;
+  }
+
+  private Behaviour next(Behaviour current, long micros) {
+    if (current instanceof BackingOut) {
+      return current;
+    }
+    Optional<RouteTrack> track = routes.track();
+    if (track.isEmpty()) {
+      return current instanceof Searching ? current : new Searching(routes, micros);
+    }
+    return current instanceof Following following && following.isAlong(track.get())
+        ? current
+        : new Following(track.get(), watch);
+  }
+
+  /**
+   * Judges the progress, and frees the vehicle if it is stuck.
+   *
+   * @param choice motion of this step
+   * @param trafficNear whether traffic can reach the vehicle soon
+   * @return reason for giving up, or empty
+   */
+  Optional<String> judge(ArcChoice choice, boolean trafficNear, Situation now) {
+    long held = hold.pass(choice.kind(), trafficNear, now.micros());
+    behaviour.leaveOut(held);
+    watch.leaveOut(held);
+    Optional<String> reason = behaviour.givesUp(now);
+    if (reason.isPresent() || !behaviour.isStuck(now)) {
+      return reason;
+    }
+    if (recoveries >= now.settings().recoveries()) {
+      return Optional.of(
+          choice.kind() == ArcChoice.Kind.WAIT
+              ? "traffic or obstacles leave no room to move"
+              : "stuck after " + recoveries + " attempts to free itself");
+    }
+    backOut(now);
+    return Optional.empty();
+  }
+
+  private void backOut(Situation now) {
+    recoveries++;
+    passages.widen();
+    say.accept(
+        "stuck: frees itself, attempt " + recoveries + " of " + now.settings().recoveries(), false);
+    long until = now.micros() + now.settings().stuckMicros() / BACKING_SHARE;
+    behaviour = new BackingOut(until, new Searching(routes, now.micros()));
+    routes.dropUntil(until - now.settings().replanMicros()); // then planning is due
+  }
+}

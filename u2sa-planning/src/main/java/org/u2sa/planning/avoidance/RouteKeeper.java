@@ -1,0 +1,191 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Supplier;
+import org.u2sa.planning.local.RouteTrack;
+import org.u2sa.planning.route.Mobility;
+import org.u2sa.planning.route.Route;
+import org.u2sa.planning.route.RoutePlanner;
+import org.u2sa.planning.route.RouteRequest;
+import org.u2sa.planning.search.CostGrid;
+import org.u2sa.planning.seen.SeenWorld;
+
+/**
+ * Keeps a route to the goal: plans when there is none, when it is blocked or was left, and when a
+ * better one may exist. Confined to the planner's thread.
+ */
+final class RouteKeeper {
+  /**
+   * Hysteresis: a new route replaces the old one if it costs no more than this share of the old
+   * one's remainder.
+   */
+  private static final double BETTER = 0.9;
+
+  private static final double TURN_MARGIN = 1.05; // routes turn wider than the vehicle can
+
+  private final SeenWorld world;
+  private final VirtualObstacles obstacles;
+  private final Passages passages;
+  private final Supplier<RoutePlanner> planner;
+  private final BiConsumer<String, Boolean> say;
+
+  private Optional<RouteTrack> track = Optional.empty();
+  private String obstacle = ""; // reason for the absence of a route
+  private boolean searches; // search in progress: no route until it ends
+  private int revision; // world revision last checked
+  private int triedRevision = -1; // world revision of the last search
+  private long plannedMicros = Long.MIN_VALUE / 2;
+
+  /**
+   * @param planner the configured planner
+   * @param say reports a message to the operator; true for a warning
+   */
+  RouteKeeper(
+      SeenWorld world,
+      VirtualObstacles obstacles,
+      Passages passages,
+      Supplier<RoutePlanner> planner,
+      BiConsumer<String, Boolean> say) {
+    this.world = world;
+    this.obstacles = obstacles;
+    this.passages = passages;
+    this.planner = planner;
+    this.say = say;
+  }
+
+  /** Called when another goal is started. */
+  void begin() {
+    dropUntil(Long.MIN_VALUE / 2);
+    obstacle = "";
+  }
+
+  /** Drops the route. The next one is planned from the pose at a time [µs]. */
+  void dropUntil(long micros) {
+    track = Optional.empty();
+    searches = false;
+    plannedMicros = micros;
+    tryAgain();
+  }
+
+  /** Plans again although the world is the one in which no route was found. */
+  void tryAgain() {
+    triedRevision = -1;
+  }
+
+  /** The route, with the vehicle's progress along it. */
+  Optional<RouteTrack> track() {
+    return track;
+  }
+
+  /** Reason why there is no route, or empty. */
+  String obstacle() {
+    return obstacle;
+  }
+
+  /** Whether a search for a route goes on. */
+  boolean isSearching() {
+    return searches;
+  }
+
+  /** Updates the vehicle's progress along the route, and the route. */
+  void update(Situation now) {
+    double off = track.map(route -> follow(route, now)).orElse(0.0);
+    double leftM = Math.max(now.limits().lookAheadM(), 0.5 * now.limits().turnRadiusM());
+    boolean changed = world.revision() != revision;
+    boolean blocked = changed && track.isPresent() && costLeft() == Double.POSITIVE_INFINITY;
+    boolean due = now.micros() - plannedMicros >= now.settings().replanMicros();
+    boolean hopeless = track.isEmpty() && world.revision() == triedRevision;
+    boolean lacking = track.isEmpty() && (searches || (due && !hopeless));
+    revision = world.revision();
+    if (blocked && now.settings().stops()) {
+      obstacles.blocked(track.get(), now.micros());
+    }
+    if (goalMoved(now) || lacking || blocked || (off > leftM && due)) {
+      replace(plan(now));
+    } else if (changed && due) {
+      Route route = plan(now);
+      if (route.exists() && route.cost() < BETTER * costLeft()) {
+        track = Optional.of(new RouteTrack(route));
+      }
+    }
+  }
+
+  /** Distance of the vehicle off the route [m]. */
+  private double follow(RouteTrack route, Situation now) {
+    double ahead = now.limits().lookAheadM();
+    double reached = Math.min(0.25 * ahead, 3.0 * now.cellM());
+    return route.follow(now.pose().northM(), now.pose().eastM(), reached, ahead);
+  }
+
+  private boolean goalMoved(Situation now) {
+    if (track.isEmpty()) {
+      return false;
+    }
+    int last = track.get().count() - 1;
+    double moved =
+        Math.hypot(
+            track.get().northM(last) - now.goalNorthM(), track.get().eastM(last) - now.goalEastM());
+    return moved > now.wanted().thresholdM() + now.cellM();
+  }
+
+  private void replace(Route route) {
+    track = route.exists() ? Optional.of(new RouteTrack(route)) : Optional.empty();
+    obstacle = route.obstacle();
+    searches = route.goesOn();
+    triedRevision = revision; // a longer search may have missed recent changes
+    if (!route.exists() && !route.goesOn()) {
+      obstacles.forgetGaps();
+      if (passages.narrow()) {
+        tryAgain();
+        say.accept("no way with room to turn: tries narrower passages", false);
+      }
+    }
+  }
+
+  private Route plan(Situation now) {
+    plannedMicros = now.micros();
+    if (!searches) {
+      triedRevision = world.revision();
+    }
+    AvoidanceSettings settings = now.settings();
+    return planner
+        .get()
+        .plan(
+            new RouteRequest(
+                now.pose(),
+                now.goalNorthM(),
+                now.goalEastM(),
+                now.wanted().headingRad(),
+                now.wanted().thresholdM(),
+                new Mobility(
+                    now.body(),
+                    settings.clearance(),
+                    TURN_MARGIN * now.slowRadiusM(),
+                    settings.reverses()),
+                world.costs(),
+                world.shapes(),
+                world.corridors(),
+                settings.effort()));
+  }
+
+  /** Current cost of the rest of the route [m]; infinite if it is blocked. */
+  private double costLeft() {
+    CostGrid costs = world.costs();
+    RouteTrack route = track.get();
+    double north = route.northAheadM(0.0);
+    double east = route.eastAheadM(0.0);
+    double sum = 0.0;
+    for (int i = route.next(); i < route.count(); i++) {
+      double cost = costs.straightCost(north, east, route.northM(i), route.eastM(i));
+      boolean besideStart = i == route.next() && cost == Double.POSITIVE_INFINITY;
+      if (besideStart && costs.cost(north, east) == Double.POSITIVE_INFINITY) {
+        cost = Math.hypot(route.northM(i) - north, route.eastM(i) - east); // it is leaving
+      }
+      sum += cost;
+      north = route.northM(i);
+      east = route.eastM(i);
+    }
+    return sum;
+  }
+}

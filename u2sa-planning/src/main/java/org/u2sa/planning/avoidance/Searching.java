@@ -1,0 +1,60 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.Optional;
+import org.u2sa.planning.local.ArcChoice;
+import org.u2sa.planning.local.ArcChooser;
+
+/**
+ * Waits for a route; after a while, looks around for one. Gives up after {@code GIVE UP AFTER}.
+ * Confined to the planner's thread.
+ */
+final class Searching implements Behaviour {
+  /** A moving vehicle restarts its search, which may therefore not terminate. */
+  private static final String NOT_IN_TIME = "no way to the goal was found in time";
+
+  private final RouteKeeper routes;
+  private final LookAround lookAround = new LookAround();
+  private long sinceMicros;
+
+  /**
+   * @param sinceMicros time of the first step without a route [µs]
+   */
+  Searching(RouteKeeper routes, long sinceMicros) {
+    this.routes = routes;
+    this.sinceMicros = sinceMicros;
+  }
+
+  /** Whether it lasts so long that obstacles which are only guessed are to be ignored. */
+  boolean doubtsObstacles(AvoidanceSettings settings, long micros) {
+    return settings.overlookAfter() > 0.0 && micros - sinceMicros > settings.overlookMicros();
+  }
+
+  @Override
+  public ArcChoice choose(ArcChooser arcs, Situation now) {
+    AvoidanceSettings settings = now.settings();
+    boolean looks =
+        settings.overlookAfter() > 0.0
+            && now.micros() - sinceMicros > 2 * settings.overlookMicros();
+    return looks
+        ? arcs.lookTo(lookAround.headingRad(now.pose(), now.micros()))
+        : arcs.withoutRoute();
+  }
+
+  @Override
+  public void leaveOut(long micros) {
+    sinceMicros += micros;
+  }
+
+  @Override
+  public Optional<String> givesUp(Situation now) {
+    if (now.micros() - sinceMicros < now.settings().giveUpMicros()) {
+      return Optional.empty();
+    }
+    return Optional.of(routes.isSearching() ? NOT_IN_TIME : routes.obstacle());
+  }
+
+  @Override
+  public boolean isStuck(Situation now) {
+    return false;
+  }
+}

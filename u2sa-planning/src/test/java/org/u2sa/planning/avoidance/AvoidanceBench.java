@@ -1,0 +1,127 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Sphere;
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.local.ArcChoice;
+import org.u2sa.planning.local.ArcChooser;
+import org.u2sa.planning.local.MotionLimits;
+import org.u2sa.planning.route.Route;
+import org.u2sa.planning.route.RouteRequest;
+import org.u2sa.planning.search.Inflation;
+import org.u2sa.planning.seen.SeenWorld;
+
+/** A rover on a plane with a planner that answers as told. Its goal is 8 m north of the origin. */
+final class AvoidanceBench {
+  private static final double RADIUS_M = 0.6;
+  private static final double GOAL_M = 8.0;
+  private static final double CELL_M = 0.1;
+
+  final AvoidanceSettings settings =
+      XmlConfiguration.inMemory("PathPlanner", Map.of("OVERLOOK AFTER", 10.0, "RECOVERIES", 2))
+          .settings(AvoidanceSettings.class)
+          .get();
+  final List<RouteRequest> requests = new ArrayList<>();
+  final List<String> said = new ArrayList<>();
+  final SeenWorld world =
+      new SeenWorld(
+          () ->
+              new SeenWorld.Reading(
+                  CELL_M,
+                  20.0,
+                  new Inflation(RADIUS_M, 1.4, 3.0),
+                  0.65,
+                  "corridor",
+                  List.of(),
+                  0.0));
+  final Passages passages = new Passages(() -> settings, () -> this.turnsOnTheSpot);
+  final RouteKeeper routes =
+      new RouteKeeper(world, new VirtualObstacles(world), passages, () -> this::plan, this::say);
+  boolean turnsOnTheSpot; // narrower passages exist only for vehicles that do
+  Route answer = northward(GOAL_M, GOAL_M);
+  private final StateInformation state =
+      new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).z(0.0).psi(0.0);
+
+  AvoidanceBench() {
+    world.plane(state);
+    see();
+  }
+
+  private Route plan(RouteRequest request) {
+    requests.add(request);
+    return answer;
+  }
+
+  void say(String what, boolean isWarning) {
+    said.add(what);
+  }
+
+  void see(ObjectDescription... objects) {
+    world.see(new ObjectList().objects(List.of(objects)));
+    world.update(state, 0.0, 0.0, 0.0, 0.0);
+  }
+
+  static ObjectDescription post(double northM, double eastM) {
+    return new Sphere()
+        .uid("post " + northM + " " + eastM)
+        .objectType("post")
+        .referenceFrame(ReferenceFrame.LOCAL_NED)
+        .x(northM)
+        .y(eastM)
+        .radius(0.1);
+  }
+
+  static Route northward(double metres, double cost) {
+    return Route.of(
+        List.of(new Route.Point(0.0, 0.0, false), new Route.Point(metres, 0.0, false)), cost);
+  }
+
+  static long micros(double seconds) {
+    return Clock.micros(seconds);
+  }
+
+  Situation at(double seconds) {
+    return at(seconds, 0.0, 0.0);
+  }
+
+  Situation at(double seconds, double northM, double eastM) {
+    return new Situation(
+        new Pose(northM, eastM, 0.0),
+        GOAL_M,
+        0.0,
+        new Avoidance.Wanted(
+            "goal",
+            Place.of(ReferenceFrame.LOCAL_NED, Point.of(GOAL_M, 0.0, 0.0)),
+            0.5,
+            OptionalDouble.empty(),
+            OptionalDouble.empty()),
+        new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8),
+        CELL_M,
+        settings.body(true),
+        0.0,
+        settings,
+        micros(seconds));
+  }
+
+  ArcChooser arcs(Situation now) {
+    return new ArcChooser(
+        world.costs(), now.body(), List.of(), now.limits(), now.pose(), 0.0, now.micros(), false);
+  }
+
+  /** One step of an attempt. */
+  ArcChoice step(GoalAttempt attempt, Situation now) {
+    routes.update(now);
+    return attempt.choose(arcs(now), now);
+  }
+}

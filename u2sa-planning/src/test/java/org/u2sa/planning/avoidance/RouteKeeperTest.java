@@ -1,0 +1,131 @@
+package org.u2sa.planning.avoidance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.planning.route.Route;
+
+/** When routes are planned. The vehicle stands at the origin, its goal 8 m to the north. */
+class RouteKeeperTest {
+  private final AvoidanceBench bench = new AvoidanceBench();
+  private final RouteKeeper routes = bench.routes;
+
+  @BeforeEach
+  void planFirst() {
+    routes.begin();
+    routes.update(bench.at(0.0));
+  }
+
+  @Test
+  void update_routeIsFree_isKeptHoweverLong() {
+    routes.update(bench.at(60.0));
+
+    assertThat(bench.requests).hasSize(1);
+    assertThat(routes.track()).isPresent();
+  }
+
+  @Test
+  void update_obstacleOnTheRoute_plansAtOnce() {
+    bench.see(AvoidanceBench.post(4.0, 0.0));
+    routes.update(bench.at(0.1));
+
+    assertThat(bench.requests).hasSize(2);
+  }
+
+  @Test
+  void update_obstacleBesideTheRoute_plansWhenDueAndKeepsTheRouteUnlessClearlyWorse() {
+    var before = routes.track();
+    bench.see(AvoidanceBench.post(4.0, 3.0));
+    routes.update(bench.at(0.1));
+    assertThat(bench.requests).hasSize(1);
+
+    bench.see(AvoidanceBench.post(4.0, -3.0));
+    routes.update(bench.at(5.0));
+    assertThat(bench.requests).hasSize(2);
+    assertThat(routes.track()).isEqualTo(before);
+  }
+
+  @Test
+  void update_betterRouteAfterAChange_isTaken() {
+    var before = routes.track();
+    bench.answer = AvoidanceBench.northward(8.0, 5.0);
+    bench.see(AvoidanceBench.post(4.0, 3.0));
+    routes.update(bench.at(5.0));
+
+    assertThat(routes.track()).isPresent().isNotEqualTo(before);
+    assertThat(routes.track().get().cost()).isEqualTo(5.0);
+  }
+
+  @Test
+  void update_vehicleOffTheRoute_plansWhenDue() {
+    routes.update(bench.at(0.1, 0.0, 3.0));
+    assertThat(bench.requests).hasSize(1);
+
+    routes.update(bench.at(5.0, 0.0, 3.0));
+    assertThat(bench.requests).hasSize(2);
+  }
+
+  @Test
+  void update_noRoute_isTriedAgainOnlyInAnotherWorld() {
+    bench.answer = Route.none("a wall");
+    bench.see(AvoidanceBench.post(4.0, 0.0));
+    routes.update(bench.at(5.0));
+    assertThat(routes.track()).isEmpty();
+    assertThat(routes.obstacle()).isEqualTo("a wall");
+    int tried = bench.requests.size();
+
+    routes.update(bench.at(10.0));
+    assertThat(bench.requests).hasSize(tried);
+
+    bench.see();
+    routes.update(bench.at(15.0));
+    assertThat(bench.requests).hasSize(tried + 1);
+  }
+
+  @Test
+  void update_noRouteWithRoomToTurn_triesNarrowerPassagesOnce() {
+    bench.turnsOnTheSpot = true;
+    bench.answer = Route.none("a wall");
+    bench.see(AvoidanceBench.post(4.0, 0.0));
+    routes.update(bench.at(5.0));
+    routes.update(bench.at(10.0));
+    routes.update(bench.at(15.0));
+
+    assertThat(bench.requests).hasSize(3);
+    assertThat(bench.said).containsExactly("no way with room to turn: tries narrower passages");
+  }
+
+  @Test
+  void update_unfinishedSearch_goesOnAtEachStep() {
+    routes.dropUntil(0);
+    bench.answer = Route.sought();
+    routes.update(bench.at(5.0));
+    routes.update(bench.at(5.1));
+
+    assertThat(bench.requests).hasSize(3);
+    assertThat(routes.isSearching()).isTrue();
+  }
+
+  @Test
+  void dropUntil_time_plansFromThen() {
+    routes.dropUntil(AvoidanceBench.micros(10.0) - bench.settings.replanMicros());
+    routes.update(bench.at(9.9));
+    assertThat(routes.track()).isEmpty();
+
+    routes.update(bench.at(10.0));
+    assertThat(routes.track()).isPresent();
+  }
+
+  @Test
+  void begin_anotherGoal_forgetsRouteAndObstacle() {
+    bench.answer = Route.none("a wall");
+    bench.see(AvoidanceBench.post(4.0, 0.0));
+    routes.update(bench.at(5.0));
+
+    routes.begin();
+
+    assertThat(routes.obstacle()).isEmpty();
+    assertThat(routes.track()).isEmpty();
+  }
+}
