@@ -8,6 +8,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
 import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
@@ -70,6 +71,15 @@ final class Bench {
 
   static Transport mqtt(int port) {
     return new MqttTransport("127.0.0.1", port, SYSTEM, new MessageCodec(StandardTypes.registry()));
+  }
+
+  static MqttTransport tls(int port, String authority) {
+    return new MqttTransport(
+        "localhost",
+        port,
+        SYSTEM,
+        new MessageCodec(StandardTypes.registry()),
+        BrokerAccess.of("", "", true, authority));
   }
 
   static ServiceContext context(Transport transport, Path logs, Map<String, Object> variables) {

@@ -9,6 +9,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.interfaces.mqtt.MqttClient;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
@@ -17,7 +18,8 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Measures the way of a message from one service's thread to another's callback: on the direct path,
- * by MQTT through the embedded broker, and by MQTT through another broker whose port is given; and on the direct path at
+ * by MQTT through the embedded broker, and by MQTT through another broker whose port is given, also encrypted if a TLS
+ * port and a file with its authority's certificate follow, by each of our clients; and on the direct path at
  * 400 Hz, where the receiver sleeps, or looks out for the time that SPIN says. The environment's U2SA_SPIN lists such times
  * [µs]: "0" for versions that do not know SPIN.
  */
@@ -88,6 +90,16 @@ public final class DirectPath {
     }
     if (args.length > 1) {
       measure("MQTT, Mosquitto", Bench.mqtt(Integer.parseInt(args[1])), 3_000, 30_000, 200);
+    }
+    if (args.length > 3) {
+      for (MqttClient client : MqttClient.values()) {
+        measure(
+            "MQTT, Mosquitto, TLS, " + client,
+            Bench.tls(Integer.parseInt(args[2]), args[3]).by(client),
+            3_000,
+            30_000,
+            200);
+      }
     }
   }
 

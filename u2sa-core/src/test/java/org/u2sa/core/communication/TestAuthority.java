@@ -25,13 +25,13 @@ import org.u2sa.core.security.UserFile;
  * Makes the files of a secured broker with the JDK's keytool: a certificate that is its own
  * authority.
  */
-final class TestAuthority {
+public final class TestAuthority {
   private static final int FEW = 1_000; // iterations: a test need not resist anybody
 
   private TestAuthority() {}
 
   /** A folder with a certificate for localhost and no users. */
-  static SecurityDirectory in(Path folder)
+  public static SecurityDirectory in(Path folder)
       throws IOException, InterruptedException, GeneralSecurityException {
     Path store = folder.resolve("test.p12");
     Process keytool = new ProcessBuilder(arguments(store)).redirectErrorStream(true).start();
@@ -68,7 +68,7 @@ final class TestAuthority {
   }
 
   /** What a client needs that trusts this authority. */
-  static SSLContext trusting(SecurityDirectory directory)
+  public static SSLContext trusting(SecurityDirectory directory)
       throws IOException, GeneralSecurityException {
     KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
     trusted.load(null, null);

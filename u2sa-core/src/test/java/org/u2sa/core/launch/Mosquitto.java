@@ -6,10 +6,12 @@ import java.io.File;
 import java.io.IOException;
 import java.net.Socket;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import org.u2sa.testkit.ForeignPrograms;
 
 /** Mosquitto on a port of this machine, until it is closed. */
-final class Mosquitto implements AutoCloseable {
+public final class Mosquitto implements AutoCloseable {
   private final Process process;
   private final int port;
 
@@ -20,9 +22,16 @@ final class Mosquitto implements AutoCloseable {
 
   /** Starts it. Skips the test where it is not installed, except under CI, where it fails. */
   static Mosquitto start(int port) throws IOException {
-    String program = ForeignPrograms.ofThisMachine().required("mosquitto");
+    return start(port, "-p", String.valueOf(port));
+  }
+
+  /** Likewise, with these arguments, which make it listen on this port. */
+  public static Mosquitto start(int port, String... arguments) throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(ForeignPrograms.ofThisMachine().required("mosquitto"));
+    command.addAll(List.of(arguments));
     Process process =
-        new ProcessBuilder(program, "-p", String.valueOf(port))
+        new ProcessBuilder(command)
             .redirectErrorStream(true)
             .redirectOutput(new File("/dev/null"))
             .start();

@@ -195,6 +195,6 @@ public final class BrokerAccess {
   }
 
   SocketFactory sockets() {
-    return tls == null ? new PromptSockets() : new PromptTlsSockets(tls.getSocketFactory());
+    return tls == null ? new PromptSockets() : new PromptTlsSockets(tls);
   }
 }

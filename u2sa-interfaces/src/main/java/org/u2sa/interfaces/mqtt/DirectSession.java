@@ -22,9 +22,9 @@ import org.eclipse.paho.client.mqttv3.MqttException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * An MQTT session over an unencrypted socket. Messages are sent on the publisher's thread and
- * received on one reader thread: two thread hand-offs fewer than with Paho. Publishing never blocks
- * on the network: the reader thread sends later what the socket does not accept immediately.
+ * An MQTT session by our own client. Messages are sent on the publisher's thread and received on
+ * one reader thread: two thread hand-offs fewer than with Paho. Publishing never blocks on the
+ * network: the reader thread sends later what the socket does not accept immediately.
  */
 final class DirectSession implements MqttSession {
   private static final int REFUSED = 0x80; // failure code in a SUBACK
@@ -43,7 +43,8 @@ final class DirectSession implements MqttSession {
   private final CountDownLatch settled = new CountDownLatch(1);
   private final CountDownLatch ended = new CountDownLatch(1); // counted down by the reader
   private final Object lock = new Object(); // guards the output
-  private SocketChannel channel; // set once, by open
+  private SocketChannel socket; // set once, by open
+  private BrokerChannel channel; // likewise
   private Selector selector; // likewise
   private SelectionKey key; // likewise
   private MqttOutbox outbox; // likewise; guarded by lock
@@ -54,7 +55,7 @@ final class DirectSession implements MqttSession {
   private volatile boolean cut;
 
   /**
-   * @param address {@code tcp://HOST:PORT}
+   * @param address {@code tcp://HOST:PORT}, or {@code ssl://HOST:PORT} if encrypted
    */
   DirectSession(
       String address, String clientId, long answerWithinMs, MqttConnection owner, Clock clock) {
@@ -72,15 +73,14 @@ final class DirectSession implements MqttSession {
     String host = hostAndPort.substring(0, colon);
     int port = Integer.parseInt(hostAndPort.substring(colon + 1));
     try {
-      channel = SocketChannel.open();
-      channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
-      InetSocketAddress broker = new InetSocketAddress(host, port);
-      channel
-          .socket()
-          .connect(broker, (int) TimeUnit.SECONDS.toMillis(options.getConnectionTimeout()));
-      channel.configureBlocking(false);
+      int withinMs = (int) TimeUnit.SECONDS.toMillis(options.getConnectionTimeout());
+      socket = SocketChannel.open();
+      socket.setOption(StandardSocketOptions.TCP_NODELAY, true);
+      socket.socket().connect(new InetSocketAddress(host, port), withinMs);
+      socket.configureBlocking(false);
       selector = Selector.open();
-      key = channel.register(selector, SelectionKey.OP_READ);
+      key = socket.register(selector, SelectionKey.OP_READ);
+      channel = channel(options, host, port, withinMs);
     } catch (IOException | IllegalArgumentException e) {
       throw new MqttException(MqttException.REASON_CODE_SERVER_CONNECT_ERROR, e);
     }
@@ -96,6 +96,16 @@ final class DirectSession implements MqttSession {
     if (code != 0) {
       throw new MqttException(code);
     }
+  }
+
+  private BrokerChannel channel(MqttConnectOptions options, String host, int port, int withinMs)
+      throws IOException {
+    if (options.getSocketFactory() instanceof PromptTlsSockets encryption) {
+      TlsChannel tls = new TlsChannel(socket, encryption.engine(host, port));
+      tls.shakeHands(selector, clock, withinMs);
+      return tls;
+    }
+    return new PlainChannel(socket);
   }
 
   /** Waits for the broker's answer from the reader thread. */
@@ -262,8 +272,8 @@ final class DirectSession implements MqttSession {
     cut = true;
     long lost = end();
     try {
-      if (channel != null) {
-        channel.close();
+      if (socket != null) {
+        socket.close();
       }
       if (selector != null) {
         selector.wakeup(); // the reading thread closes it
@@ -297,7 +307,7 @@ final class DirectSession implements MqttSession {
     MqttPacketReader packets = new MqttPacketReader(new FromBroker());
     String why;
     try (Selector closed = selector;
-        SocketChannel closedToo = channel) {
+        SocketChannel closedToo = socket) {
       LinkCheck link = new LinkCheck(clock::micros, keepAliveMicros);
       PromptAcknowledgements acknowledgements = new PromptAcknowledgements(closedToo);
       while (true) {
@@ -307,12 +317,17 @@ final class DirectSession implements MqttSession {
                   ? SelectionKey.OP_READ
                   : SelectionKey.OP_READ | SelectionKey.OP_WRITE);
         }
-        closed.select(connected.isDone() ? link.waitMs(sentMicros) : link.waitMs());
+        if (channel.hasUnread()) {
+          closed.selectNow();
+        } else {
+          closed.select(connected.isDone() ? link.waitMs(sentMicros) : link.waitMs());
+        }
         // An unselected key still holds the ready set of the previous selection.
-        boolean readable = closed.selectedKeys().contains(key) && key.isReadable();
+        boolean readable =
+            channel.hasUnread() || closed.selectedKeys().contains(key) && key.isReadable();
         closed.selectedKeys().clear();
         if (readable) {
-          packets.read(closedToo); // only once: acknowledgements must go out even in a flood
+          packets.read(channel); // only once: acknowledgements must go out even in a flood
           acknowledgements.renew();
           link.heard();
         }

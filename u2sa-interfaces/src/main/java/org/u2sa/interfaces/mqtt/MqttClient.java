@@ -7,13 +7,12 @@ import org.u2sa.interfaces.time.Clock;
 
 /** MQTT client implementations, interchangeable as verified by contract tests. */
 public enum MqttClient {
-  /** Our client for unencrypted connections; Paho otherwise. */
+  /** Our own. */
   DIRECT,
   /** Eclipse Paho. */
   PAHO;
 
   private static final String PROPERTY = "u2sa.mqtt.client";
-  private static final String PLAIN = "tcp://";
 
   /**
    * Client selected by the system property {@value #PROPERTY}.
@@ -55,7 +54,7 @@ public enum MqttClient {
       MqttConnection owner,
       Clock clock)
       throws MqttException {
-    return this == DIRECT && address.startsWith(PLAIN)
+    return this == DIRECT
         ? new DirectSession(address, clientId, answerWithinMs, owner, clock)
         : new PahoSession(address, clientId, linkThread, answerWithinMs, owner);
   }

@@ -2,7 +2,6 @@ package org.u2sa.interfaces.mqtt;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.channels.WritableByteChannel;
 
 /**
  * Output buffer of a broker connection. The writer also sends, without blocking; data the network
@@ -12,19 +11,16 @@ final class MqttOutbox {
   private static final int FIRST_BUFFER = 1 << 14;
   private static final int WAITING_AT_MOST = 4 << 20;
 
-  private final WritableByteChannel channel;
+  private final BrokerChannel channel;
   private ByteBuffer waiting = ByteBuffer.allocateDirect(FIRST_BUFFER); // in write mode
 
-  /**
-   * @param channel a non-blocking channel
-   */
-  MqttOutbox(WritableByteChannel channel) {
+  MqttOutbox(BrokerChannel channel) {
     this.channel = channel;
   }
 
   /** Whether everything was sent. */
   boolean isEmpty() {
-    return waiting.position() == 0;
+    return waiting.position() == 0 && !channel.hasUnsent();
   }
 
   /** Buffer with room for this many bytes; null if too much is pending. */

@@ -4,24 +4,43 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.util.Arrays;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLEngine;
+import javax.net.ssl.SSLParameters;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.SSLSocketFactory;
 
-/** {@link PromptSockets} with TLS 1.2 or newer. Paho verifies the broker's host name. */
+/** {@link PromptSockets} with TLS 1.2 or newer. The broker's host name is verified. */
 final class PromptTlsSockets extends SSLSocketFactory {
+  private final SSLContext context;
   private final SSLSocketFactory sockets;
 
-  PromptTlsSockets(SSLSocketFactory sockets) {
-    this.sockets = sockets;
+  PromptTlsSockets(SSLContext context) {
+    this.context = context;
+    sockets = context.getSocketFactory();
+  }
+
+  /** The same for a channel: verifies that the certificate is that of this host. */
+  SSLEngine engine(String host, int port) {
+    SSLEngine engine = context.createSSLEngine(host, port);
+    engine.setUseClientMode(true);
+    engine.setEnabledProtocols(known(engine.getSupportedProtocols()));
+    SSLParameters parameters = engine.getSSLParameters();
+    parameters.setEndpointIdentificationAlgorithm("HTTPS");
+    engine.setSSLParameters(parameters);
+    return engine;
+  }
+
+  private static String[] known(String[] protocols) { // Android 9 lacks TLS 1.3
+    return Arrays.stream(protocols)
+        .filter(name -> name.equals("TLSv1.2") || name.equals("TLSv1.3"))
+        .toArray(String[]::new);
   }
 
   private static Socket prompt(Socket socket) throws IOException {
     socket.setTcpNoDelay(true);
     SSLSocket tls = (SSLSocket) socket;
-    tls.setEnabledProtocols(
-        Arrays.stream(tls.getSupportedProtocols()) // Android 9 lacks TLS 1.3
-            .filter(name -> name.equals("TLSv1.2") || name.equals("TLSv1.3"))
-            .toArray(String[]::new));
+    tls.setEnabledProtocols(known(tls.getSupportedProtocols()));
     return socket;
   }
 

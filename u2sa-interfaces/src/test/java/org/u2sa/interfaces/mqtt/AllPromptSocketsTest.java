@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.net.SocketFactory;
 import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLEngine;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.SSLSocketFactory;
 import org.junit.jupiter.api.AfterEach;
@@ -57,7 +58,7 @@ class AllPromptSocketsTest {
   void createSocket_encrypted_isPromptAndSpeaksNewProtocolsOnlyWhicheverWay()
       throws IOException, NoSuchAlgorithmException {
     SSLSocketFactory java = SSLContext.getDefault().getSocketFactory();
-    PromptTlsSockets sockets = new PromptTlsSockets(java);
+    PromptTlsSockets sockets = new PromptTlsSockets(SSLContext.getDefault());
     List<Socket> made = new ArrayList<>(ofEachWay(sockets));
     made.add(sockets.createSocket(new Socket(HERE, port), "broker", port, true));
     for (Socket each : made) {
@@ -68,5 +69,14 @@ class AllPromptSocketsTest {
     }
     assertThat(sockets.getDefaultCipherSuites()).isEqualTo(java.getDefaultCipherSuites());
     assertThat(sockets.getSupportedCipherSuites()).isEqualTo(java.getSupportedCipherSuites());
+  }
+
+  @Test
+  void engine_anyHost_speaksNewProtocolsOnlyAndVerifiesTheHost() throws NoSuchAlgorithmException {
+    SSLEngine engine = new PromptTlsSockets(SSLContext.getDefault()).engine("broker", port);
+    assertThat(engine.getEnabledProtocols()).containsExactlyInAnyOrder("TLSv1.2", "TLSv1.3");
+    assertThat(engine.getUseClientMode()).isTrue();
+    assertThat(engine.getPeerHost()).isEqualTo("broker");
+    assertThat(engine.getSSLParameters().getEndpointIdentificationAlgorithm()).isEqualTo("HTTPS");
   }
 }

@@ -33,10 +33,11 @@ class MqttClientTest {
   }
 
   @Test
-  void session_encrypted_isPahosAlways() throws MqttException {
+  void session_anyAddress_isTheClients() throws MqttException {
     assertThat(session(MqttClient.DIRECT, "tcp://127.0.0.1:1")).isInstanceOf(DirectSession.class);
-    assertThat(session(MqttClient.DIRECT, "ssl://127.0.0.1:1")).isInstanceOf(PahoSession.class);
+    assertThat(session(MqttClient.DIRECT, "ssl://127.0.0.1:1")).isInstanceOf(DirectSession.class);
     assertThat(session(MqttClient.PAHO, "tcp://127.0.0.1:1")).isInstanceOf(PahoSession.class);
+    assertThat(session(MqttClient.PAHO, "ssl://127.0.0.1:1")).isInstanceOf(PahoSession.class);
   }
 
   private MqttSession session(MqttClient client, String address) throws MqttException {

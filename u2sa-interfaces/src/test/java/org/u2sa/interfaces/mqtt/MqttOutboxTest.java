@@ -5,17 +5,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.channels.WritableByteChannel;
 import org.junit.jupiter.api.Test;
 
 /** What goes to a broker whose network takes little. */
 class MqttOutboxTest {
   private final ByteArrayOutputStream sent = new ByteArrayOutputStream();
   private int takes;
+  private boolean owes;
   private boolean wasInterrupted;
   private final MqttOutbox outbox =
       new MqttOutbox(
-          new WritableByteChannel() {
+          new BrokerChannel() {
             @Override
             public int write(ByteBuffer from) {
               wasInterrupted = Thread.currentThread().isInterrupted();
@@ -24,6 +24,21 @@ class MqttOutboxTest {
                 sent.write(from.get());
               }
               return count;
+            }
+
+            @Override
+            public int read(ByteBuffer to) {
+              throw new UnsupportedOperationException();
+            }
+
+            @Override
+            public boolean hasUnread() {
+              return false;
+            }
+
+            @Override
+            public boolean hasUnsent() {
+              return owes;
             }
 
             @Override
@@ -36,6 +51,13 @@ class MqttOutboxTest {
               // nothing to close
             }
           });
+
+  @Test
+  void isEmpty_channelOwesSomething_isNot() {
+    assertThat(outbox.isEmpty()).isTrue();
+    owes = true;
+    assertThat(outbox.isEmpty()).isFalse();
+  }
 
   @Test
   void send_networkThatTakesLittle_keepsTheRestInOrder() throws IOException {
