@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**

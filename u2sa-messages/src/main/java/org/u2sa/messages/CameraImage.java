@@ -1,6 +1,6 @@
 package org.u2sa.messages;
 
-import org.u2sa.messages.schema.ByteString;
+import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;

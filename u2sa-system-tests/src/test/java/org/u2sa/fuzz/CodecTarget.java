@@ -4,12 +4,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.messages.schema.WireForm;
 
 /**
  * The CBOR codec. The first byte chooses the type: its place among the standard types, with {@value

@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 

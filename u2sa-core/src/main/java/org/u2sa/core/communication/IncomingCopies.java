@@ -12,7 +12,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.mqtt.Gaps;
-import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 

@@ -1,7 +1,7 @@
 package org.u2sa.core.communication;
 
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.messages.schema.WireForm;
+import org.u2sa.messages.cbor.WireForm;
 
 /** Variables of the {@link CommunicationManager}, except limits and security. */
 public record ManagerSettings(

@@ -8,8 +8,8 @@ import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.User;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.safety.EmergencyStop;
-import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.U2SAData;
 
 /** Rules for what one client may publish. Confined to its connection's thread. */

@@ -13,10 +13,10 @@ import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageCodec;
-import org.u2sa.messages.schema.WireForm;
 
 /** MQTT through the embedded broker, all fields named by their labels. */
 class EmbeddedBrokerCompactFormContractTest extends TransportContract {

@@ -17,11 +17,11 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 

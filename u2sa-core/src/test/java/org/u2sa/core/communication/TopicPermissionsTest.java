@@ -22,8 +22,8 @@ import org.u2sa.core.security.User;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 

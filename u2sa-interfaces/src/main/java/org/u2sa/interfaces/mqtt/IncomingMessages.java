@@ -4,7 +4,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 

@@ -3,6 +3,10 @@ package org.u2sa.messages.schema;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import org.u2sa.messages.cbor.ByteString;
+import org.u2sa.messages.cbor.Cbor;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.MalformedMessageException;
 
 /**
  * Values of fields unknown to the reader's classes: Double, Long, Boolean, String, ByteString,

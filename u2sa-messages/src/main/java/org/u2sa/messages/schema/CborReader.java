@@ -5,6 +5,17 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.u2sa.messages.cbor.ByteString;
+import org.u2sa.messages.cbor.Cbor;
+import org.u2sa.messages.cbor.CborInput;
+import org.u2sa.messages.cbor.FieldKey;
+import org.u2sa.messages.cbor.FieldLabels;
+import org.u2sa.messages.cbor.Flags;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.cbor.Numbers;
+import org.u2sa.messages.cbor.TypedArrays;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 

@@ -3,6 +3,10 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.FieldKey;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.frame.Point;
 
 /** Writes one message as CBOR: fields in the schema's order. */

@@ -2,9 +2,18 @@ package org.u2sa.messages.schema;
 
 /** Properties common to all kinds of fields, passed by the schema. */
 record FieldOutline(
-    String owner, String name, String unit, FieldPresence presence, int slot, int bit, int since) {
-  static FieldOutline of(
-      String owner, String name, String unit, FieldPresence presence, int since) {
+    String owner, String name, String unit, Presence presence, int slot, int bit, int since) {
+  /** Whether a field may be missing. */
+  enum Presence {
+    /** May be absent; absence is not encoded as 0 or NaN. */
+    OPTIONAL,
+    /** Required for publishing and decoding. */
+    REQUIRED,
+    /** Has a default; always written. */
+    DEFAULTED
+  }
+
+  static FieldOutline of(String owner, String name, String unit, Presence presence, int since) {
     return new FieldOutline(owner, name, unit, presence, -1, MessageField.NO_BIT, since);
   }
 

@@ -2,6 +2,11 @@ package org.u2sa.messages.schema;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.u2sa.messages.cbor.CborInput;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.FieldKey;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.cbor.WireForm;
 
 /**
  * The fields of a type in wire order with their keys of one form, as parallel arrays so that

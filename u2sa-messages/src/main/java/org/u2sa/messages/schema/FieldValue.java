@@ -1,6 +1,7 @@
 package org.u2sa.messages.schema;
 
 import java.util.Optional;
+import org.u2sa.messages.cbor.ByteString;
 
 /**
  * A field as {@link U2SAData#enumerateFields()} shows it (thesis 3.2.3.1).

@@ -3,6 +3,8 @@ package org.u2sa.messages.schema;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import org.u2sa.messages.cbor.CborInput;
+import org.u2sa.messages.cbor.MalformedMessageException;
 
 /**
  * Reads the pairs of one map into a message in any order and form that CBOR allows; pairs in our

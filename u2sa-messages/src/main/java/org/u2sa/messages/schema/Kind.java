@@ -1,5 +1,7 @@
 package org.u2sa.messages.schema;
 
+import org.u2sa.messages.cbor.ByteString;
+
 /** Kind of a field's value, which determines its form on the wire and in XML. */
 public enum Kind {
   /** A finite double. CBOR float64. */

@@ -4,6 +4,13 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.Function;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.Flags;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.cbor.Numbers;
+import org.u2sa.messages.cbor.TypedArrays;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.frame.Point;
 
 /** Kinds of lists, whose elements are checked, parsed, written and read like single values. */
@@ -33,13 +40,13 @@ final class ListKinds {
 
   private static <V> List<V> elements(Object value, Class<V> type, String what) {
     if (!(value instanceof Collection<?> collection)) {
-      throw ScalarKinds.expected("a list of " + what);
+      throw Limits.expected("a list of " + what);
     }
     requireRoom(collection);
     List<V> copy = new ArrayList<>(collection.size());
     for (Object element : collection) {
       if (!type.isInstance(element)) {
-        throw ScalarKinds.expected("a list of " + what);
+        throw Limits.expected("a list of " + what);
       }
       copy.add(type.cast(element));
     }
@@ -48,7 +55,7 @@ final class ListKinds {
 
   private static void requireRoom(Collection<?> collection) {
     if (collection.size() > Limits.LIST_ELEMENTS) {
-      throw ScalarKinds.expected("at most " + Limits.LIST_ELEMENTS + " elements");
+      throw Limits.expected("at most " + Limits.LIST_ELEMENTS + " elements");
     }
   }
 
@@ -169,7 +176,7 @@ final class ListKinds {
     @Override
     public Numbers checked(Object value) {
       if (!(value instanceof Collection<?> numbers)) {
-        throw ScalarKinds.expected("a list of numbers");
+        throw Limits.expected("a list of numbers");
       }
       requireRoom(numbers);
       return Numbers.of(numbers);
@@ -205,7 +212,7 @@ final class ListKinds {
     @Override
     public Flags checked(Object value) {
       if (!(value instanceof Collection<?> flags)) {
-        throw ScalarKinds.expected("a list of true or false");
+        throw Limits.expected("a list of true or false");
       }
       requireRoom(flags);
       return Flags.of(flags);
@@ -241,7 +248,7 @@ final class ListKinds {
 
     @Override
     public List<M> parsed(List<String> texts) {
-      throw ScalarKinds.expected("elements of " + element.name() + " instead of text");
+      throw Limits.expected("elements of " + element.name() + " instead of text");
     }
 
     @Override

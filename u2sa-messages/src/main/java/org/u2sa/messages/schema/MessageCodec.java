@@ -1,6 +1,11 @@
 package org.u2sa.messages.schema;
 
 import java.util.List;
+import org.u2sa.messages.cbor.CborInput;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.cbor.RecentTexts;
+import org.u2sa.messages.cbor.WireForm;
 
 /** Encodes messages and decodes messages of the registered types. Immutable and thread-safe. */
 public final class MessageCodec {

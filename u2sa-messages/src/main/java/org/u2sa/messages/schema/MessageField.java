@@ -3,6 +3,7 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
@@ -20,7 +21,7 @@ public abstract class MessageField<T extends U2SAData> {
   private final String name;
   private final Kind kind;
   private final String unit;
-  private final FieldPresence presence;
+  private final FieldOutline.Presence presence;
   private final int since;
 
   MessageField(FieldOutline outline, Kind kind) {
@@ -61,14 +62,14 @@ public abstract class MessageField<T extends U2SAData> {
 
   /** Whether it may be absent from a published message. */
   public final boolean isOptional() {
-    return presence == FieldPresence.OPTIONAL;
+    return presence == FieldOutline.Presence.OPTIONAL;
   }
 
   /**
    * Whether a message cannot be published without it; optional and required fields have no default.
    */
   public final boolean isRequired() {
-    return presence == FieldPresence.REQUIRED;
+    return presence == FieldOutline.Presence.REQUIRED;
   }
 
   /**
@@ -121,7 +122,7 @@ public abstract class MessageField<T extends U2SAData> {
   abstract boolean read(CborReader in, T message) throws MalformedMessageException;
 
   /** "Waypoint.x", for errors. */
-  final String path() {
+  public final String path() {
     return owner + "." + name;
   }
 

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**

@@ -3,6 +3,8 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**

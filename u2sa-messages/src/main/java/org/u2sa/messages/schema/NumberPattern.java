@@ -2,6 +2,8 @@ package org.u2sa.messages.schema;
 
 import java.nio.ByteBuffer;
 import java.util.Arrays;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.FieldKey;
 
 /**
  * A combination of present numbers of a {@link NumberRun}: their encoded bytes without the values,
@@ -9,7 +11,7 @@ import java.util.Arrays;
  *
  * <p>The loops wrap the array in a local {@link ByteBuffer}, which escape analysis removes.
  */
-final class NumberPattern {
+final class NumberPattern implements CborOutput.Pattern {
   private static final int WORD = Long.BYTES;
 
   private final long set;
@@ -75,18 +77,13 @@ final class NumberPattern {
     return last;
   }
 
-  /** Bytes on the wire. */
-  int length() {
+  @Override
+  public int length() {
     return bytes.length;
   }
 
-  /**
-   * Writes keys and values.
-   *
-   * @param numbers the values; this run's start at {@code first}
-   * @return end position
-   */
-  int put(byte[] into, int at, double[] numbers, int first) {
+  @Override
+  public int put(byte[] into, int at, double[] numbers, int first) {
     System.arraycopy(bytes, 0, into, at, bytes.length);
     ByteBuffer view = ByteBuffer.wrap(into);
     for (int i = 0; i < places.length; i++) {

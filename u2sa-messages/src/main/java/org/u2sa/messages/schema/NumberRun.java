@@ -1,6 +1,9 @@
 package org.u2sa.messages.schema;
 
 import java.util.List;
+import org.u2sa.messages.cbor.CborInput;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.FieldKey;
 
 /**
  * Consecutive number fields of a type on the wire.

@@ -5,6 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import org.u2sa.messages.cbor.ByteString;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
@@ -55,22 +59,18 @@ final class ScalarKinds {
     return new Choice<>(type);
   }
 
-  static IllegalArgumentException expected(String what) {
-    return new IllegalArgumentException("expected " + what);
-  }
-
   private static <V> V instance(Object value, Class<V> type, String what) {
     if (type.isInstance(value)) {
       return type.cast(value);
     }
-    throw expected(what);
+    throw Limits.expected(what);
   }
 
   private static String text(Object value) {
     String text = instance(value, String.class, "text");
     if (text.length() > Limits.TEXT_BYTES / 3 // UTF-8 takes at most three bytes per char
         && text.getBytes(StandardCharsets.UTF_8).length > Limits.TEXT_BYTES) {
-      throw expected("at most " + Limits.TEXT_BYTES + " bytes of text");
+      throw Limits.expected("at most " + Limits.TEXT_BYTES + " bytes of text");
     }
     requireUnicode(text);
     return text;
@@ -83,7 +83,7 @@ final class ScalarKinds {
         boolean pair =
             i + 1 < text.length() && Character.isSurrogatePair(text.charAt(i), text.charAt(i + 1));
         if (!pair) {
-          throw expected("Unicode text without half a surrogate pair");
+          throw Limits.expected("Unicode text without half a surrogate pair");
         }
         i++;
       }
@@ -93,7 +93,7 @@ final class ScalarKinds {
   private static ByteString bytes(Object value) {
     ByteString bytes = instance(value, ByteString.class, "bytes");
     if (bytes.length() > Limits.BYTE_STRING_BYTES) {
-      throw expected("at most " + Limits.BYTE_STRING_BYTES + " bytes");
+      throw Limits.expected("at most " + Limits.BYTE_STRING_BYTES + " bytes");
     }
     return bytes;
   }
@@ -109,7 +109,7 @@ final class ScalarKinds {
   /** Checks that a coordinate's square is finite, so that calculations with it stay finite. */
   static void requireNear(double coordinate) {
     if (Math.abs(coordinate) > Limits.COORDINATE) {
-      throw expected("coordinates of at most " + Limits.COORDINATE + ", not " + coordinate);
+      throw Limits.expected("coordinates of at most " + Limits.COORDINATE + ", not " + coordinate);
     }
   }
 
@@ -117,7 +117,7 @@ final class ScalarKinds {
     if (value instanceof Long || value instanceof Integer || value instanceof Short) {
       return ((Number) value).longValue();
     }
-    throw expected("a whole number");
+    throw Limits.expected("a whole number");
   }
 
   private static Long parseCount(String text) {
@@ -132,14 +132,14 @@ final class ScalarKinds {
     return switch (text.trim().toLowerCase(Locale.ROOT)) {
       case "true" -> true;
       case "false" -> false;
-      default -> throw expected("true or false");
+      default -> throw Limits.expected("true or false");
     };
   }
 
   private static Point parsePoint(String text) {
     String[] parts = text.trim().split("[\\s,]+");
     if (parts.length < 2 || parts.length > 3) {
-      throw expected("a point: two or three numbers");
+      throw Limits.expected("a point: two or three numbers");
     }
     try {
       return Point.of(
@@ -178,7 +178,7 @@ final class ScalarKinds {
           return constant;
         }
       }
-      throw expected("one of " + Arrays.toString(type.getEnumConstants()));
+      throw Limits.expected("one of " + Arrays.toString(type.getEnumConstants()));
     }
 
     @Override

@@ -5,6 +5,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import org.u2sa.messages.cbor.ByteString;
+import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
@@ -83,7 +85,8 @@ public final class Schema<T extends U2SAData> {
   }
 
   static TimestampField timestamp(Schema<U2SAData> root) {
-    return root.added(new TimestampField(root.outline("timestamp", "us", FieldPresence.OPTIONAL)));
+    return root.added(
+        new TimestampField(root.outline("timestamp", "us", FieldOutline.Presence.OPTIONAL)));
   }
 
   /** Sets the wire format version that introduced the fields declared after this call. */
@@ -121,26 +124,26 @@ public final class Schema<T extends U2SAData> {
 
   /** Optional number within bounds. */
   public NumberField<T> optionalNumber(String field, String unit, double min, double max) {
-    return number(outline(field, unit, FieldPresence.OPTIONAL), unit, Double.NaN, min, max);
+    return number(outline(field, unit, FieldOutline.Presence.OPTIONAL), unit, Double.NaN, min, max);
   }
 
   /**
    * Optional coordinate in metres, or degrees in messages in GLOBAL; at most a million kilometres.
    */
   public NumberField<T> optionalCoordinate(String field) {
-    FieldOutline outline = outline(field, "m", FieldPresence.OPTIONAL);
+    FieldOutline outline = outline(field, "m", FieldOutline.Presence.OPTIONAL);
     return number(outline, "deg", Double.NaN, -Limits.COORDINATE, Limits.COORDINATE);
   }
 
   /** Required coordinate in metres, or degrees in GLOBAL. */
   public NumberField<T> requiredCoordinate(String field) {
-    FieldOutline outline = outline(field, "m", FieldPresence.REQUIRED);
+    FieldOutline outline = outline(field, "m", FieldOutline.Presence.REQUIRED);
     return number(outline, "deg", Double.NaN, -Limits.COORDINATE, Limits.COORDINATE);
   }
 
   /** Required number within bounds. */
   public NumberField<T> requiredNumber(String field, String unit, double min, double max) {
-    return number(outline(field, unit, FieldPresence.REQUIRED), unit, Double.NaN, min, max);
+    return number(outline(field, unit, FieldOutline.Presence.REQUIRED), unit, Double.NaN, min, max);
   }
 
   /** Number with a default. */
@@ -150,13 +153,14 @@ public final class Schema<T extends U2SAData> {
 
   /** Number of at least {@code min} with a default. */
   public NumberField<T> number(String field, String unit, double ifUnset, double min) {
-    return number(outline(field, unit, FieldPresence.DEFAULTED), unit, ifUnset, min, ANY_MORE);
+    return number(
+        outline(field, unit, FieldOutline.Presence.DEFAULTED), unit, ifUnset, min, ANY_MORE);
   }
 
   private NumberField<T> number(
       FieldOutline outline, String globalUnit, double ifUnset, double min, double max) {
     FieldOutline placed = outline.at(slots.number());
-    if (outline.presence() == FieldPresence.OPTIONAL) {
+    if (outline.presence() == FieldOutline.Presence.OPTIONAL) {
       placed = placed.withBit(slots.bit());
     }
     return added(new NumberField<>(placed, globalUnit, ifUnset, min, max));
@@ -164,47 +168,47 @@ public final class Schema<T extends U2SAData> {
 
   /** Required text. */
   public ValueField<T, String> requiredText(String field) {
-    return value(field, "", ScalarKinds.TEXT, FieldPresence.REQUIRED, null, false);
+    return value(field, "", ScalarKinds.TEXT, FieldOutline.Presence.REQUIRED, null, false);
   }
 
   /** Optional text, without a presence bit. */
   public ValueField<T, String> optionalText(String field) {
-    return value(field, "", ScalarKinds.TEXT, FieldPresence.OPTIONAL, null, false);
+    return value(field, "", ScalarKinds.TEXT, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** Text with a default. */
   public ValueField<T, String> text(String field, String ifUnset) {
-    return value(field, "", ScalarKinds.TEXT, FieldPresence.DEFAULTED, ifUnset, false);
+    return value(field, "", ScalarKinds.TEXT, FieldOutline.Presence.DEFAULTED, ifUnset, false);
   }
 
   /** Required name of at most 255 characters. */
   public ValueField<T, String> requiredName(String field) {
-    return value(field, "", TextKinds.NAME, FieldPresence.REQUIRED, null, false);
+    return value(field, "", TextKinds.NAME, FieldOutline.Presence.REQUIRED, null, false);
   }
 
   /** Optional name, without a presence bit. */
   public ValueField<T, String> optionalName(String field) {
-    return value(field, "", TextKinds.NAME, FieldPresence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.NAME, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** Name with a default. */
   public ValueField<T, String> name(String field, String ifUnset) {
-    return value(field, "", TextKinds.NAME, FieldPresence.DEFAULTED, ifUnset, false);
+    return value(field, "", TextKinds.NAME, FieldOutline.Presence.DEFAULTED, ifUnset, false);
   }
 
   /** Required identifier of at most 1,000 characters, because it may contain a name. */
   public ValueField<T, String> requiredId(String field) {
-    return value(field, "", TextKinds.ID, FieldPresence.REQUIRED, null, false);
+    return value(field, "", TextKinds.ID, FieldOutline.Presence.REQUIRED, null, false);
   }
 
   /** Optional identifier, without a presence bit. */
   public ValueField<T, String> optionalId(String field) {
-    return value(field, "", TextKinds.ID, FieldPresence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.ID, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** Identifier with a default. */
   public ValueField<T, String> id(String field, String ifUnset) {
-    return value(field, "", TextKinds.ID, FieldPresence.DEFAULTED, ifUnset, false);
+    return value(field, "", TextKinds.ID, FieldOutline.Presence.DEFAULTED, ifUnset, false);
   }
 
   /**
@@ -212,62 +216,62 @@ public final class Schema<T extends U2SAData> {
    * without a presence bit.
    */
   public ValueField<T, String> optionalNote(String field) {
-    return value(field, "", TextKinds.NOTE, FieldPresence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.NOTE, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** Text for people, empty by default, truncated to 1,000 characters. */
   public ValueField<T, String> note(String field) {
-    return value(field, "", TextKinds.NOTE, FieldPresence.DEFAULTED, "", false);
+    return value(field, "", TextKinds.NOTE, FieldOutline.Presence.DEFAULTED, "", false);
   }
 
   /** List of identifiers, empty by default. */
   public ValueField<T, List<String>> ids(String field) {
-    return value(field, "", ListKinds.IDS, FieldPresence.DEFAULTED, List.of(), false);
+    return value(field, "", ListKinds.IDS, FieldOutline.Presence.DEFAULTED, List.of(), false);
   }
 
   /** Optional list of identifiers, without a presence bit. */
   public ValueField<T, List<String>> optionalIds(String field) {
-    return value(field, "", ListKinds.IDS, FieldPresence.OPTIONAL, null, false);
+    return value(field, "", ListKinds.IDS, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** List of texts for people, empty by default, truncated to 100 of 1,000 characters. */
   public ValueField<T, List<String>> notes(String field) {
-    return value(field, "", TextKinds.NOTES, FieldPresence.DEFAULTED, List.of(), false);
+    return value(field, "", TextKinds.NOTES, FieldOutline.Presence.DEFAULTED, List.of(), false);
   }
 
   /** Optional list of texts for people, truncated to 100 of 1,000 characters. */
   public ValueField<T, List<String>> optionalNotes(String field) {
-    return value(field, "", TextKinds.NOTES, FieldPresence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.NOTES, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** Required bytes. */
   public ValueField<T, ByteString> requiredBytes(String field) {
-    return value(field, "", ScalarKinds.BYTES, FieldPresence.REQUIRED, null, false);
+    return value(field, "", ScalarKinds.BYTES, FieldOutline.Presence.REQUIRED, null, false);
   }
 
   /** Integer, 0 by default. */
   public ValueField<T, Long> count(String field, String unit) {
-    return value(field, unit, ScalarKinds.COUNT, FieldPresence.DEFAULTED, 0L, false);
+    return value(field, unit, ScalarKinds.COUNT, FieldOutline.Presence.DEFAULTED, 0L, false);
   }
 
   /** Optional integer, without a presence bit. */
   public ValueField<T, Long> optionalCount(String field, String unit) {
-    return value(field, unit, ScalarKinds.COUNT, FieldPresence.OPTIONAL, null, false);
+    return value(field, unit, ScalarKinds.COUNT, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** Flag, false by default. */
   public ValueField<T, Boolean> flag(String field) {
-    return value(field, "", ScalarKinds.FLAG, FieldPresence.DEFAULTED, false, false);
+    return value(field, "", ScalarKinds.FLAG, FieldOutline.Presence.DEFAULTED, false, false);
   }
 
   /** Optional flag. */
   public ValueField<T, Boolean> optionalFlag(String field) {
-    return value(field, "", ScalarKinds.FLAG, FieldPresence.OPTIONAL, null, true);
+    return value(field, "", ScalarKinds.FLAG, FieldOutline.Presence.OPTIONAL, null, true);
   }
 
   /** Optional enum constant. */
   public <E extends Enum<E>> ValueField<T, E> optionalChoice(String field, Class<E> type) {
-    return value(field, "", ScalarKinds.choice(type), FieldPresence.OPTIONAL, null, true);
+    return value(field, "", ScalarKinds.choice(type), FieldOutline.Presence.OPTIONAL, null, true);
   }
 
   /**
@@ -275,76 +279,76 @@ public final class Schema<T extends U2SAData> {
    * shift.
    */
   public NumberField<T> optionalNumberWithoutBit(String field, String unit, double min) {
-    FieldOutline outline = outline(field, unit, FieldPresence.OPTIONAL).at(slots.number());
+    FieldOutline outline = outline(field, unit, FieldOutline.Presence.OPTIONAL).at(slots.number());
     return added(new NumberField<>(outline, unit, Double.NaN, min, ANY_MORE));
   }
 
   /** Optional enum constant, without a presence bit. */
   public <E extends Enum<E>> ValueField<T, E> optionalChoiceWithoutBit(
       String field, Class<E> type) {
-    return value(field, "", ScalarKinds.choice(type), FieldPresence.OPTIONAL, null, false);
+    return value(field, "", ScalarKinds.choice(type), FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** Required enum constant. */
   public <E extends Enum<E>> ValueField<T, E> requiredChoice(String field, Class<E> type) {
-    return value(field, "", ScalarKinds.choice(type), FieldPresence.REQUIRED, null, false);
+    return value(field, "", ScalarKinds.choice(type), FieldOutline.Presence.REQUIRED, null, false);
   }
 
   /** Frame of the message's coordinates. */
   public ValueField<T, ReferenceFrame> frame(String field, ReferenceFrame ifUnset) {
     ValueField<T, ReferenceFrame> frame =
-        value(field, "", ScalarKinds.FRAME, FieldPresence.DEFAULTED, ifUnset, false);
+        value(field, "", ScalarKinds.FRAME, FieldOutline.Presence.DEFAULTED, ifUnset, false);
     frameField = frame;
     return frame;
   }
 
   /** Required point. */
   public ValueField<T, Point> requiredPoint(String field, String unit) {
-    return value(field, unit, ScalarKinds.POINT, FieldPresence.REQUIRED, null, false);
+    return value(field, unit, ScalarKinds.POINT, FieldOutline.Presence.REQUIRED, null, false);
   }
 
   /** Optional point, without a presence bit. */
   public ValueField<T, Point> optionalPoint(String field, String unit) {
-    return value(field, unit, ScalarKinds.POINT, FieldPresence.OPTIONAL, null, false);
+    return value(field, unit, ScalarKinds.POINT, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** List of points, empty by default. */
   public ValueField<T, List<Point>> points(String field, String unit) {
-    return value(field, unit, ListKinds.POINTS, FieldPresence.DEFAULTED, List.of(), false);
+    return value(field, unit, ListKinds.POINTS, FieldOutline.Presence.DEFAULTED, List.of(), false);
   }
 
   /** List of numbers, empty by default. */
   public ValueField<T, List<Double>> numbers(String field, String unit) {
-    return value(field, unit, ListKinds.NUMBERS, FieldPresence.DEFAULTED, List.of(), false);
+    return value(field, unit, ListKinds.NUMBERS, FieldOutline.Presence.DEFAULTED, List.of(), false);
   }
 
   /** List of booleans, empty by default. */
   public ValueField<T, List<Boolean>> flags(String field) {
-    return value(field, "", ListKinds.FLAGS, FieldPresence.DEFAULTED, List.of(), false);
+    return value(field, "", ListKinds.FLAGS, FieldOutline.Presence.DEFAULTED, List.of(), false);
   }
 
   /** List of texts, empty by default. */
   public ValueField<T, List<String>> texts(String field) {
-    return value(field, "", ListKinds.TEXTS, FieldPresence.DEFAULTED, List.of(), false);
+    return value(field, "", ListKinds.TEXTS, FieldOutline.Presence.DEFAULTED, List.of(), false);
   }
 
   /** Optional list of texts, without a presence bit. */
   public ValueField<T, List<String>> optionalTexts(String field) {
-    return value(field, "", ListKinds.TEXTS, FieldPresence.OPTIONAL, null, false);
+    return value(field, "", ListKinds.TEXTS, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** List of messages of one class and its subclasses, empty by default. */
   public <M extends U2SAData> ValueField<T, List<M>> messages(
       String field, MessageType<M> element) {
     ValueKind<List<M>> kind = ListKinds.messages(element);
-    return value(field, "", kind, FieldPresence.DEFAULTED, List.of(), false);
+    return value(field, "", kind, FieldOutline.Presence.DEFAULTED, List.of(), false);
   }
 
   private <V> ValueField<T, V> value(
       String field,
       String unit,
       ValueKind<V> kind,
-      FieldPresence presence,
+      FieldOutline.Presence presence,
       V ifUnset,
       boolean hasBit) {
     FieldOutline outline = outline(field, unit, presence).at(slots.value());
@@ -352,7 +356,7 @@ public final class Schema<T extends U2SAData> {
     return added(new ValueField<>(placed, kind, ifUnset));
   }
 
-  private FieldOutline outline(String field, String unit, FieldPresence presence) {
+  private FieldOutline outline(String field, String unit, FieldOutline.Presence presence) {
     return FieldOutline.of(identity.name(), field, unit, presence, since);
   }
 

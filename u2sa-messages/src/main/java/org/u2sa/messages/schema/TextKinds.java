@@ -3,6 +3,9 @@ package org.u2sa.messages.schema;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
 
 /**
  * Kinds of texts with their own bounds. Overlong names and identifiers are rejected, because
@@ -57,7 +60,7 @@ final class TextKinds {
     public String checked(Object value) {
       String text = ScalarKinds.TEXT.checked(value);
       if (text.length() > longest) {
-        throw ScalarKinds.expected("at most " + longest + " characters, not " + text.length());
+        throw Limits.expected("at most " + longest + " characters, not " + text.length());
       }
       return text;
     }
@@ -99,7 +102,7 @@ final class TextKinds {
       if (value instanceof String text) {
         return shortened(text);
       }
-      throw ScalarKinds.expected("text");
+      throw Limits.expected("text");
     }
 
     @Override
@@ -137,7 +140,7 @@ final class TextKinds {
     @Override
     public List<String> checked(Object value) {
       if (!(value instanceof Collection<?> notes)) {
-        throw ScalarKinds.expected("a list of texts");
+        throw Limits.expected("a list of texts");
       }
       boolean isCut = notes.size() > Limits.NOTES;
       List<String> kept = new ArrayList<>();

@@ -1,5 +1,9 @@
 package org.u2sa.messages.schema;
 
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.FieldKey;
+import org.u2sa.messages.cbor.Limits;
+
 /** Time of measurement [µs]: a field of every message, kept as an unboxed long. */
 final class TimestampField extends ValueField<U2SAData, Long> {
   TimestampField(FieldOutline outline) {
@@ -24,7 +28,7 @@ final class TimestampField extends ValueField<U2SAData, Long> {
   /** Bounds timestamps so that sums, differences and conversion to nanoseconds fit into 64 bits. */
   static long within(long micros) {
     if (micros > Limits.TIMESTAMP_MICROS || micros < -Limits.TIMESTAMP_MICROS) {
-      throw ScalarKinds.expected("a time of at most " + Limits.TIMESTAMP_MICROS + " µs");
+      throw Limits.expected("a time of at most " + Limits.TIMESTAMP_MICROS + " µs");
     }
     return micros;
   }

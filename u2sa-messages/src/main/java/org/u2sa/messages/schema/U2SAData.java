@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**

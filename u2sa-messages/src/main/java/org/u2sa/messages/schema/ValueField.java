@@ -3,6 +3,9 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.FieldKey;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**

@@ -1,6 +1,8 @@
 package org.u2sa.messages.schema;
 
 import java.util.List;
+import org.u2sa.messages.cbor.CborOutput;
+import org.u2sa.messages.cbor.MalformedMessageException;
 
 /**
  * Checks, parses, writes and reads values of one {@link Kind}. Errors of check and parse name what

@@ -12,6 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.messages.CameraImage;
+import org.u2sa.messages.cbor.ByteString;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.registry.StandardTypes;
 
 /** Bytes in messages: kept unchanged, written, read, refused. */

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.registry.StandardTypes;

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;

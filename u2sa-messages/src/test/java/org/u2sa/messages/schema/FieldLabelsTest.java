@@ -15,6 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.FieldLabels;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.registry.StandardTypes;
 

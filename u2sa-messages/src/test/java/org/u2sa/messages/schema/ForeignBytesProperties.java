@@ -13,6 +13,11 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import org.u2sa.messages.cbor.Cbor;
+import org.u2sa.messages.cbor.CborInput;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.registry.StandardTypes;
 
 /**

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.registry.StandardTypes;
 
 /**

@@ -6,6 +6,7 @@ import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.registry.StandardTypes;
 

@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;

@@ -16,6 +16,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.Cbor;
+import org.u2sa.messages.cbor.CborInput;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.registry.StandardTypes;
 
 /** Numbers side by side: names of any length, and readers that expect other numbers than come. */

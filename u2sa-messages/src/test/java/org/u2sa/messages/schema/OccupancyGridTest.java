@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.registry.StandardTypes;

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.safety.StopCommand;

@@ -3,6 +3,7 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import java.util.Map;
 import java.util.StringJoiner;
+import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.frame.Point;
 
 /**

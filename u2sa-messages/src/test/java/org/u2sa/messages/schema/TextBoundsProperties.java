@@ -14,6 +14,8 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.registry.StandardTypes;

@@ -13,6 +13,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.registry.StandardTypes;
 

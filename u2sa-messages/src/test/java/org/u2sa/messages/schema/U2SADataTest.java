@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.frame.ReferenceFrame;

@@ -3,7 +3,7 @@ package org.u2sa.recorder.execution;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.messages.schema.ByteString;
+import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 

@@ -3,7 +3,7 @@ package org.u2sa.recorder.execution;
 import java.util.Arrays;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.record.McapException;

@@ -16,11 +16,11 @@ import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
-import org.u2sa.messages.schema.ByteString;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.Cylinder;
 

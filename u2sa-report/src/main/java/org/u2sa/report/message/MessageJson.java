@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.interfaces.JsonText;
+import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.schema.ByteString;
 import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 

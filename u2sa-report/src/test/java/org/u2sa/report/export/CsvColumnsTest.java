@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.CameraImage;
-import org.u2sa.messages.schema.ByteString;
+import org.u2sa.messages.cbor.ByteString;
 
 class CsvColumnsTest {
   @Test

@@ -3,7 +3,7 @@ package org.u2sa.vision.camera;
 import java.util.Optional;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.messages.CameraImage;
-import org.u2sa.messages.schema.ByteString;
+import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.vision.picture.JpegEncoder;
 
 /** Periodically turns camera frames into messages for display. Not thread-safe. */

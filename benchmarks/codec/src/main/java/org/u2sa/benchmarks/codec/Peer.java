@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.msgpack.jackson.dataformat.MessagePackFactory;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.messages.schema.WireForm;
+import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 

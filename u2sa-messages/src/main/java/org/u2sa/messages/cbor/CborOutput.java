@@ -1,4 +1,4 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /** Writes consecutive CBOR data items (RFC 8949): definite lengths, shortest integers, float64. */
-final class CborOutput {
+public final class CborOutput {
   private static final int TYPICAL_BYTES = 512;
   private static final int LONGEST_HEAD = 9;
   private static final int ASCII_LAST = 0x7F;
@@ -15,7 +15,8 @@ final class CborOutput {
   private byte[] bytes;
   private int length;
 
-  CborOutput() {
+  /** Writes with readable keys. */
+  public CborOutput() {
     this(WireForm.READABLE, TYPICAL_BYTES);
   }
 
@@ -23,12 +24,13 @@ final class CborOutput {
    * @param form of the keys of all maps
    * @param expected approximate number of bytes; grows if exceeded
    */
-  CborOutput(WireForm form, int expected) {
+  public CborOutput(WireForm form, int expected) {
     this.form = form;
     bytes = new byte[expected];
   }
 
-  WireForm form() {
+  /** Form of the keys of all maps. */
+  public WireForm form() {
     return form;
   }
 
@@ -44,16 +46,31 @@ final class CborOutput {
   }
 
   /** Bytes written so far. */
-  int length() {
+  public int length() {
     return length;
   }
 
+  /** Encoded numbers with their keys, all but the values. */
+  public interface Pattern {
+    /** Length [bytes]. */
+    public int length();
+
+    /**
+     * Writes it; the caller ensures space.
+     *
+     * @param numbers the values, of which those of the pattern begin at {@code first}
+     * @return end position
+     */
+    int put(byte[] into, int start, double[] numbers, int first);
+  }
+
   /** Everything written; must be the last call. */
-  byte[] toBytes() {
+  public byte[] toBytes() {
     return length == bytes.length ? bytes : Arrays.copyOf(bytes, length);
   }
 
-  void number(double value) {
+  /** Writes a number as float64. */
+  public void number(double value) {
     reserve(LONGEST_HEAD);
     bytes[length] = (byte) Cbor.FLOAT_64;
     ByteBuffer.wrap(bytes).putDouble(length + 1, value);
@@ -65,13 +82,13 @@ final class CborOutput {
    *
    * @param numbers the values, of which those of the pattern begin at {@code first}
    */
-  void numbers(NumberPattern pattern, double[] numbers, int first) {
+  public void numbers(Pattern pattern, double[] numbers, int first) {
     reserve(pattern.length());
     length = pattern.put(bytes, length, numbers, first);
   }
 
   /** An array of numbers. */
-  void numbers(Numbers values) {
+  public void numbers(Numbers values) {
     int size = values.size();
     head(Cbor.ARRAY, size);
     reserve(size * LONGEST_HEAD);
@@ -79,7 +96,7 @@ final class CborOutput {
   }
 
   /** An array of true and false. */
-  void flags(Flags values) {
+  public void flags(Flags values) {
     int size = values.size();
     head(Cbor.ARRAY, size);
     reserve(size);
@@ -91,7 +108,8 @@ final class CborOutput {
     length = at + size;
   }
 
-  void count(long value) {
+  /** Writes an integer in as few bytes as possible. */
+  public void count(long value) {
     if (value < 0) {
       head(Cbor.NEGATIVE, ~value);
     } else {
@@ -99,12 +117,14 @@ final class CborOutput {
     }
   }
 
-  void flag(boolean value) {
+  /** Writes true or false. */
+  public void flag(boolean value) {
     reserve(1);
     bytes[length++] = (byte) (value ? Cbor.TRUE : Cbor.FALSE);
   }
 
-  void text(String value) {
+  /** Writes a text in UTF-8. */
+  public void text(String value) {
     if (!shortAscii(value)) {
       byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
       head(Cbor.TEXT, utf8.length);
@@ -140,30 +160,31 @@ final class CborOutput {
   }
 
   /** Opens a byte string of this length; returns a little-endian buffer for its content. */
-  ByteBuffer byteString(int size) {
+  public ByteBuffer byteString(int size) {
     head(Cbor.BYTES, size);
     reserve(size);
     length += size;
     return ByteBuffer.wrap(bytes, length - size, size).order(ByteOrder.LITTLE_ENDIAN);
   }
 
-  void byteString(ByteString value) {
+  /** Writes a byte string. */
+  public void byteString(ByteString value) {
     head(Cbor.BYTES, value.length());
     item(value.shared());
   }
 
   /** Opens an array; its elements must follow. */
-  void array(int elements) {
+  public void array(int elements) {
     head(Cbor.ARRAY, elements);
   }
 
   /** Opens a map; its pairs must follow. */
-  void map(int pairs) {
+  public void map(int pairs) {
     head(Cbor.MAP, pairs);
   }
 
   /** A field's name or label. */
-  void key(FieldKey key) {
+  public void key(FieldKey key) {
     if (bytes.length - length < key.room()) { // put() may write beyond the key
       item(key.bytes());
     } else {
@@ -173,7 +194,7 @@ final class CborOutput {
   }
 
   /** Appends encoded bytes. */
-  void item(byte[] encoded) {
+  public void item(byte[] encoded) {
     reserve(encoded.length);
     System.arraycopy(encoded, 0, bytes, length, encoded.length);
     length += encoded.length;

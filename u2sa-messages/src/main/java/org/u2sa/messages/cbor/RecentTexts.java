@@ -1,4 +1,4 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
  * <p>Thread-safe: entries are immutable, and one not yet visible to another thread is merely
  * created twice.
  */
-final class RecentTexts {
+public final class RecentTexts {
   /** Maximum length of a cached text. */
   static final int LONGEST = 3 * Long.BYTES - 1;
 

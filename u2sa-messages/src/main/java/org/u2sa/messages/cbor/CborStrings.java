@@ -1,4 +1,4 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;

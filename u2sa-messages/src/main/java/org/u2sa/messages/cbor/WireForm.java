@@ -1,11 +1,11 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 /** Form of an encoded message. Readers accept either form, for each pair. */
 public enum WireForm {
   /** Text names as keys and plain arrays as lists: readable with any CBOR tool. */
   READABLE {
     @Override
-    FieldKey key(String name) {
+    public FieldKey key(String name) {
       return FieldKey.ofName(name);
     }
   },
@@ -15,12 +15,12 @@ public enum WireForm {
    */
   COMPACT {
     @Override
-    FieldKey key(String name) {
+    public FieldKey key(String name) {
       Integer label = FieldLabels.of(name);
       return label == null ? FieldKey.ofName(name) : FieldKey.ofLabel(label);
     }
   };
 
   /** The field's key in this form. */
-  abstract FieldKey key(String name);
+  public abstract FieldKey key(String name);
 }

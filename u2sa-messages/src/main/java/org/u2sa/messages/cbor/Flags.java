@@ -1,11 +1,11 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.util.AbstractList;
 import java.util.Collection;
 import java.util.RandomAccess;
 
 /** An immutable list of booleans, one byte each. */
-final class Flags extends AbstractList<Boolean> implements RandomAccess {
+public final class Flags extends AbstractList<Boolean> implements RandomAccess {
   private final boolean[] values;
 
   private Flags(boolean[] values) {
@@ -13,7 +13,7 @@ final class Flags extends AbstractList<Boolean> implements RandomAccess {
   }
 
   /** Wraps the array, which the caller must not modify afterwards. */
-  static Flags owning(boolean[] values) {
+  public static Flags owning(boolean[] values) {
     return new Flags(values);
   }
 
@@ -22,7 +22,7 @@ final class Flags extends AbstractList<Boolean> implements RandomAccess {
    *
    * @throws IllegalArgumentException if one is neither true nor false
    */
-  static Flags of(Collection<?> flags) {
+  public static Flags of(Collection<?> flags) {
     if (flags instanceof Flags same) {
       return same;
     }
@@ -30,7 +30,7 @@ final class Flags extends AbstractList<Boolean> implements RandomAccess {
     int count = 0;
     for (Object flag : flags) {
       if (!(flag instanceof Boolean value)) {
-        throw ScalarKinds.expected("a list of true or false");
+        throw Limits.expected("a list of true or false");
       }
       values[count++] = value;
     }

@@ -1,4 +1,4 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 /**
  * Thrown for bytes that are not a valid message; names the position, the field and what was
@@ -9,12 +9,18 @@ public final class MalformedMessageException extends Exception {
 
   private final long offset;
 
-  MalformedMessageException(String where, long offset, String what) {
+  /**
+   * @param where type and field of the message
+   * @param offset offset of the byte at which reading stopped
+   * @param what what was expected
+   */
+  public MalformedMessageException(String where, long offset, String what) {
     super(where + ", byte " + offset + ": " + what);
     this.offset = offset;
   }
 
-  MalformedMessageException(String where, long offset, String what, Throwable cause) {
+  /** The same with a cause. */
+  public MalformedMessageException(String where, long offset, String what, Throwable cause) {
     super(where + ", byte " + offset + ": " + what, cause);
     this.offset = offset;
   }

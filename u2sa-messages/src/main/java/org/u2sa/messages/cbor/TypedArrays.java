@@ -1,4 +1,4 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -9,9 +9,9 @@ import org.u2sa.messages.frame.Point;
  * Lists of numbers and points as typed arrays (RFC 8746): a tag gives the number format of a packed
  * byte string. Points are the rows of a two-dimensional array.
  */
-final class TypedArrays {
+public final class TypedArrays {
   /** Tag of a multi-dimensional array, row-major (3.1.1): [dimensions, elements]. */
-  static final int ROW_MAJOR = 40;
+  public static final int ROW_MAJOR = 40;
 
   /** Tag of little-endian float64, the native order of processors (2.1): the only one written. */
   static final int FLOAT_64_LITTLE_ENDIAN = 86;
@@ -25,18 +25,18 @@ final class TypedArrays {
   private TypedArrays() {}
 
   /** Whether the tag is readable: floats of 16, 32 or 64 bits, in either byte order. */
-  static boolean isOfFloats(long tag) {
+  public static boolean isOfFloats(long tag) {
     return tag >= FIRST_FLOAT && tag <= FLOAT_64_LITTLE_ENDIAN && (tag & LENGTH) != LENGTH;
   }
 
   /** Reads the numbers of a typed array after its tag. */
-  static double[] read(CborInput in, long tag) {
+  public static double[] read(CborInput in, long tag) {
     ByteBuffer data = CborStrings.bytesInPlace(in);
     data.order(tag < FIRST_LITTLE_ENDIAN ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
     int size = Short.BYTES << (tag & LENGTH);
     int count = data.remaining() / size;
     if (count * size != data.remaining()) {
-      throw ScalarKinds.expected(
+      throw Limits.expected(
           String.format(
               "a byte string of whole float%s, not %s bytes", size * Byte.SIZE, data.remaining()));
     }
@@ -57,12 +57,14 @@ final class TypedArrays {
     return values;
   }
 
-  static void write(CborOutput out, Numbers values) {
+  /** Writes numbers as a typed array. */
+  public static void write(CborOutput out, Numbers values) {
     out.tag(FLOAT_64_LITTLE_ENDIAN);
     values.put(out.byteString(values.size() * Double.BYTES));
   }
 
-  static void writePoints(CborOutput out, List<Point> points) {
+  /** Writes points as a two-dimensional typed array. */
+  public static void writePoints(CborOutput out, List<Point> points) {
     out.tag(ROW_MAJOR);
     out.array(2);
     out.array(2);

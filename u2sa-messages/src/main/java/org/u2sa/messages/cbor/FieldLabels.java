@@ -1,4 +1,4 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -8,7 +8,7 @@ import java.util.Map;
  * (RFC 9052, 1.5). One list for all classes; names not in it, such as those of your own classes,
  * are written as text even in the labelled form.
  */
-final class FieldLabels {
+public final class FieldLabels {
   /**
    * Prefix of the field name made from an unknown label. A later reader that knows the label
    * resolves it to the name.
@@ -62,22 +62,22 @@ final class FieldLabels {
   private FieldLabels() {}
 
   /** Number of labels: every smaller integer has a name. */
-  static int count() {
+  public static int count() {
     return NAMES.length;
   }
 
   /** Label of a name; null if none. */
-  static Integer of(String name) {
+  public static Integer of(String name) {
     return LABELS.get(name);
   }
 
   /** Name of a label; a placeholder if the label is unknown. */
-  static String name(long label) {
+  public static String name(long label) {
     return label >= 0 && label < NAMES.length ? NAMES[(int) label] : UNKNOWN + label;
   }
 
   /** Name of a text key: the text itself, or the name of the label in a placeholder. */
-  static String name(String key) {
+  public static String name(String key) {
     if (!key.startsWith(UNKNOWN)) {
       return key;
     }

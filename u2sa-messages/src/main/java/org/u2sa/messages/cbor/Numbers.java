@@ -1,4 +1,4 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.nio.ByteBuffer;
 import java.util.AbstractList;
@@ -6,7 +6,7 @@ import java.util.Collection;
 import java.util.RandomAccess;
 
 /** An immutable list of unboxed finite numbers. */
-final class Numbers extends AbstractList<Double> implements RandomAccess {
+public final class Numbers extends AbstractList<Double> implements RandomAccess {
   private final double[] values;
 
   private Numbers(double[] values) {
@@ -18,11 +18,11 @@ final class Numbers extends AbstractList<Double> implements RandomAccess {
    *
    * @throws IllegalArgumentException if one is not finite
    */
-  static Numbers owning(double[] values) {
+  public static Numbers owning(double[] values) {
     for (double value : values) {
       if (!(Math.abs(value) <= Limits.NUMBER)) { // true for NaN
         String bound = Double.isFinite(value) ? " of at most " + Limits.NUMBER : "";
-        throw ScalarKinds.expected("finite numbers" + bound + ", not " + value);
+        throw Limits.expected("finite numbers" + bound + ", not " + value);
       }
     }
     return new Numbers(values);
@@ -33,7 +33,7 @@ final class Numbers extends AbstractList<Double> implements RandomAccess {
    *
    * @throws IllegalArgumentException if one is not finite, or no number at all
    */
-  static Numbers of(Collection<?> numbers) {
+  public static Numbers of(Collection<?> numbers) {
     if (numbers instanceof Numbers same) {
       return same;
     }
@@ -41,7 +41,7 @@ final class Numbers extends AbstractList<Double> implements RandomAccess {
     int count = 0;
     for (Object number : numbers) {
       if (!(number instanceof Double value)) {
-        throw ScalarKinds.expected("a list of numbers");
+        throw Limits.expected("a list of numbers");
       }
       values[count++] = value;
     }

@@ -1,4 +1,4 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,10 +1,10 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /** A field's key on the wire, encoded once and written eight bytes at a time. Immutable. */
-final class FieldKey {
+public final class FieldKey {
   private final byte[] bytes;
   private final int length;
   private final long[] words; // the bytes, big-endian; the last word is zero-padded
@@ -44,13 +44,13 @@ final class FieldKey {
   }
 
   /** Mask of the first bytes of a word; all bits for eight or more. */
-  static long mask(int count) {
+  public static long mask(int count) {
     int kept = Math.max(0, Math.min(Long.BYTES, count));
     return kept == 0 ? 0L : -1L << (Long.BYTES - kept) * Byte.SIZE;
   }
 
   /** The key as a CBOR data item; not to be modified. */
-  byte[] bytes() {
+  public byte[] bytes() {
     return bytes;
   }
 
@@ -59,7 +59,8 @@ final class FieldKey {
     return (word & firstMask) == first;
   }
 
-  int length() {
+  /** Bytes of the key. */
+  public int length() {
     return length;
   }
 

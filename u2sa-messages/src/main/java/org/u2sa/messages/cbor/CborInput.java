@@ -1,4 +1,4 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.nio.ByteBuffer;
 
@@ -7,9 +7,9 @@ import java.nio.ByteBuffer;
  * more memory than there are bytes; malformed input causes an {@link IllegalArgumentException}
  * naming what was expected.
  */
-final class CborInput {
+public final class CborInput {
   /** Returned by {@link #array} and {@link #map} for indefinite lengths. */
-  static final long UNTIL_BREAK = -1;
+  public static final long UNTIL_BREAK = -1;
 
   private static final int HALF_EXPONENT = 10; // fraction bits below the exponent
   private static final int HALF_FRACTION = 0x3FF;
@@ -19,20 +19,21 @@ final class CborInput {
   private final RecentTexts recent;
   private int at;
 
-  CborInput(byte[] bytes) {
+  /** Reads from the start of these bytes. */
+  public CborInput(byte[] bytes) {
     this(bytes, new RecentTexts());
   }
 
   /**
    * @param recent cache of texts likely to recur
    */
-  CborInput(byte[] bytes, RecentTexts recent) {
+  public CborInput(byte[] bytes, RecentTexts recent) {
     this.bytes = bytes;
     this.recent = recent;
   }
 
   /** Bytes read so far. */
-  int offset() {
+  public int offset() {
     return at;
   }
 
@@ -45,20 +46,22 @@ final class CborInput {
    * All bytes, for callers that read several items at once and then call {@link #passTo}; not to be
    * modified.
    */
-  byte[] bytes() {
+  public byte[] bytes() {
     return bytes;
   }
 
-  void passTo(int offset) {
+  /** Goes on at an offset. */
+  public void passTo(int offset) {
     at = offset;
   }
 
-  boolean isAtEnd() {
+  /** Whether everything is read. */
+  public boolean isAtEnd() {
     return at == bytes.length;
   }
 
   /** Peeks at the first byte of the next item, skipping tags. */
-  int next() {
+  public int next() {
     while (at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.TAG) {
       argument();
     }
@@ -69,18 +72,18 @@ final class CborInput {
   }
 
   /** Reads the next tag's number; -1 if none follows. */
-  long tag() {
+  public long tag() {
     boolean isTag = at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.TAG;
     return isTag ? argument() : -1L;
   }
 
   /** Peeks whether the next item is an unsigned integer, as labels are. */
-  boolean isLabelNext() {
+  public boolean isLabelNext() {
     return at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.UNSIGNED;
   }
 
   /** Peeks at the next eight bytes, big-endian, zero-padded at the end. */
-  long word() {
+  public long word() {
     return bytes.length - at >= Long.BYTES ? view().getLong(at) : lastWord();
   }
 
@@ -93,7 +96,7 @@ final class CborInput {
   }
 
   /** Consumes the key if it is next. */
-  boolean take(FieldKey key) {
+  public boolean take(FieldKey key) {
     boolean isNext = isNext(key);
     if (isNext) {
       at += key.length();
@@ -102,7 +105,7 @@ final class CborInput {
   }
 
   /** Peeks whether the key is next in its shortest form. */
-  boolean isNext(FieldKey key) {
+  public boolean isNext(FieldKey key) {
     return key.length() <= bytes.length - at
         && key.opens(word())
         && (key.length() <= Long.BYTES || isRestNext(key.bytes()));
@@ -123,7 +126,7 @@ final class CborInput {
   }
 
   /** Reads a number of any width, including integers. */
-  double number() {
+  public double number() {
     int first = next();
     if (first == Cbor.FLOAT_64) {
       int start = skipBytes(1 + Double.BYTES) + 1;
@@ -146,7 +149,7 @@ final class CborInput {
   }
 
   /** Fills the array with numbers. */
-  void numbers(double[] into) {
+  public void numbers(double[] into) {
     ByteBuffer view = view();
     for (int i = 0; i < into.length; i++) {
       if (bytes.length - at > Double.BYTES && (bytes[at] & 0xFF) == Cbor.FLOAT_64) {
@@ -159,7 +162,7 @@ final class CborInput {
   }
 
   /** Fills the array with flags. */
-  void flags(boolean[] into) {
+  public void flags(boolean[] into) {
     for (int i = 0; i < into.length; i++) {
       if (at < bytes.length && (bytes[at] | 1) == (byte) Cbor.TRUE) {
         into[i] = bytes[at++] == (byte) Cbor.TRUE;
@@ -184,7 +187,12 @@ final class CborInput {
     return bits < 0 ? -size : size;
   }
 
-  long count() {
+  /**
+   * Reads an integer of 64 bits.
+   *
+   * @throws IllegalArgumentException if the next item is none
+   */
+  public long count() {
     int left = bytes.length - at;
     if (left > Long.BYTES && bytes[at] == Cbor.EIGHT_BYTES && bytes[at + 1] >= 0) {
       at += 1 + Long.BYTES; // fast path for timestamps: microseconds since 1970
@@ -205,7 +213,12 @@ final class CborInput {
     return major == Cbor.UNSIGNED ? argument : ~argument;
   }
 
-  boolean flag() {
+  /**
+   * Reads true or false.
+   *
+   * @throws IllegalArgumentException if the next item is neither
+   */
+  public boolean flag() {
     int first = next();
     if (first != Cbor.TRUE && first != Cbor.FALSE) {
       throw unexpected("true or false");
@@ -214,7 +227,12 @@ final class CborInput {
     return first == Cbor.TRUE;
   }
 
-  String text() {
+  /**
+   * Reads a text.
+   *
+   * @throws IllegalArgumentException if the next item is none, is too long or not UTF-8
+   */
+  public String text() {
     String text = shortText();
     return text == null ? CborStrings.text(this) : text;
   }
@@ -236,17 +254,17 @@ final class CborInput {
   }
 
   /** Reads a byte string of definite or indefinite length. */
-  ByteString byteString() {
+  public ByteString byteString() {
     return CborStrings.byteString(this);
   }
 
   /** Opens an array; returns how many elements follow, or {@link #UNTIL_BREAK}. */
-  long array() {
+  public long array() {
     return open(Cbor.ARRAY, "an array");
   }
 
   /** Opens a map; returns how many pairs follow, or {@link #UNTIL_BREAK}. */
-  long map() {
+  public long map() {
     return open(Cbor.MAP, "a map");
   }
 
@@ -274,7 +292,7 @@ final class CborInput {
   }
 
   /** Whether an array or map ends after this many elements; consumes a break. */
-  boolean isDone(long length, long read) {
+  public boolean isDone(long length, long read) {
     return length == UNTIL_BREAK ? isBreak() : read == length;
   }
 
@@ -295,7 +313,7 @@ final class CborInput {
    *
    * @param levels maximum nesting depth of arrays and maps in it
    */
-  void skip(int levels) {
+  public void skip(int levels) {
     int first = next();
     switch (first & Cbor.MAJOR) {
       case Cbor.TEXT -> text();
@@ -356,7 +374,7 @@ final class CborInput {
   }
 
   /** Skips the first byte of an unexpected item and throws. */
-  IllegalArgumentException unexpected(String what) {
+  public IllegalArgumentException unexpected(String what) {
     int first = bytes[at++] & 0xFF;
     return new IllegalArgumentException("expected " + what + ", not " + name(first));
   }
