@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import org.u2sa.cli.command.CommandProvider;
+import org.u2sa.cli.safety.EmergencyStopCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help;
@@ -16,6 +17,7 @@ import picocli.CommandLine.Spec;
 
 /** Builds the command tree from the frame's own commands and those of the providers. */
 final class CommandTree {
+  private static final String URGENT = "estop";
 
   private CommandTree() {}
 
@@ -38,14 +40,21 @@ final class CommandTree {
     }
   }
 
-  /** Creates the command line of all commands, with the project's error handling. */
-  static CommandLine build(List<CommandProvider> providers, Help.Ansi ansi) {
+  /**
+   * Creates the command line of all commands, with the project's error handling; for an emergency
+   * stop only of that one, because the others take a third of its time.
+   */
+  static CommandLine build(List<CommandProvider> providers, Help.Ansi ansi, String... args) {
+    boolean isUrgent = args.length > 0 && args[0].equals(URGENT);
     RootCommand root = new RootCommand();
     CommandLine line = new CommandLine(root);
     CommandLine demo = new CommandLine(new DemoCommand());
     line.addSubcommand(demo);
     for (CommandProvider provider : providers) {
       for (CommandProvider.Contribution contribution : provider.commands()) {
+        if (isUrgent && !(contribution.command() instanceof EmergencyStopCommand)) {
+          continue;
+        }
         (contribution.group() == CommandProvider.Group.DEMO ? demo : line)
             .addSubcommand(contribution.command());
       }

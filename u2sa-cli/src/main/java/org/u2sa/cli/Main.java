@@ -54,7 +54,9 @@ public final class Main {
       Help.Ansi ansi,
       String... args) {
     CommandLine line =
-        CommandTree.build(providers, ansi).setOut(new PlainLines(out)).setErr(new PlainLines(err));
+        CommandTree.build(providers, ansi, args)
+            .setOut(new PlainLines(out))
+            .setErr(new PlainLines(err));
     try {
       return line.execute(args);
     } catch (Error e) { // picocli rethrows it; a broken installation deserves a clear message, too

@@ -3,6 +3,7 @@ package org.u2sa.cli.remote;
 import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.concurrent.ConcurrentSkipListSet;
 import org.u2sa.core.communication.BrokerSearch;
@@ -129,6 +130,33 @@ public final class RemoteSystem {
   }
 
   /**
+   * Joins the chosen system, or all systems at the broker if none was chosen, without listening
+   * first which there are.
+   *
+   * @throws org.u2sa.interfaces.communication.CommunicationException if no broker answers
+   * @throws BadInputException if this account runs several systems at several brokers
+   */
+  public RemoteLink connectToAll() throws InterruptedException {
+    Clock clock = new SystemClock();
+    findBroker(clock);
+    String id = isChosen() ? systemId : Topic.ANY_SYSTEM;
+    return new RemoteLink(transportTo(id), name(), clock, timeoutS, this::tell);
+  }
+
+  /** Whether the system was chosen by its ID. */
+  public boolean isChosen() {
+    return systemId != null;
+  }
+
+  /**
+   * The systems known without listening: the chosen one, or those that this account runs at the
+   * broker. For {@link #connectToAll}, once it has found the broker.
+   */
+  public Set<String> known() {
+    return isChosen() ? Set.of(systemId) : LocalSystems.ofAccount().at(broker);
+  }
+
+  /**
    * Returns an unconnected transport for a service that joins the system. Fails like {@link
    * #connect}, except if a system was chosen by ID: then an unreachable broker is detected only
    * when connecting.
@@ -169,12 +197,7 @@ public final class RemoteSystem {
   private String theOnlyOne(Clock clock) throws InterruptedException {
     SortedSet<String> heard = heard(name(), clock);
     if (heard.isEmpty()) {
-      throw new RunFailedException(
-          String.format(
-              Locale.ROOT,
-              "no system heard at %s within %.1f s; is one running? --broker names another broker",
-              broker,
-              timeoutS));
+      throw nobodyHeard();
     }
     if (heard.size() > 1) {
       throw new BadInputException(
@@ -183,6 +206,16 @@ public final class RemoteSystem {
               broker, String.join(", ", heard)));
     }
     return heard.first();
+  }
+
+  /** The failure that no system was heard at the broker. */
+  public RunFailedException nobodyHeard() {
+    return new RunFailedException(
+        String.format(
+            Locale.ROOT,
+            "no system heard at %s within %.1f s; is one running? --broker names another broker",
+            broker,
+            timeoutS));
   }
 
   /**

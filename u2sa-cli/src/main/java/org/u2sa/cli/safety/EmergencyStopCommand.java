@@ -1,15 +1,17 @@
 package org.u2sa.cli.safety;
 
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.UUID;
+import java.util.SortedMap;
 import java.util.concurrent.Callable;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.safety.StopConfirmation;
+import org.u2sa.gcs.safety.StopOrder;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.EmergencyStop;
@@ -28,6 +30,9 @@ import picocli.CommandLine.Spec;
       "Every actuator goes neutral and refuses all commands, also one that starts later, until estop --clear. An aircraft "
           + "glides, its surfaces neutral and its engine idling.",
       "",
+      "Without --system the stop goes to every system at the broker that the user may command, to each as soon as it is heard. "
+          + "--clear lifts the stops of one system, which --system chooses if several are heard.",
+      "",
       "Exit code 0: every service that heeds stops, actuators and Safety Manager, has said that it is stopped (or, with --clear, "
           + "that nothing stops it). Exit code 1: somebody has not, and the answer says who."
     })
@@ -37,6 +42,8 @@ public final class EmergencyStopCommand implements Callable<Integer> {
    * the stop.
    */
   private static final double LISTEN_S = 1.2;
+
+  private static final int MAX_LINES = 30; // services can be invented by the thousand
 
   @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
@@ -53,28 +60,51 @@ public final class EmergencyStopCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    try (RemoteLink link = remote.connect();
-        Clock.Waiter waiter = link.clock().newWaiter("stops")) {
-      EmergencyStop message = new EmergencyStop().operator(Operator.name()).reason(reason);
-      return clear ? clear(link, waiter, message) : stop(link, waiter, message);
-    }
+    return clear ? clear() : stop();
   }
 
   /** Publishes the stop before anything else. */
-  private int stop(RemoteLink link, Clock.Waiter waiter, EmergencyStop message)
-      throws InterruptedException {
-    String id = Operator.name() + " " + UUID.randomUUID();
-    link.publish(Channels.EMERGENCY_STOP, message.active(true).stopId(id));
-    StopConfirmation vehicle = StopConfirmation.listen(link, waiter);
-    StopConfirmation.Outcome holds = held -> held.contains(id);
-    vehicle.await(holds);
-    return report(link, vehicle, holds);
+  private int stop() throws InterruptedException {
+    try (RemoteLink link = remote.connectToAll();
+        Clock.Waiter waiter = link.clock().newWaiter("stops")) {
+      StopOrder order = new StopOrder(link, waiter, Operator.name(), reason);
+      remote.known().forEach(order::send);
+      if (!remote.isChosen()) {
+        order.sendToAllHeard();
+      }
+      SortedMap<String, StopConfirmation> vehicles = order.await();
+      if (vehicles.isEmpty()) {
+        throw remote.nobodyHeard();
+      }
+      int worst = ExitCode.DONE;
+      for (String system : vehicles.keySet()) {
+        String failure = order.failure(system);
+        int code =
+            failure.isEmpty()
+                ? report(link, system, vehicles.get(system), order.holds())
+                : notSent(system, failure);
+        worst = Math.max(worst, code);
+      }
+      return worst;
+    }
+  }
+
+  private int notSent(String system, String failure) {
+    out().printf("%s: Emergency stop was NOT SENT: %s%n", system, failure);
+    return ExitCode.FAILED;
   }
 
   /** Clears all reported stops, and no others. */
-  private int clear(RemoteLink link, Clock.Waiter waiter, EmergencyStop message)
-      throws InterruptedException {
-    StopConfirmation vehicle = StopConfirmation.listen(link, waiter);
+  private int clear() throws InterruptedException {
+    try (RemoteLink link = remote.connect();
+        Clock.Waiter waiter = link.clock().newWaiter("stops")) {
+      return clear(link, waiter);
+    }
+  }
+
+  private int clear(RemoteLink link, Clock.Waiter waiter) throws InterruptedException {
+    EmergencyStop message = new EmergencyStop().operator(Operator.name()).reason(reason);
+    StopConfirmation vehicle = StopConfirmation.listen(link, link.systemId(), waiter);
     link.await(() -> false, Math.min(LISTEN_S, link.timeoutS()));
     Set<String> standing = vehicle.standing();
     long said = link.clock().micros();
@@ -85,27 +115,41 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     link.publish(Channels.EMERGENCY_STOP, message);
     StopConfirmation.Outcome free = List::isEmpty;
     vehicle.await(free);
-    return report(link, vehicle, free);
+    return report(link, link.systemId(), vehicle, free);
   }
 
-  private int report(RemoteLink link, StopConfirmation vehicle, StopConfirmation.Outcome wanted)
+  private int report(
+      RemoteLink link, String system, StopConfirmation vehicle, StopConfirmation.Outcome wanted)
       throws InterruptedException {
     String what = clear ? "Emergency stop cleared" : "Emergency stop";
     List<String> missing = vehicle.missing(wanted);
     List<String> by = vehicle.confirmedBy(wanted);
-    String confirmed = by.isEmpty() ? "" : "confirmed by " + String.join(", ", by);
-    PrintWriter out = command.commandLine().getOut();
+    String confirmed = by.isEmpty() ? "" : "confirmed by " + String.join(", ", shortened(by));
+    PrintWriter out = out();
     if (missing.isEmpty()) {
-      out.printf("%s: %s, %s%n", link.systemId(), what, confirmed);
+      out.printf("%s: %s, %s%n", system, what, confirmed);
     } else {
       out.printf(
           "%s: %s was sent, but NOT CONFIRMED%s%n",
-          link.systemId(), what, by.isEmpty() ? "" : " by all; " + confirmed);
-      missing.forEach(reason -> out.println("  " + reason));
+          system, what, by.isEmpty() ? "" : " by all; " + confirmed);
+      shortened(missing).forEach(reason -> out.println("  " + reason));
     }
     if (!vehicle.hearsAnybody()) {
       remote.otherSystems(link).ifPresent(out::println);
     }
     return missing.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
+  }
+
+  private static List<String> shortened(List<String> lines) {
+    if (lines.size() <= MAX_LINES) {
+      return lines;
+    }
+    List<String> shortened = new ArrayList<>(lines.subList(0, MAX_LINES));
+    shortened.add("and " + (lines.size() - MAX_LINES) + " more");
+    return shortened;
+  }
+
+  private PrintWriter out() {
+    return command.commandLine().getOut();
   }
 }

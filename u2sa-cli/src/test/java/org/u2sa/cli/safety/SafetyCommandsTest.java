@@ -75,6 +75,22 @@ class SafetyCommandsTest {
   }
 
   @Test
+  void estop_noSystemChosen_stopsAllThatTheBrokerServes() throws Exception {
+    try (ReportingBuoy buoy = ReportingBuoy.join(foreign.port(), "buoy")) {
+      CommandLine line =
+          new CommandLine(new EmergencyStopCommand()).setOut(new PrintWriter(out, true));
+
+      assertThat(line.execute("--broker", foreign.broker(), "--timeout", "10"))
+          .isEqualTo(ExitCode.DONE);
+
+      assertThat(out.toString())
+          .contains("boat: Emergency stop, confirmed by Motor, SafetyManager")
+          .contains(buoy.systemId() + ": Emergency stop, confirmed by Buoy");
+      assertThat(run(new EmergencyStopCommand(), "--clear")).isEqualTo(ExitCode.DONE);
+    }
+  }
+
+  @Test
   void estop_twiceThenOneClear_liftsBoth() {
     run(new EmergencyStopCommand(), "--reason", "smoke");
     run(new EmergencyStopCommand(), "--reason", "fire");

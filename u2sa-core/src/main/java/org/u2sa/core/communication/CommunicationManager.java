@@ -171,7 +171,7 @@ public final class CommunicationManager implements AutoCloseable {
    * The transport to another system on the same broker, which requires a user and encryption as for
    * any client.
    *
-   * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to receive all and publish nothing
+   * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to receive all
    * @throws CommunicationException if nothing leaves this process
    */
   public Transport transportOf(String otherSystemId) {

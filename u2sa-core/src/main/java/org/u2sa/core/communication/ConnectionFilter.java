@@ -59,14 +59,6 @@ final class ConnectionFilter implements AutoCloseable {
 
   private static final double TOTAL_BURST_S = 0.01; // how long a flood may delay other clients
 
-  /**
-   * Part of the network thread's time for what clients' long messages and grids take to be read and
-   * passed on. The rest is left for short messages, such as an emergency stop.
-   */
-  private static final double COSTLY_PART = 0.5;
-
-  private static final double COSTLY_BURST_S = 0.02;
-
   /** Moquette handlers that log and count each packet, unused here. */
   private static final List<String> MOQUETTES_OBSERVERS = List.of("messageLogger", "metrics");
 
@@ -94,7 +86,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final MemoryBudget<ClientSession> unsent = // touched by the network's thread only
       MemoryBudget.ofClients(4, 256 << 20, ClientSession.TOO_SLOW);
   private final Allowance beyondShares; // touched by the network's thread only
-  private final Allowance costlyTime; // [s], touched by the network's thread only
+  private final CostlyTime costlyTime; // touched by the network's thread only
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final MessageRouter router;
   private volatile boolean ending;
@@ -131,7 +123,7 @@ final class ConnectionFilter implements AutoCloseable {
     questions = new Allowance.PerUser(limits.clientQuestionsPerSecond());
     double totalPerS = limits.totalMessagesPerSecond();
     beyondShares = new Allowance(totalPerS, TOTAL_BURST_S * totalPerS, clock.micros());
-    costlyTime = Allowance.ofTime(COSTLY_PART, COSTLY_BURST_S, clock.micros());
+    costlyTime = new CostlyTime(clock.micros());
   }
 
   private static byte[] newPass() {
@@ -367,11 +359,8 @@ final class ConnectionFilter implements AutoCloseable {
     return beyondShares;
   }
 
-  /**
-   * The network thread's time [s] for long messages and grids of all clients, see {@link Inflow}.
-   * For that thread only.
-   */
-  Allowance costlyTime() {
+  /** The network thread's time for long messages and grids of all clients. For that thread only. */
+  CostlyTime costlyTime() {
     return costlyTime;
   }
 

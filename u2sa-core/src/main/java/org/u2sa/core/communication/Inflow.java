@@ -36,6 +36,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
    */
   static final int SHORT_PAYLOAD = 1_024;
 
+  private static final int LONG_BYTES = 2 * SHORT_PAYLOAD; // no short message takes as many
+
   private final ConnectionFilter filter;
   private final ClientSession session;
   private final Deque<Object> held = new ArrayDeque<>(); // packets already read
@@ -45,6 +47,11 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private final Allowance slowMessages;
   private final Allowance slowBytes;
   private long decoded; // number of packets
+  private long sincePacket; // bytes received since the last complete packet
+  private double chargedS; // of the current read, for complete messages
+  private double advanceS; // charged for the next read
+  private double lastReadS; // what the last read of a long message took
+  private boolean isLong; // whether the last read was of a long message
   private boolean isBehind; // whether a subscriber is behind
   private boolean isWithinShare; // whether the next message is
   private boolean paused;
@@ -76,6 +83,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   @Override
   public void channelRead(ChannelHandlerContext ctx, Object message) {
     decoded++;
+    sincePacket = 0;
     if (held.isEmpty() && isOpen() && isAffordable(message) && session.isInTurn(message)) {
       letIn(ctx, message);
     } else {
@@ -102,6 +110,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   /** Counts bytes as received, before decryption and decoding. */
   void received(int length) {
     long now = filter.nowMicros();
+    sincePacket += length;
+    chargedS = 0.0;
     bytes.take(length, now);
     if (isBehind) {
       slowBytes.take(length, now);
@@ -109,6 +119,31 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     if (!isOpen()) {
       pause(context);
     }
+  }
+
+  /**
+   * Processes a read, decryption included; charges its time if it was of a long message, and reads
+   * no further while others' long messages have taken too much.
+   */
+  void process(Runnable read) {
+    long before = filter.nowMicros();
+    read.run();
+    long now = filter.nowMicros();
+    double seconds = Clock.seconds(now - before);
+    isLong = sincePacket > LONG_BYTES || chargedS > 0.0;
+    if (isLong) {
+      lastReadS = Math.max(0.0, seconds - chargedS);
+      filter.costlyTime().take(this, lastReadS - advanceS, now);
+      advanceS = 0.0;
+      if (!mayReadOn(now)) {
+        pause(context);
+      }
+    }
+  }
+
+  /** Whether the network's thread has time for the next read. Operators never wait. */
+  private boolean mayReadOn(long now) {
+    return !isLong || session.isOperator() || filter.costlyTime().isOpen(this, now);
   }
 
   /**
@@ -133,7 +168,9 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     long before = filter.nowMicros();
     ctx.fireChannelRead(message);
     long now = filter.nowMicros();
-    filter.costlyTime().take(Clock.seconds(now - before), now);
+    double tookS = Clock.seconds(now - before);
+    chargedS += tookS;
+    filter.costlyTime().take(this, tookS, now);
   }
 
   /**
@@ -143,7 +180,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private boolean isAffordable(Object message) {
     return !isCostly(message)
         || session.isOperator()
-        || filter.costlyTime().isOpen(filter.nowMicros());
+        || filter.costlyTime().isOpen(this, filter.nowMicros());
   }
 
   /**
@@ -182,7 +219,12 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     if (any) {
       ctx.fireChannelReadComplete();
     }
-    if (held.isEmpty() && isOpen()) {
+    long now = filter.nowMicros();
+    if (held.isEmpty() && isOpen() && mayReadOn(now)) {
+      if (isLong) { // in advance, or all that wait would read at once
+        filter.costlyTime().take(this, lastReadS - advanceS, now);
+        advanceS = lastReadS;
+      }
       ctx.channel().config().setAutoRead(true);
     } else {
       pause(ctx);

@@ -35,6 +35,6 @@ final class ReceivedBytes extends ChannelInboundHandlerAdapter {
         return;
       }
     }
-    ctx.fireChannelRead(message);
+    inflow.process(() -> ctx.fireChannelRead(message));
   }
 }

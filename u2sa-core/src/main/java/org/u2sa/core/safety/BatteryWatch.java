@@ -1,9 +1,12 @@
 package org.u2sa.core.safety;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import org.u2sa.interfaces.time.Clock;
@@ -12,6 +15,8 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** Checks whether a battery has been below a voltage or charge threshold for BATTERY TIME. */
 final class BatteryWatch implements Watch {
+  private static final int MAX_LOW = 256; // so that invented batteries do not fill the memory
+
   /** Start time and description of a battery's undershoot. */
   private record Low(long sinceMicros, String words) {}
 
@@ -20,7 +25,8 @@ final class BatteryWatch implements Watch {
   private final ToDoubleFunction<SafetySettings> leastVolts;
   private final ToDoubleFunction<SafetySettings> leastPercent;
   private final Map<String, Low> low = new TreeMap<>();
-  private boolean heard;
+  private final Set<String> chosenHeard = new TreeSet<>(); // of those that the settings name
+  private boolean heard; // any that counts
 
   private BatteryWatch(
       Hazard hazard,
@@ -61,20 +67,33 @@ final class BatteryWatch implements Watch {
 
   @Override
   public void see(U2SAData message, long nowMicros) {
-    if (!(message instanceof BatteryState battery)) {
+    if (!(message instanceof BatteryState battery) || !counts(battery.sensorName())) {
       return;
     }
     heard = true;
+    if (!chosen().isEmpty()) {
+      chosenHeard.add(battery.sensorName());
+    }
     String words =
         below("voltage", battery.voltage(), leastVolts, "V")
             + below("remaining", battery.remaining(), leastPercent, "%");
     if (words.isEmpty()) {
       low.remove(battery.sensorName());
-    } else {
+    } else if (low.size() < MAX_LOW || low.containsKey(battery.sensorName())) {
       Low before = low.get(battery.sensorName());
       long since = before == null ? nowMicros : before.sinceMicros();
       low.put(battery.sensorName(), new Low(since, battery.sensorName() + words));
     }
+  }
+
+  private List<String> chosen() {
+    return CauseText.names(settings.get().batteries());
+  }
+
+  /** Whether the battery is among those that count. */
+  private boolean counts(String name) {
+    List<String> chosen = chosen();
+    return chosen.isEmpty() || chosen.contains(name);
   }
 
   private String below(
@@ -88,19 +107,27 @@ final class BatteryWatch implements Watch {
   @Override
   public Optional<String> trouble(long nowMicros) {
     long time = Clock.micros(settings.get().batteryTime());
-    for (Low each : low.values()) {
-      if (nowMicros - each.sinceMicros() >= time) {
-        return Optional.of(each.words());
-      }
-    }
-    return Optional.empty();
+    return low.entrySet().stream()
+        .filter(each -> counts(each.getKey()))
+        .map(Map.Entry::getValue)
+        .filter(each -> nowMicros - each.sinceMicros() >= time)
+        .map(Low::words)
+        .findFirst();
   }
 
   @Override
   public Optional<String> objection(long nowMicros) {
+    List<String> missing = chosen();
+    missing.removeAll(chosenHeard);
+    if (isConfigured() && !missing.isEmpty()) {
+      return Optional.of("not heard: " + String.join(", ", missing));
+    }
     if (isConfigured() && !heard) {
       return Optional.of("a threshold is set, but no battery heard");
     }
-    return low.values().stream().findFirst().map(Low::words);
+    return low.entrySet().stream()
+        .filter(each -> counts(each.getKey()))
+        .findFirst()
+        .map(each -> each.getValue().words());
   }
 }

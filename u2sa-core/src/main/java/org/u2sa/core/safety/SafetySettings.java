@@ -75,6 +75,11 @@ record SafetySettings(
             text = "Time for which a battery must be below a threshold: voltage sags under load.")
         double batteryTime,
     @Variable(
+            ifAbsentText = "",
+            text =
+                "Sensor names of the batteries that count, separated by commas, so that an invented one is ignored; empty: all that are heard.")
+        String batteries,
+    @Variable(
             unit = "s",
             min = 0,
             max = 3600,

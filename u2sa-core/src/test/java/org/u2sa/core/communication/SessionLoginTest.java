@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.security.SecureRandom;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
@@ -200,7 +201,7 @@ class SessionLoginTest {
   @Test
   void publish_longEmergencyStopOfAnOperator_waitsForNobodysLongMessages() {
     logIn();
-    client.filter.costlyTime().take(10.0); // [s], of others
+    client.filter.costlyTime().take(this, 10.0, 0); // [s], of others
 
     client.send(MqttPacketBytes.publish("u2sa/cessna/emergency-stop/EmergencyStop", 4_000, 7));
 
@@ -213,12 +214,52 @@ class SessionLoginTest {
     client.close();
     client = new PacketPipeline(Map.of(), new Users(file, line -> {}));
     logIn();
-    client.filter.costlyTime().take(1.0); // [s]
+    client.filter.costlyTime().take(this, 1.0, 0); // [s]
 
     client.send(MqttPacketBytes.publish("u2sa/cessna/goals/GoalList", 4_000, 7));
-    client.pass(1_000);
+    passWhileAnotherAsks(1_900);
     assertThat(client.sent()).isEmpty();
-    client.pass(1_100);
+    passWhileAnotherAsks(200);
     assertThat(client.sent()).as("half of the time is theirs").containsExactly("40");
+  }
+
+  @Test
+  void publish_longMessageOfTheOnlyOneWhoSendsThem_waitsForNoShare() {
+    write(AccessRole.SERVICE);
+    client.close();
+    client = new PacketPipeline(Map.of(), new Users(file, line -> {}));
+    logIn();
+    client.filter.costlyTime().take(this, 1.0, 0); // [s]
+
+    client.send(MqttPacketBytes.publish("u2sa/cessna/goals/GoalList", 4_000, 7));
+    client.pass(110);
+
+    assertThat(client.sent()).containsExactly("40");
+  }
+
+  @Test
+  void channelRead_partOfALongMessageWhileOthersSendThem_isReadNoFurther() {
+    write(AccessRole.SERVICE);
+    client.close();
+    client = new PacketPipeline(Map.of(), new Users(file, line -> {}));
+    logIn();
+    client.filter.costlyTime().take(this, 0.1, 0); // [s]
+
+    client.send(
+        Arrays.copyOf(MqttPacketBytes.publish("u2sa/cessna/goals/GoalList", 9_000, 7), 5_000));
+
+    assertThat(client.channel.config().isAutoRead()).isFalse();
+    passWhileAnotherAsks(170);
+    assertThat(client.channel.config().isAutoRead()).isFalse();
+    passWhileAnotherAsks(50);
+    assertThat(client.channel.config().isAutoRead()).isTrue();
+  }
+
+  /** Another client waits with long messages meanwhile. */
+  private void passWhileAnotherAsks(int millis) {
+    for (int i = 0; i < millis; i += 10) {
+      client.filter.costlyTime().isOpen(this, client.filter.nowMicros());
+      client.pass(10);
+    }
   }
 }

@@ -132,6 +132,33 @@ class WatchLimitsTest {
   }
 
   @Test
+  void battery_inventedBesideTheChosenOnes_isIgnored() {
+    BatteryWatch watch =
+        BatteryWatch.low(with(Map.of("LOW BATTERY VOLTAGE", 11.0, "BATTERIES", "main, spare")));
+    watch.see(state("invented", 5.0, 90.0), 0);
+    watch.see(state("main", 12.0, 90.0), 0);
+
+    assertThat(watch.objection(SECOND)).contains("not heard: spare");
+    assertThat(watch.trouble(60 * SECOND)).isEmpty();
+
+    watch.see(state("spare", 12.0, 90.0), SECOND);
+    assertThat(watch.objection(SECOND)).isEmpty();
+    watch.see(state("spare", 5.0, 90.0), SECOND);
+    assertThat(watch.objection(SECOND)).contains("spare, voltage 5.0 below 11.0 V");
+  }
+
+  @Test
+  void battery_emptyOneAfterManyInvented_isStillHeard() {
+    BatteryWatch watch = battery(11.0, 0.0, 0.0);
+    for (int i = 0; i < 1_000; i++) {
+      watch.see(state("invented" + i, 12.0, 90.0), 0);
+    }
+    watch.see(state("main", 5.0, 90.0), 0);
+
+    assertThat(watch.trouble(SECOND)).contains("main, voltage 5.0 below 11.0 V");
+  }
+
+  @Test
   void battery_emptyWhereNoLevelIsConfigured_isNotLookedAt() {
     BatteryWatch watch = battery(0.0, 0.0, 0.0);
     assertThat(watch.objection(0)).isEmpty();

@@ -11,6 +11,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
@@ -157,6 +158,18 @@ public final class LocalSystems {
     return words.length == 2
         ? Optional.of(new LocalSystem(words[0], BrokerAddress.parse(words[1])))
         : Optional.empty(); // it is being written
+  }
+
+  /** IDs of the systems at a broker; empty if the registry cannot be read. */
+  public Set<String> at(BrokerAddress broker) {
+    try {
+      return running().stream()
+          .filter(each -> each.broker().equals(broker))
+          .map(LocalSystem::systemId)
+          .collect(Collectors.toSet());
+    } catch (BadInputException e) {
+      return Set.of(); // the broker's messages tell them too
+    }
   }
 
   /**

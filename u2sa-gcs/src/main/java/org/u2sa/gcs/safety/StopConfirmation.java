@@ -14,6 +14,7 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Tracks which services confirm an emergency stop. A stop is confirmed once every service that
@@ -24,20 +25,27 @@ public final class StopConfirmation {
   private static final double LISTEN_S = 0.6;
 
   private final RemoteLink link;
+  private final String systemId;
   private final Clock.Waiter waiter;
   private final Map<String, List<String>> holding = new TreeMap<>(); // by service; guarded by this
   private final Set<String> heard = new TreeSet<>(); // guarded by this
   private final Map<String, String> broken = new TreeMap<>(); // guarded by this
   private final Map<String, EmergencyStop> stops = new TreeMap<>(); // by identity; guarded by this
 
-  private StopConfirmation(RemoteLink link, Clock.Waiter waiter) {
+  private StopConfirmation(RemoteLink link, String systemId, Clock.Waiter waiter) {
     this.link = link;
+    this.systemId = systemId;
     this.waiter = waiter;
   }
 
-  /** Starts listening. */
-  public static StopConfirmation listen(RemoteLink link, Clock.Waiter waiter) {
-    StopConfirmation confirmation = new StopConfirmation(link, waiter);
+  /**
+   * Starts listening.
+   *
+   * @param link to that system, or to all
+   * @param waiter signalled with each message of that system that matters
+   */
+  public static StopConfirmation listen(RemoteLink link, String systemId, Clock.Waiter waiter) {
+    StopConfirmation confirmation = new StopConfirmation(link, systemId, waiter);
     link.listen(Channels.HEALTH, confirmation.<HealthReport>taking(confirmation::take));
     link.listen(Channels.CONDITIONS, confirmation.<ServiceCondition>taking(confirmation::take));
     link.listen(Channels.EMERGENCY_STOP, confirmation.<EmergencyStop>taking(confirmation::take));
@@ -45,8 +53,11 @@ public final class StopConfirmation {
   }
 
   /** Runs the action on the transport's thread, and re-evaluates. */
-  private <T> Consumer<T> taking(Consumer<T> action) {
+  private <T extends U2SAData> Consumer<T> taking(Consumer<T> action) {
     return message -> {
+      if (!message.systemId().equals(systemId)) {
+        return;
+      }
       synchronized (this) {
         action.accept(message);
       }
@@ -113,7 +124,7 @@ public final class StopConfirmation {
   public synchronized List<String> missing(Outcome wanted) {
     List<String> missing = new ArrayList<>();
     if (heard.isEmpty()) {
-      missing.add("no service of system \"" + link.systemId() + "\" is heard");
+      missing.add("no service of system \"" + systemId + "\" is heard");
     } else if (holding.isEmpty()) {
       missing.add("of its " + heard.size() + " services none says that it heeds emergency stops");
     }

@@ -113,7 +113,7 @@ final class MqttConnection implements Connection {
 
   @Override
   public boolean publish(Channel<?> channel, U2SAData message) {
-    if (closed || !channel.carries(message) || systemId.equals(Topic.ANY_SYSTEM)) {
+    if (closed || !channel.carries(message) || !isAddressed(message)) {
       incoming.refuse(1);
       return false;
     }
@@ -122,6 +122,11 @@ final class MqttConnection implements Connection {
     synchronized (stream) {
       return publish(channel, topic, message, stream.next());
     }
+  }
+
+  /** Whether it is clear which system the message is for. */
+  private boolean isAddressed(U2SAData message) {
+    return !systemId.equals(Topic.ANY_SYSTEM) || !message.systemId().isEmpty();
   }
 
   private boolean publish(Channel<?> channel, String topic, U2SAData message, Origin origin) {
@@ -281,7 +286,10 @@ final class MqttConnection implements Connection {
     }
   }
 
-  /** Cache of a system's outgoing topics by channel and type. */
+  /**
+   * Cache of a system's outgoing topics by channel and type. Without a system of its own, each
+   * message's system counts, and nothing is cached.
+   */
   static final class TopicNames {
     private final String systemId;
     private final Map<String, Map<List<String>, String>> composed = new ConcurrentHashMap<>();
@@ -292,8 +300,9 @@ final class MqttConnection implements Connection {
 
     /** Topic of a message; topics with a source are not cached. */
     String of(Channel<?> channel, U2SAData message) {
-      if (channel.isRetained()) {
-        return Topic.of(systemId, channel, message).toString();
+      boolean isAny = systemId.equals(Topic.ANY_SYSTEM);
+      if (isAny || channel.isRetained()) {
+        return Topic.of(isAny ? message.systemId() : systemId, channel, message).toString();
       }
       return composed
           .computeIfAbsent(channel.name(), name -> new ConcurrentHashMap<>())

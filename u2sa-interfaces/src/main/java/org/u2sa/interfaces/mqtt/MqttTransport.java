@@ -16,7 +16,7 @@ import org.u2sa.messages.schema.MessageCodec;
  * @param host the broker's name or address
  * @param port the broker's TCP port, 1…65535
  * @param systemId system whose messages are exchanged; {@link Topic#ANY_SYSTEM} receives from all
- *     systems on the broker and publishes nothing
+ *     systems on the broker and publishes only messages that name their system
  * @param codec message codec
  * @param access credentials
  * @param patienceS time limit of the first connection [s]

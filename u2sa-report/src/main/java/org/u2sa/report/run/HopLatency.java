@@ -16,6 +16,7 @@ final class HopLatency {
   private static final double MILLIS = 1e3;
 
   private final Map<String, Trace> byChannel = new TreeMap<>(); // [ms]
+  private boolean isShortened;
 
   /**
    * Adds a message.
@@ -23,7 +24,16 @@ final class HopLatency {
    * @param ageS time from its timestamp to its recording [s]
    */
   void take(String channel, double timeS, double ageS) {
-    byChannel.computeIfAbsent(channel, Trace::new).add(timeS, ageS * MILLIS);
+    if (byChannel.size() < ReportLimits.MAX_SOURCES || byChannel.containsKey(channel)) {
+      byChannel.computeIfAbsent(channel, Trace::new).add(timeS, ageS * MILLIS);
+    } else {
+      isShortened = true;
+    }
+  }
+
+  /** Whether channels were left out. */
+  boolean isShortened() {
+    return isShortened;
   }
 
   /** Latencies along the path from sensor to actuator. */

@@ -49,6 +49,7 @@ public final class RunContent {
   private final List<JsonText> facts = new ArrayList<>();
   private final Set<String> goals = new HashSet<>();
   private final Set<String> goalsReached = new HashSet<>();
+  private boolean isShortened; // goals or services were left out
 
   private RunContent(Path file, McapReader reader, TruthTrack truth) {
     name = name(file);
@@ -88,6 +89,9 @@ public final class RunContent {
       RunContent content = new RunContent(file, reader, truth);
       content.facts(file, reader);
       recording.forEach(recording.channels(List.of()), RecordedSpan.all(reader), content::take);
+      if (content.isShortened || content.map.isShortened() || content.latency.isShortened()) {
+        content.fact("left out", "goals, objects, services or channels beyond the report's limits");
+      }
       recording.undecodable().ifPresent(what -> content.fact("not decoded", what));
       return content;
     }
@@ -141,22 +145,37 @@ public final class RunContent {
       map.take(grid);
     } else if (message instanceof GoalList list) {
       charts.take(list);
-      list.goals().forEach(goal -> goals.add(goal.uid()));
+      list.goals().forEach(goal -> count(goal, goals));
     } else if (message instanceof GoalInformation goal
         && topic.channel().equals(Channels.GOAL_REPORTS.name())) {
       map.take(goal);
-      goals.add(goal.uid());
+      count(goal, goals);
       if (goal.completed() && !goal.abandoned()) {
-        goalsReached.add(goal.uid());
+        count(goal, goalsReached);
       }
     } else if (message instanceof ObjectList objects) {
       map.take(objects);
     } else if (message instanceof PercentageCommand command) {
       charts.take(timeS, command);
     } else if (message instanceof HealthReport report && report.callbackP99().isPresent()) {
-      callbacks
-          .computeIfAbsent(report.serviceName(), Trace::new)
-          .add(timeS, report.callbackP99().getAsDouble() * MILLIS);
+      callback(report.serviceName(), timeS, report.callbackP99().getAsDouble() * MILLIS);
+    }
+  }
+
+  private void count(GoalInformation goal, Set<String> among) {
+    if (among.size() < ReportLimits.MAX_GOALS) {
+      among.add(ReportLimits.clipped(goal.uid()));
+    } else {
+      isShortened = true;
+    }
+  }
+
+  private void callback(String service, double timeS, double millis) {
+    String name = ReportLimits.clipped(service);
+    if (callbacks.size() < ReportLimits.MAX_SOURCES || callbacks.containsKey(name)) {
+      callbacks.computeIfAbsent(name, Trace::new).add(timeS, millis);
+    } else {
+      isShortened = true;
     }
   }
 

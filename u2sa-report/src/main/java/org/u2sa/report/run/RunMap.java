@@ -32,7 +32,6 @@ final class RunMap {
   private static final FieldPath PSI = FieldPath.parse("psi");
   private static final FieldPath POINTS = FieldPath.parse("points");
   private static final double POINT_M = 0.3;
-  private static final int MAX_OBJECTS = 2_000;
 
   private final Trace east = new Trace("east");
   private final Trace north = new Trace("north");
@@ -40,6 +39,7 @@ final class RunMap {
   private final Map<String, Point> goalPlaces = new LinkedHashMap<>();
   private final ObstacleCells cells = new ObstacleCells();
   private final Map<String, JsonText> objects = new LinkedHashMap<>();
+  private boolean isShortened;
   private Point at; // latest map position; null before the first state
   private Point fromLocal; // from a local frame to the map; null if unknown
   private Geodetic origin; // null before the first state
@@ -80,20 +80,30 @@ final class RunMap {
   }
 
   private void take(Waypoint waypoint, Point at) {
-    goalPlaces.put(waypoint.uid(), at);
+    String name = ReportLimits.clipped(waypoint.uid());
+    if (goals.size() >= ReportLimits.MAX_GOALS && !goals.containsKey(name)) {
+      isShortened = true;
+      return;
+    }
+    goalPlaces.put(name, at);
     goals.put(
-        waypoint.uid(),
+        name,
         new JsonText()
-            .put("name", waypoint.uid())
+            .put("name", name)
             .put("x", Trace.rounded(at.x()))
             .put("y", Trace.rounded(at.y()))
             .put("r", waypoint.horizontalThreshold())
             .put("done", waypoint.completed() && !waypoint.abandoned()));
   }
 
+  /** Whether goals or objects were left out. */
+  boolean isShortened() {
+    return isShortened;
+  }
+
   /** Map position of a goal; empty if unknown. */
   Optional<Point> goal(String uid) {
-    return Optional.ofNullable(goalPlaces.get(uid));
+    return Optional.ofNullable(goalPlaces.get(ReportLimits.clipped(uid)));
   }
 
   /** Adds dead reckoning in a local frame, which places objects in that frame on the map. */
@@ -139,21 +149,25 @@ final class RunMap {
   }
 
   private void keep(ObjectDescription object, Point place) {
-    if (objects.size() < MAX_OBJECTS || objects.containsKey(object.uid())) {
-      objects.put(object.uid(), shape(object, place));
+    String name = ReportLimits.clipped(object.uid());
+    if (objects.size() < ReportLimits.MAX_OBJECTS || objects.containsKey(name)) {
+      objects.put(name, shape(name, object, place));
+    } else {
+      isShortened = true;
     }
   }
 
-  private JsonText shape(ObjectDescription object, Point at) {
-    JsonText shape = new JsonText().put("name", object.uid());
+  private JsonText shape(String name, ObjectDescription object, Point at) {
+    JsonText shape = new JsonText().put("name", name);
     OptionalDouble radius = RADIUS.number(object);
     if (radius.isPresent()) {
       return circle(shape, at, radius.getAsDouble());
     }
     if (POINTS.value(object).orElse(null) instanceof List<?> corners && corners.size() > 1) {
       List<Double> outline = new ArrayList<>();
-      for (Object corner : corners) {
-        if (corner instanceof Point point) {
+      int each = 1 + corners.size() / ReportLimits.MAX_CORNERS;
+      for (int i = 0; i < corners.size(); i += each) {
+        if (corners.get(i) instanceof Point point) {
           place(object.referenceFrame(), point.x(), point.y()).ifPresent(p -> add(outline, p));
         }
       }

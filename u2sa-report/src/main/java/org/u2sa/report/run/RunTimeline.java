@@ -22,14 +22,13 @@ import org.u2sa.report.page.Trace;
 
 /** Timeline of a run: events, and the condition of each service. */
 final class RunTimeline {
-  private static final int MAX_EVENTS = 2_000;
-
   /** An event. */
   private record Event(double timeS, String kind, boolean bad, String text) {}
 
   private final List<Event> events = new ArrayList<>();
   private final Map<String, List<JsonText>> conditions = new TreeMap<>();
   private final Map<String, String> lastOf = new HashMap<>(); // last text by subject
+  private int changes; // of all conditions
   private long leftOut;
 
   void take(double timeS, U2SAData message) {
@@ -90,9 +89,13 @@ final class RunTimeline {
   }
 
   private void take(double timeS, ServiceCondition condition) {
-    String name = condition.serviceName();
+    String name = ReportLimits.clipped(condition.serviceName());
     String text = condition.condition().name();
-    if (text.equals(lastOf.put("condition " + name, text))) {
+    if (!isNews("condition " + name, text)) {
+      return;
+    }
+    if (++changes > ReportLimits.MAX_CHANGES) {
+      leftOut++;
       return;
     }
     List<JsonText> row = conditions.computeIfAbsent(name, key -> new ArrayList<>());
@@ -105,18 +108,28 @@ final class RunTimeline {
   }
 
   private void change(double timeS, String subject, String kind, boolean bad, String text) {
-    if (!text.equals(lastOf.put(subject, text))) {
+
+    if (isNews(ReportLimits.clipped(subject), ReportLimits.clipped(text))) {
       add(timeS, kind, bad, text);
     }
   }
 
+  /** Whether a subject's text has changed; of too many subjects nothing is remembered. */
+  private boolean isNews(String subject, String text) {
+    if (lastOf.size() >= ReportLimits.MAX_SUBJECTS && !lastOf.containsKey(subject)) {
+      leftOut++;
+      return false;
+    }
+    return !text.equals(lastOf.put(subject, text));
+  }
+
   /** Adds an event. */
   void add(double timeS, String kind, boolean bad, String text) {
-    if (events.size() >= MAX_EVENTS) {
+    if (events.size() >= ReportLimits.MAX_EVENTS) {
       leftOut++;
       return;
     }
-    events.add(new Event(timeS, kind, bad, text));
+    events.add(new Event(timeS, kind, bad, ReportLimits.clipped(text)));
   }
 
   /** Number of events of a kind. */
