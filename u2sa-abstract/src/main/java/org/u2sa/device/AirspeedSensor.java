@@ -1,15 +1,13 @@
 package org.u2sa.device;
 
-import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.u2sa.device.port.PitotTube;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -17,24 +15,24 @@ import org.u2sa.service.ServiceContext;
  * the fluid, once per reading. In: state, whose altitude gives the standard atmosphere's pressure
  * and temperature if the device does not measure them. Out: sensed-state.
  */
-public final class AirspeedSensor extends ProprioceptiveSensor {
-  private static final double STEPS_PER_S = 50.0;
+public final class AirspeedSensor extends DeviceSensor<PitotTube.Impact> {
   private static final double HEAT_RATIO = 1.4;
   private static final double GAS_CONSTANT = 287.05287; // dry air [J/(kg K)]
 
-  private static final Devices.Usual USUAL =
-      new Devices.Usual(
-          "pitot tube", "PITOT TUBE", "IIO", "/sys/bus/iio/devices/iio:device0/in_pressure_input");
+  private static final SensorKind<PitotTube> KIND =
+      new SensorKind<>(
+          "AirspeedSensor",
+          PitotTube.class,
+          new Devices.Usual(
+              "pitot tube",
+              "PITOT TUBE",
+              "IIO",
+              "/sys/bus/iio/devices/iio:device0/in_pressure_input"),
+          Channels.SENSED_STATE,
+          50.0, // Hz
+          1.0); // s
 
   private record Tuning(
-      @Variable(
-              unit = "s",
-              min = 0.05,
-              max = 60,
-              ifAbsent = 1,
-              text =
-                  "Time without a readable pressure after which the pitot tube counts as silent.")
-          double timeout,
       @Variable(
               unit = "Pa",
               min = -1000,
@@ -56,49 +54,23 @@ public final class AirspeedSensor extends ProprioceptiveSensor {
               text = "Standard deviation of the pressure difference.")
           double pressureSigma) {}
 
-  private final PitotTube tube;
-  private final DeviceReader<PitotTube.Impact> reader;
-  private final Settings<Tuning> tuning;
-  private double altitudeM; // latest; sea level until known
+  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final OwnAltitude altitude = new OwnAltitude(this);
 
   /** Launcher constructor: opens the configured pitot tube. */
   public AirspeedSensor(ServiceContext context) {
-    this(context, Optional.empty());
+    super(context, KIND);
   }
 
   /** Uses the given pitot tube, e.g. a simulated one. */
   public AirspeedSensor(ServiceContext context, PitotTube tube) {
-    this(context, Optional.of(tube));
-  }
-
-  private AirspeedSensor(ServiceContext context, Optional<PitotTube> made) {
-    super(context, "AirspeedSensor", STEPS_PER_S);
-    tuning = settings(Tuning.class);
-    registerSubscriber(Channels.STATE);
-    tube = Devices.open(PitotTube.class, USUAL, context, made);
-    reader = new DeviceReader<>(this, "the pitot tube", tube, tuning.get().timeout());
+    super(context, KIND, tube);
   }
 
   @Override
-  public void callback(U2SAData data) {
-    if (data instanceof StateInformation state) {
-      if (state.referenceFrame().isEarth()) {
-        altitudeM = state.z().orElse(altitudeM);
-      }
-    } else {
-      unexpected(data);
-    }
-  }
-
-  @Override
-  protected void step(double nowS) {
-    reader
-        .next(clock().micros())
-        .ifPresent(impact -> publish(Channels.SENSED_STATE, state(impact)));
-  }
-
-  private StateInformation state(PitotTube.Impact impact) {
+  protected Stream<StateInformation> messages(PitotTube.Impact impact) {
     Tuning now = tuning.get();
+    double altitudeM = altitude.metres();
     double staticPa =
         or(impact.staticPa(), PressureAltitude.pascalsAt(altitudeM, PressureAltitude.SEA_LEVEL_PA));
     double temperatureK = or(impact.temperatureK(), PressureAltitude.temperatureAt(altitudeM));
@@ -109,14 +81,12 @@ public final class AirspeedSensor extends ProprioceptiveSensor {
     double sigmaPa = now.pressureFactor() * now.pressureSigma();
     double noiseMps = Math.sqrt(2.0 * sigmaPa / densityKgPerM3);
     double sigmaMps = sigmaPa / (densityKgPerM3 * Math.max(speedMps, noiseMps));
-    StateInformation state =
+    return Stream.of(
         new StateInformation()
             .sensorName(sensorName())
             .referenceFrame(ReferenceFrame.GLOBAL)
             .fluidxDot(speedMps)
-            .fluidxDotSigma(sigmaMps);
-    state.timestamp(impact.measuredAtMicros());
-    return state;
+            .fluidxDotSigma(sigmaMps));
   }
 
   private static double or(OptionalDouble measured, double otherwise) {
@@ -133,10 +103,5 @@ public final class AirspeedSensor extends ProprioceptiveSensor {
     double ratio = Math.pow(impactPa / staticPa + 1.0, (HEAT_RATIO - 1.0) / HEAT_RATIO);
     double mach = Math.sqrt(2.0 / (HEAT_RATIO - 1.0) * (ratio - 1.0));
     return mach * Math.sqrt(HEAT_RATIO * GAS_CONSTANT * temperatureK);
-  }
-
-  @Override
-  protected void release() {
-    tube.close();
   }
 }

@@ -1,10 +1,11 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.CameraFrame;
-import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.ExteroceptiveSensor;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ObjectDescription;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -15,32 +16,18 @@ import org.u2sa.service.ServiceContext;
  * configured camera. With another constructor (ServiceContext, Camera) the Android application can
  * pass the phone's camera.
  */
-public abstract class CameraSensor extends ExteroceptiveSensor {
-  private static final double STEPS_PER_S = 30.0;
-
+public abstract class CameraSensor extends DeviceSensor<CameraFrame> {
   private static final Devices.Usual USUAL =
       new Devices.Usual("camera", "CAMERA", "MJPEG", "tcp:192.168.0.20:8080");
 
-  private record Tuning(
-      @Variable(
-              unit = "s",
-              min = 0.1,
-              max = 60,
-              ifAbsent = 2,
-              text = "Time without a picture after which the camera counts as silent.")
-          double timeout) {}
-
-  private final Camera camera;
-  private final DeviceReader<CameraFrame> reader;
-
   /** Opens the configured camera. */
   protected CameraSensor(ServiceContext context, String serviceName) {
-    this(context, serviceName, Optional.empty());
+    super(context, kind(serviceName));
   }
 
   /** Uses the given camera, e.g. the phone's or a simulated one; it is closed with the service. */
   protected CameraSensor(ServiceContext context, String serviceName, Camera camera) {
-    this(context, serviceName, Optional.of(camera));
+    super(context, kind(serviceName), camera);
   }
 
   /**
@@ -52,23 +39,22 @@ public abstract class CameraSensor extends ExteroceptiveSensor {
     return Devices.open(Camera.class, USUAL, context, Optional.empty());
   }
 
-  private CameraSensor(ServiceContext context, String serviceName, Optional<Camera> made) {
-    super(context, serviceName, STEPS_PER_S);
-    double silentAfterS = settings(Tuning.class).get().timeout();
-    camera = Devices.open(Camera.class, USUAL, context, made);
-    reader = new DeviceReader<>(this, "the camera", camera, silentAfterS);
+  private static SensorKind<Camera> kind(String serviceName) {
+    return new SensorKind<>(
+        serviceName,
+        Camera.class,
+        USUAL,
+        Channels.SENSED_OBJECTS,
+        30.0, // Hz
+        2.0); // s
   }
 
   /** Processes the latest frame, each frame at most once, on the service's thread. */
   protected abstract void look(CameraFrame frame);
 
   @Override
-  protected final void step(double nowS) {
-    reader.next(clock().micros()).ifPresent(this::look);
-  }
-
-  @Override
-  protected final void release() {
-    camera.close();
+  protected final Stream<ObjectDescription> messages(CameraFrame frame) {
+    look(frame);
+    return Stream.empty();
   }
 }

@@ -1,6 +1,6 @@
 package org.u2sa.device;
 
-import java.util.Optional;
+import java.util.stream.Stream;
 import org.u2sa.device.port.DepthGauge;
 import org.u2sa.device.port.Pressure;
 import org.u2sa.interfaces.communication.Channels;
@@ -9,22 +9,25 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
  * Publishes the depth of a vehicle, once per reading of an underwater pressure sensor: as altitude
  * in GLOBAL, or as z of a local frame. Out: sensed-state.
  */
-public final class DepthSensor extends ProprioceptiveSensor {
-  private static final double STEPS_PER_S = 50.0;
-
-  private static final Devices.Usual USUAL =
-      new Devices.Usual(
-          "depth gauge",
-          "DEPTH GAUGE",
-          "IIO",
-          "/sys/bus/iio/devices/iio:device0/in_pressure_input");
+public final class DepthSensor extends DeviceSensor<Pressure> {
+  private static final SensorKind<DepthGauge> KIND =
+      new SensorKind<>(
+          "DepthSensor",
+          DepthGauge.class,
+          new Devices.Usual(
+              "depth gauge",
+              "DEPTH GAUGE",
+              "IIO",
+              "/sys/bus/iio/devices/iio:device0/in_pressure_input"),
+          Channels.SENSED_STATE,
+          50.0, // Hz
+          1.0); // s
 
   /** Frame of the published depth. */
   enum DepthFrame {
@@ -34,13 +37,6 @@ public final class DepthSensor extends ProprioceptiveSensor {
   }
 
   private record Tuning(
-      @Variable(
-              unit = "s",
-              min = 0.05,
-              max = 60,
-              ifAbsent = 1,
-              text = "Time without a readable pressure after which the gauge counts as silent.")
-          double timeout,
       @Variable(
               unit = "kg/m^3",
               min = 900,
@@ -83,35 +79,20 @@ public final class DepthSensor extends ProprioceptiveSensor {
                   "GLOBAL: z is the altitude; LOCAL_ENU: z is minus the depth; LOCAL_NED: z is the depth.")
           DepthFrame depthFrame) {}
 
-  private final DepthGauge gauge;
-  private final DeviceReader<Pressure> reader;
-  private final Settings<Tuning> tuning;
+  private final Settings<Tuning> tuning = settings(Tuning.class);
 
   /** Launcher constructor: opens the configured gauge. */
   public DepthSensor(ServiceContext context) {
-    this(context, Optional.empty());
+    super(context, KIND);
   }
 
   /** Uses the given gauge, e.g. a simulated one. */
   public DepthSensor(ServiceContext context, DepthGauge gauge) {
-    this(context, Optional.of(gauge));
-  }
-
-  private DepthSensor(ServiceContext context, Optional<DepthGauge> made) {
-    super(context, "DepthSensor", STEPS_PER_S);
-    tuning = settings(Tuning.class);
-    gauge = Devices.open(DepthGauge.class, USUAL, context, made);
-    reader = new DeviceReader<>(this, "the depth gauge", gauge, tuning.get().timeout());
+    super(context, KIND, gauge);
   }
 
   @Override
-  protected void step(double nowS) {
-    reader
-        .next(clock().micros())
-        .ifPresent(pressure -> publish(Channels.SENSED_STATE, state(pressure)));
-  }
-
-  private StateInformation state(Pressure pressure) {
+  protected Stream<StateInformation> messages(Pressure pressure) {
     Tuning now = tuning.get();
     double gaugePa = pressure.pascals() - now.surfacePressure();
     // p = ρ g h (White, Fluid Mechanics, chapter 2); assumes level: roll and pitch are unknown
@@ -128,12 +109,6 @@ public final class DepthSensor extends ProprioceptiveSensor {
       default:
         state.referenceFrame(ReferenceFrame.GLOBAL).z(now.waterLevel() - depthM);
     }
-    state.timestamp(pressure.measuredAtMicros());
-    return state;
-  }
-
-  @Override
-  protected void release() {
-    gauge.close();
+    return Stream.of(state);
   }
 }

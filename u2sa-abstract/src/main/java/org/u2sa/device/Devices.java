@@ -64,8 +64,12 @@ public final class Devices {
                 .oneOf(names.toArray(new String[0]))
                 .ifAbsent(usual.driver)
                 .describedAs("Kind of " + usual.noun + ": the name of a driver."));
-    return made.orElseGet(
-        () -> port.cast(named(name, providers, port, usual.variable).open(name, context)));
+    if (made.isPresent()) {
+      return made.get();
+    }
+    D opened = port.cast(named(name, providers, port, usual.variable).open(name, context));
+    context.onAbandon(opened::close);
+    return opened;
   }
 
   private static void offer(

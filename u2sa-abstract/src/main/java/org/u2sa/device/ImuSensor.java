@@ -1,6 +1,6 @@
 package org.u2sa.device;
 
-import java.util.Optional;
+import java.util.stream.Stream;
 import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.Orientation;
 import org.u2sa.interfaces.communication.Channels;
@@ -10,8 +10,6 @@ import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -20,21 +18,19 @@ import org.u2sa.service.ServiceContext;
  * Heading is omitted while true north is unknown. In: state, for the magnetic declination at the
  * vehicle's position. Out: sensed-state.
  */
-public final class ImuSensor extends ProprioceptiveSensor {
-  private static final double STEPS_PER_S = 100.0;
+public final class ImuSensor extends DeviceSensor<Orientation> {
   private static final String INERTIAL = " inertial"; // suffix of the sensor's name
 
-  private static final Devices.Usual USUAL =
-      new Devices.Usual("IMU", "IMU", "VECTORNAV", "serial:/dev/ttyUSB2?baud=115200");
+  private static final SensorKind<Imu> KIND =
+      new SensorKind<>(
+          "ImuSensor",
+          Imu.class,
+          new Devices.Usual("IMU", "IMU", "VECTORNAV", "serial:/dev/ttyUSB2?baud=115200"),
+          Channels.SENSED_STATE,
+          100.0, // Hz
+          0.5); // s
 
   private record Tuning(
-      @Variable(
-              unit = "s",
-              min = 0.05,
-              max = 60,
-              ifAbsent = 0.5,
-              text = "Time without a readable message after which the IMU counts as silent.")
-          double timeout,
       @Variable(
               unit = "rad",
               min = 0,
@@ -69,50 +65,26 @@ public final class ImuSensor extends ProprioceptiveSensor {
               text = "Standard deviation of a specific force, from the data sheet.")
           double forceSigma) {}
 
-  private final Imu imu;
-  private final DeviceReader<Orientation> reader;
-  private final TrueNorth north;
-  private final Settings<Tuning> tuning;
+  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final TrueNorth north = new TrueNorth(this, clock());
 
   /** Launcher constructor: opens the configured IMU. */
   public ImuSensor(ServiceContext context) {
-    this(context, Optional.empty());
+    super(context, KIND);
   }
 
   /** Uses the given IMU, e.g. the phone's or a simulated one. */
   public ImuSensor(ServiceContext context, Imu imu) {
-    this(context, Optional.of(imu));
-  }
-
-  private ImuSensor(ServiceContext context, Optional<Imu> made) {
-    super(context, "ImuSensor", STEPS_PER_S);
-    tuning = settings(Tuning.class);
-    north = new TrueNorth(this);
-    registerSubscriber(Channels.STATE);
-    imu = Devices.open(Imu.class, USUAL, context, made);
-    reader = new DeviceReader<>(this, "the IMU", imu, tuning.get().timeout());
+    super(context, KIND, imu);
   }
 
   @Override
-  public void callback(U2SAData data) {
-    if (data instanceof StateInformation state) {
-      north.at(state, clock().micros());
-    } else {
-      unexpected(data);
-    }
-  }
-
-  @Override
-  protected void step(double nowS) {
-    reader.next(clock().micros()).ifPresent(this::publish);
-  }
-
-  private void publish(Orientation said) {
-    if (tuning.get().publishInertial()) {
-      said.specificForce()
-          .ifPresent(force -> publish(Channels.SENSED_STATE, inertial(said, force)));
-    }
-    publish(Channels.SENSED_STATE, state(said));
+  protected Stream<StateInformation> messages(Orientation said) {
+    Stream<StateInformation> inertial =
+        tuning.get().publishInertial()
+            ? said.specificForce().<StateInformation>map(force -> inertial(said, force)).stream()
+            : Stream.empty();
+    return Stream.concat(inertial, Stream.of(state(said)));
   }
 
   private InertialMeasurement inertial(Orientation said, Point force) {
@@ -127,7 +99,6 @@ public final class ImuSensor extends ProprioceptiveSensor {
             .specificForceZ(force.z())
             .specificForceSigma(tuning.get().forceSigma());
     inertial.sensorName(sensorName() + INERTIAL);
-    inertial.timestamp(said.measuredAtMicros());
     return inertial;
   }
 
@@ -145,12 +116,6 @@ public final class ImuSensor extends ProprioceptiveSensor {
     said.eulerRates()
         .ifPresent(rates -> state.phiDot(rates.x()).thetaDot(rates.y()).psiDot(rates.z()));
     north.of(said.heading(), 0.0).ifPresent(psi -> state.psi(psi).psiSigma(headingSigmaRad));
-    state.timestamp(said.measuredAtMicros());
     return state;
-  }
-
-  @Override
-  protected void release() {
-    imu.close();
   }
 }

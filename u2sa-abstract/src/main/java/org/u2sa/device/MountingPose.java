@@ -1,6 +1,7 @@
 package org.u2sa.device;
 
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 
@@ -63,6 +64,11 @@ public record MountingPose(
     // signs.
     Rotation frd = Rotation.nedFromFrd(-roll, pitch, -yaw);
     return seen -> mirrored(frd.times(mirrored(seen))).plus(Point.of(x, y, z));
+  }
+
+  /** Sets a scan's mounting; returns the scan. */
+  RangeScan placing(RangeScan scan) {
+    return scan.x(x).y(y).z(z).phi(roll).theta(pitch).psi(yaw);
   }
 
   private static Point mirrored(Point point) {

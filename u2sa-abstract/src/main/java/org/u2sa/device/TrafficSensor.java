@@ -1,9 +1,11 @@
 package org.u2sa.device;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.TrafficTarget;
 import org.u2sa.interfaces.communication.Channels;
@@ -11,12 +13,9 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectLevel;
-import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.MovingSphere;
-import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -24,21 +23,19 @@ import org.u2sa.service.ServiceContext;
  * In: state, whose altitude is assumed for targets that do not report theirs. Out: sensed-objects,
  * uid {@code traffic} and the target's id.
  */
-public final class TrafficSensor extends ExteroceptiveSensor {
-  private static final double STEPS_PER_S = 20.0;
+public final class TrafficSensor extends DeviceSensor<TrafficReceiver.Traffic> {
   private static final double UNKNOWN_ALTITUDE_SIGMA_M = 3_000.0;
 
-  private static final Devices.Usual USUAL =
-      new Devices.Usual("traffic receiver", "RECEIVER", "GDL90", "udp:4000");
+  private static final SensorKind<TrafficReceiver> KIND =
+      new SensorKind<>(
+          "TrafficSensor",
+          TrafficReceiver.class,
+          new Devices.Usual("traffic receiver", "RECEIVER", "GDL90", "udp:4000"),
+          Channels.SENSED_OBJECTS,
+          20.0, // Hz
+          10.0); // s
 
   private record Tuning(
-      @Variable(
-              unit = "s",
-              min = 0.5,
-              max = 600,
-              ifAbsent = 10,
-              text = "Time without a message after which the receiver counts as silent.")
-          double timeout,
       @Variable(
               unit = "m",
               min = 1,
@@ -88,56 +85,33 @@ public final class TrafficSensor extends ExteroceptiveSensor {
                   "Id of the vehicle's own transponder, which is no traffic; empty: it has none.")
           String ownId) {}
 
-  private final TrafficReceiver receiver;
-  private final DeviceReader<TrafficReceiver.Traffic> reader;
-  private final Settings<Tuning> tuning;
+  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final OwnAltitude ownAltitude = new OwnAltitude(this);
   private final Map<String, Long> published = new HashMap<>(); // time of each target's last report
-  private double ownAltitudeM;
 
   /** Launcher constructor: opens the configured receiver. */
   public TrafficSensor(ServiceContext context) {
-    this(context, Optional.empty());
+    super(context, KIND);
   }
 
   /** Uses the given receiver, e.g. a simulated one. */
   public TrafficSensor(ServiceContext context, TrafficReceiver receiver) {
-    this(context, Optional.of(receiver));
-  }
-
-  private TrafficSensor(ServiceContext context, Optional<TrafficReceiver> made) {
-    super(context, "TrafficSensor", STEPS_PER_S);
-    tuning = settings(Tuning.class);
-    registerSubscriber(Channels.STATE);
-    receiver = Devices.open(TrafficReceiver.class, USUAL, context, made);
-    reader = new DeviceReader<>(this, "the traffic receiver", receiver, tuning.get().timeout());
+    super(context, KIND, receiver);
   }
 
   @Override
-  public void callback(U2SAData data) {
-    if (data instanceof StateInformation state) {
-      if (state.referenceFrame().isEarth()) {
-        ownAltitudeM = state.z().orElse(ownAltitudeM);
-      }
-    } else {
-      unexpected(data);
-    }
-  }
-
-  @Override
-  protected void step(double nowS) {
-    reader.next(clock().micros()).ifPresent(this::publishNews);
-  }
-
-  private void publishNews(TrafficReceiver.Traffic traffic) {
+  protected Stream<MovingSphere> messages(TrafficReceiver.Traffic traffic) {
+    List<MovingSphere> news = new ArrayList<>();
     for (TrafficTarget target : traffic.targets()) {
       Long before = published.put(target.id(), target.heardAtMicros());
       boolean isNew = before == null || before != target.heardAtMicros();
       if (isNew && !target.id().equalsIgnoreCase(tuning.get().ownId())) {
-        publish(Channels.SENSED_OBJECTS, object(target));
+        news.add(object(target));
       }
     }
     long oldest = traffic.measuredAtMicros() - Clock.micros(2.0 * 60.0);
     published.values().removeIf(heard -> heard < oldest);
+    return news.stream();
   }
 
   private MovingSphere object(TrafficTarget target) {
@@ -151,7 +125,7 @@ public final class TrafficSensor extends ExteroceptiveSensor {
         .referenceFrame(ReferenceFrame.GLOBAL)
         .x(target.longitudeDeg())
         .y(target.latitudeDeg())
-        .z(altitudeM.orElse(ownAltitudeM))
+        .z(altitudeM.orElse(ownAltitude.metres()))
         .level(ObjectLevel.AVOID_ALWAYS)
         .sensorName(sensorName());
     sphere
@@ -179,10 +153,5 @@ public final class TrafficSensor extends ExteroceptiveSensor {
       return target.altitudeM();
     }
     return OptionalDouble.of(PressureAltitude.aboveSeaM(target.altitudeM().getAsDouble(), qnhPa));
-  }
-
-  @Override
-  protected void release() {
-    receiver.close();
   }
 }

@@ -5,12 +5,14 @@ import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
 import java.util.OptionalDouble;
 import org.u2sa.device.port.Heading;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.U2SAService;
 
 /**
  * Converts magnetic to true headings for one service: by a fixed declination, or by the {@link
@@ -43,6 +45,12 @@ public final class TrueNorth {
   private OptionalDouble declinationRad;
   private double latitudeDeg = Double.NaN;
   private double longitudeDeg = Double.NaN;
+
+  /** Reads the variables of a service, and subscribes it to state for the vehicle's position. */
+  TrueNorth(U2SAService service, Clock clock) {
+    this(service);
+    service.subscribe(Channels.STATE, state -> at(state, clock.micros()));
+  }
 
   /** Reads the variables of a service. */
   public TrueNorth(Configurator variables) {

@@ -1,15 +1,14 @@
 package org.u2sa.device;
 
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleFunction;
+import java.util.stream.Stream;
 import org.u2sa.device.port.VelocityLog;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -17,20 +16,18 @@ import org.u2sa.service.ServiceContext;
  * velocity through the fluid; their difference is the current. Out: sensed-state, once per reading
  * with a valid value.
  */
-public final class WaterSpeedSensor extends ProprioceptiveSensor {
-  private static final double STEPS_PER_S = 50.0;
-
-  private static final Devices.Usual USUAL =
-      new Devices.Usual("velocity log", "LOG", "WATER LINKED", "serial:/dev/ttyUSB0?baud=115200");
+public final class WaterSpeedSensor extends DeviceSensor<VelocityLog.Speeds> {
+  private static final SensorKind<VelocityLog> KIND =
+      new SensorKind<>(
+          "WaterSpeedSensor",
+          VelocityLog.class,
+          new Devices.Usual(
+              "velocity log", "LOG", "WATER LINKED", "serial:/dev/ttyUSB0?baud=115200"),
+          Channels.SENSED_STATE,
+          50.0, // Hz
+          2.0); // s
 
   private record Tuning(
-      @Variable(
-              unit = "s",
-              min = 0.1,
-              max = 60,
-              ifAbsent = 2,
-              text = "Time without a readable message after which the log counts as silent.")
-          double timeout,
       @Variable(
               unit = "m/s",
               min = 0.0001,
@@ -46,36 +43,23 @@ public final class WaterSpeedSensor extends ProprioceptiveSensor {
               text = "Standard deviation of each speed through the water, from the data sheet.")
           double waterSigma) {}
 
-  private final VelocityLog velocityLog;
-  private final DeviceReader<VelocityLog.Speeds> reader;
-  private final Settings<Tuning> tuning;
+  private final Settings<Tuning> tuning = settings(Tuning.class);
 
   /** Launcher constructor: opens the configured log. */
   public WaterSpeedSensor(ServiceContext context) {
-    this(context, Optional.empty());
+    super(context, KIND);
   }
 
   /** Uses the given velocity log, e.g. a simulated one. */
   public WaterSpeedSensor(ServiceContext context, VelocityLog velocityLog) {
-    this(context, Optional.of(velocityLog));
-  }
-
-  private WaterSpeedSensor(ServiceContext context, Optional<VelocityLog> made) {
-    super(context, "WaterSpeedSensor", STEPS_PER_S);
-    tuning = settings(Tuning.class);
-    velocityLog = Devices.open(VelocityLog.class, USUAL, context, made);
-    reader = new DeviceReader<>(this, "the velocity log", velocityLog, tuning.get().timeout());
+    super(context, KIND, velocityLog);
   }
 
   @Override
-  protected void step(double nowS) {
-    reader
-        .next(clock().micros())
-        .filter(VelocityLog.Speeds::isAny)
-        .ifPresent(speeds -> publish(Channels.SENSED_STATE, state(speeds)));
-  }
-
-  private StateInformation state(VelocityLog.Speeds speeds) {
+  protected Stream<StateInformation> messages(VelocityLog.Speeds speeds) {
+    if (!speeds.isAny()) {
+      return Stream.empty();
+    }
     double ground = tuning.get().groundSigma();
     double water = tuning.get().waterSigma();
     StateInformation state =
@@ -86,18 +70,12 @@ public final class WaterSpeedSensor extends ProprioceptiveSensor {
     set(speeds.waterX(), mps -> state.fluidxDot(mps).fluidxDotSigma(water));
     set(speeds.waterY(), mps -> state.fluidyDot(mps).fluidyDotSigma(water));
     set(speeds.waterZ(), mps -> state.fluidzDot(mps).fluidzDotSigma(water));
-    state.timestamp(speeds.measuredAtMicros());
-    return state;
+    return Stream.of(state);
   }
 
   private static void set(OptionalDouble mps, DoubleFunction<StateInformation> setter) {
     if (mps.isPresent()) {
       setter.apply(mps.getAsDouble());
     }
-  }
-
-  @Override
-  protected void release() {
-    velocityLog.close();
   }
 }

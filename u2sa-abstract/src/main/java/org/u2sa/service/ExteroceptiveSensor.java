@@ -1,17 +1,12 @@
 package org.u2sa.service;
 
-import org.u2sa.messages.ObjectDescription;
-
 /**
  * A sensor of the environment, such as a range finder or a camera (thesis 3.2.2.3). Out:
  * sensed-objects; scanning range finders scans.
  */
 public abstract class ExteroceptiveSensor extends Sensor {
-  /**
-   * See {@link PeriodicService#PeriodicService}. Registers as a publisher of Object Descriptions.
-   */
+  /** See {@link Sensor#Sensor}: registers as a publisher of Object Descriptions. */
   protected ExteroceptiveSensor(ServiceContext context, String serviceName, double defaultRateHz) {
     super(context, ServiceRole.EXTEROCEPTIVE_SENSOR, serviceName, defaultRateHz);
-    registerPublisher(ObjectDescription.class);
   }
 }

@@ -16,10 +16,18 @@ public abstract class Sensor extends PeriodicService {
 
   private final String sensorName;
 
-  Sensor(ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {
+  /**
+   * See {@link PeriodicService#PeriodicService}. Registers as a publisher on the role's main
+   * channel.
+   *
+   * @param role proprioceptive or exteroceptive sensor
+   */
+  protected Sensor(
+      ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {
     super(context, role, serviceName, defaultRateHz);
     String configured = settings(Names.class).get().sensorName();
     sensorName = configured.isEmpty() ? getServiceName() : configured;
+    registerPublisher(role.mainOutput());
   }
 
   /** The sensor's name, by which the State Estimator distinguishes its sources. */

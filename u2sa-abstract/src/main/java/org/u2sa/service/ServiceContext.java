@@ -130,14 +130,15 @@ public final class ServiceContext {
     return restart;
   }
 
-  /** Sets how to close the resources opened during construction. */
-  void onAbandon(Runnable closing) {
+  /** Adds how to close a resource that a service's constructor opened, in case it fails later. */
+  public void onAbandon(Runnable closing) {
     closings.push(closing);
   }
 
   /**
-   * Closes the log file and the connection of a service whose constructor failed, so that there is
-   * no instance to {@link U2SAService#kill}. For code that constructs services. Idempotent.
+   * Closes the log file, the connection and the devices of a service whose constructor failed, so
+   * that there is no instance to {@link U2SAService#kill}. For code that constructs services.
+   * Idempotent.
    */
   public void abandon() {
     for (Runnable closing = closings.poll(); closing != null; closing = closings.poll()) {

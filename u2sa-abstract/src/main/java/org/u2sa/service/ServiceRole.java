@@ -111,6 +111,11 @@ public enum ServiceRole {
     this.subscribed = subscribed;
   }
 
+  /** Channel on which a service of this role publishes most of its messages. */
+  Channel<?> mainOutput() {
+    return published.get(0);
+  }
+
   /** Channel on which a service of this role publishes messages of the class. */
   Optional<Channel<?>> channelToPublish(Class<? extends U2SAData> dataType) {
     return first(published, dataType);

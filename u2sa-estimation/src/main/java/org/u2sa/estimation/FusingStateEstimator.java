@@ -61,11 +61,7 @@ public final class FusingStateEstimator extends StateEstimator {
     filter = new ErrorStateFilter(variables.tuning());
     reader = new MeasurementReader(variables.sigmas());
     leverArms = new LeverArms(variables.leverArms());
-    completeness =
-        new Completeness(
-            this,
-            Completeness.fields(variables.needed()),
-            Clock.micros(variables.completeWithin()));
+    completeness = NeededNumbers.watch(this);
     registerPublisher(Channels.LOCAL_STATE);
   }
 

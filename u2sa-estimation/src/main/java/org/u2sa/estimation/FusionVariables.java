@@ -235,25 +235,8 @@ record FusionVariables(
             minExcluded = true,
             ifAbsent = 1,
             text = "Sigma of speeds through air or water that come without one.")
-        double fluidSigma,
-    @Variable(
-            ifAbsentText = "x, y, psi",
-            text =
-                "Numbers that the vehicle needs; health reports those absent for longer than COMPLETE WITHIN.")
-        String needed,
-    @Variable(
-            unit = "s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 5,
-            text = "Time for which a needed number may be absent before health reports it.")
-        double completeWithin) {
+        double fluidSigma) {
   FusionVariables {
-    try {
-      Completeness.fields(needed);
-    } catch (IllegalArgumentException e) {
-      throw new IllegalArgumentException("NEEDED: " + e.getMessage(), e);
-    }
     try {
       new LeverArms(leverArms);
     } catch (IllegalArgumentException e) {

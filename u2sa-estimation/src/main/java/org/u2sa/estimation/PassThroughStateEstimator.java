@@ -48,27 +48,7 @@ public final class PassThroughStateEstimator extends StateEstimator {
               max = 60,
               ifAbsent = 2,
               text = "Maximum age of one sensor's measurement to complete another's.")
-          double staleAfter,
-      @Variable(
-              ifAbsentText = "x, y, psi",
-              text =
-                  "Numbers that the vehicle needs; health reports those absent for longer than COMPLETE WITHIN.")
-          String needed,
-      @Variable(
-              unit = "s",
-              min = 0,
-              minExcluded = true,
-              ifAbsent = 5,
-              text = "Time for which a needed number may be absent before health reports it.")
-          double completeWithin) {
-    Limits {
-      try {
-        Completeness.fields(needed);
-      } catch (IllegalArgumentException e) {
-        throw new IllegalArgumentException("NEEDED: " + e.getMessage(), e);
-      }
-    }
-  }
+          double staleAfter) {}
 
   private final NewestMeasurements measurements;
   private final Completeness completeness;
@@ -84,9 +64,7 @@ public final class PassThroughStateEstimator extends StateEstimator {
             limits.unknownSpeed(),
             limits.unknownTurnRate());
     measurements = new NewestMeasurements(Clock.micros(limits.staleAfter()), reckoning);
-    completeness =
-        new Completeness(
-            this, Completeness.fields(limits.needed()), Clock.micros(limits.completeWithin()));
+    completeness = NeededNumbers.watch(this);
   }
 
   @Override

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.u2sa.testkit.Repository;
 
 /**
  * Two hundred faults over one flight. Needs Mosquitto, ss, kill, a JDK and root; takes about half
@@ -26,7 +27,7 @@ class ChaosTest {
     Files.createDirectories(folder);
     ChaosRun run = new ChaosRun(folder);
 
-    run.fly(repository(), seed, faults, kinds());
+    run.fly(Repository.root(), seed, faults, kinds());
 
     assertThat(run.failures()).isEmpty();
   }
@@ -46,13 +47,5 @@ class ChaosTest {
         }
       }
     }
-  }
-
-  private static Path repository() {
-    Path folder = Paths.get("").toAbsolutePath();
-    while (!Files.isDirectory(folder.resolve("config/cessna"))) {
-      folder = folder.getParent();
-    }
-    return folder;
   }
 }

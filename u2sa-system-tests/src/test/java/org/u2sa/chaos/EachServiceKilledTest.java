@@ -23,6 +23,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.testkit.Repository;
 
 /**
  * Each service of the Cessna is killed once in flight, kill −9, where each is a process of its own:
@@ -41,7 +42,7 @@ class EachServiceKilledTest {
 
   @Test
   void kill_eachServiceOnce_missionIsCompleted() throws Exception {
-    Vehicle.copyFiles(repository(), folder);
+    Vehicle.copyFiles(Repository.root(), folder);
     shortenMission(folder.resolve("missions/cessna/mission.xml"));
     try (Mosquitto broker = new Mosquitto(folder);
         Watch watch = new Watch(broker.port(), clock);
@@ -133,13 +134,5 @@ class EachServiceKilledTest {
     int third = all.indexOf("<name>3</name>");
     String first = all.substring(0, all.lastIndexOf("<waypoint>", third));
     Files.writeString(file, first.replace("<next>3</next>", "") + "</mission>\n");
-  }
-
-  private static Path repository() {
-    Path at = Path.of("").toAbsolutePath();
-    while (!Files.isDirectory(at.resolve("config/cessna"))) {
-      at = at.getParent();
-    }
-    return at;
   }
 }

@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.u2sa.testkit.Repository;
 
 /**
  * Two rovers drive their loops, four minutes each, with a broker on each and others on the ground.
@@ -71,6 +72,6 @@ class FleetTest {
 
   private static FleetDrive drive(String name, FleetBroker kind) throws Exception {
     Path folder = ThreeHostsTest.emptied("fleet-" + name);
-    return new FleetDrive(Repository.folder(), folder, kind, LOOPS);
+    return new FleetDrive(Repository.root(), folder, kind, LOOPS);
   }
 }

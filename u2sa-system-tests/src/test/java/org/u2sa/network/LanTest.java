@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.testkit.Repository;
 
 /** The network that the flights are broken on: it must be broken and mended as it says. */
 @Tag("network")
@@ -29,7 +30,7 @@ class LanTest {
 
   @Test
   void link_cutSilencedMended_answersAccordingly() throws Exception {
-    try (Lan lan = new Lan(Repository.folder(), folder, "one", "two")) {
+    try (Lan lan = new Lan(Repository.root(), folder, "one", "two")) {
       await().atMost(SOON).until(() -> answers(lan, "one") && answers(lan, "two"));
 
       lan.cut("one");
@@ -47,7 +48,7 @@ class LanTest {
 
   @Test
   void shape_delayAndLoss_areInEffectUntilTheyEnd() throws Exception {
-    try (Lan lan = new Lan(Repository.folder(), folder, "one")) {
+    try (Lan lan = new Lan(Repository.root(), folder, "one")) {
       await().atMost(SOON).until(() -> answers(lan, "one"));
 
       lan.shape("one", 100.0, 0.0, 0.0);
@@ -67,7 +68,7 @@ class LanTest {
   void close_programsAndHostsAreGone() throws Exception {
     Process program;
     String host;
-    try (Lan lan = new Lan(Repository.folder(), folder, "one")) {
+    try (Lan lan = new Lan(Repository.root(), folder, "one")) {
       host = lan.namespace("one");
       program = new ProcessBuilder(lan.on("one", List.of("sleep", "1000"))).start();
       assertThat(namespaces()).contains(host);
@@ -79,13 +80,13 @@ class LanTest {
   @Test
   void lan_predecessorWasKilled_takesAwayWhatItLeft() throws Exception {
     String left;
-    try (Lan lan = new Lan(Repository.folder(), folder, "one")) {
+    try (Lan lan = new Lan(Repository.root(), folder, "one")) {
       left = lan.namespace("one");
       lan.kill();
       assertThat(namespaces()).contains(left);
     }
 
-    try (Lan next = new Lan(Repository.folder(), folder, "one")) {
+    try (Lan next = new Lan(Repository.root(), folder, "one")) {
       assertThat(namespaces()).contains(next.namespace("one")).doesNotContain(left);
     }
   }

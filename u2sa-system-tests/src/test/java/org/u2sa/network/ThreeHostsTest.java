@@ -10,6 +10,7 @@ import java.util.Comparator;
 import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.u2sa.testkit.Repository;
 
 /** Flights on three hosts, nine minutes each. Needs root, iproute2 and Mosquitto. */
 @Tag("network")
@@ -86,7 +87,7 @@ class ThreeHostsTest {
 
   private static NetworkFlight flight(String name, Broker broker) throws Exception {
     Path folder = emptied("network-" + name);
-    return new NetworkFlight(Repository.folder(), folder, broker);
+    return new NetworkFlight(Repository.root(), folder, broker);
   }
 
   /** The folder, without what an earlier run left in it. */

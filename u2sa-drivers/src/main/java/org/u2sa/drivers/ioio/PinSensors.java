@@ -4,9 +4,12 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.device.FixReader;
-import org.u2sa.device.HeadingReader;
+import org.u2sa.device.DeviceReader;
+import org.u2sa.device.FixMapping;
+import org.u2sa.device.HeadingMapping;
 import org.u2sa.device.TrueNorth;
+import org.u2sa.device.port.GpsFix;
+import org.u2sa.device.port.Heading;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.Sensor;
 
@@ -16,37 +19,35 @@ final class PinSensors {
 
   private final UartLink gpsLink = new UartLink();
   private final UartLink compassLink = new UartLink();
-  private final Optional<FixReader> gps;
-  private final Optional<HeadingReader> compass;
+  private final TrueNorth north;
+  private final FixMapping fixes;
+  private final HeadingMapping headings;
+  private final Optional<DeviceReader<GpsFix>> gps;
+  private final Optional<DeviceReader<Heading>> compass;
 
   /** Reads the device variables. */
   PinSensors(Sensor service, PinPlan plan) {
     SensorVariables variables = service.settings(SensorVariables.class).get();
-    TrueNorth north = new TrueNorth(service);
+    north = new TrueNorth(service);
     String name =
         service.sensorName(); // distinct sensor names, so that a new heading does not replace an
     // unread fix
+    fixes = new FixMapping(service, name + " GPS", variables.gpsDelay());
+    headings =
+        new HeadingMapping(
+            name + " compass",
+            north,
+            variables.compassMountingAngle(),
+            variables.headingSigma(),
+            variables.compassDelay());
     gps =
         plan.gps()
             .map(pins -> variables.gps(gpsLink, pins))
-            .map(
-                receiver ->
-                    new FixReader(
-                        service, receiver, name + " GPS", SILENT_AFTER_S, variables.gpsDelay()));
+            .map(each -> new DeviceReader<>(service, "the GPS receiver", each, SILENT_AFTER_S));
     compass =
         plan.compass()
             .map(pins -> variables.compass(compassLink, pins))
-            .map(
-                device ->
-                    new HeadingReader(
-                        service,
-                        device,
-                        name + " compass",
-                        SILENT_AFTER_S,
-                        north,
-                        variables.compassMountingAngle(),
-                        variables.headingSigma(),
-                        variables.compassDelay()));
+            .map(each -> new DeviceReader<>(service, "the compass", each, SILENT_AFTER_S));
   }
 
   /** Sets the board's pins; empty while disconnected. */
@@ -63,13 +64,16 @@ final class PinSensors {
   List<StateInformation> read(long nowMicros) {
     List<StateInformation> measured = new ArrayList<>(2);
     if (gpsLink.isConnected()) {
-      gps.flatMap(reader -> reader.next(nowMicros)).ifPresent(measured::add);
+      gps.flatMap(reader -> reader.next(nowMicros)).flatMap(fixes::state).ifPresent(measured::add);
     }
     for (StateInformation fix : measured) {
-      compass.ifPresent(reader -> reader.at(fix, fix.timestamp().orElseThrow()));
+      north.at(fix, fix.timestamp().orElseThrow());
     }
     if (compassLink.isConnected()) {
-      compass.flatMap(reader -> reader.next(nowMicros)).ifPresent(measured::add);
+      compass
+          .flatMap(reader -> reader.next(nowMicros))
+          .flatMap(headings::state)
+          .ifPresent(measured::add);
     }
     return measured;
   }

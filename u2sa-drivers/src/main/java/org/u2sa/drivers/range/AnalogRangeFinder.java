@@ -1,17 +1,13 @@
 package org.u2sa.drivers.range;
 
-import static java.nio.charset.StandardCharsets.US_ASCII;
-
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleFunction;
 import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.sonar.SonarModel;
+import org.u2sa.drivers.sysfs.FileDevice;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
@@ -19,7 +15,8 @@ import org.u2sa.service.ServiceContext;
  * A range finder with analog output, on an ADC supported by Linux industrial I/O: a file such as
  * {@code /sys/bus/iio/devices/iio:device0/in_voltage0_raw}.
  */
-public final class AnalogRangeFinder implements RangeFinder {
+public final class AnalogRangeFinder extends FileDevice<RangeFinder.Distance>
+    implements RangeFinder {
   /**
    * Range [m] and voltage [V] of Sharp's GP2Y0A21YK0F, near to far: 0.4 V at 0.8 m, 2.3 V at 0.1 m,
    * and the typical curve of data sheet OP13008EN, figure 2, in between.
@@ -39,19 +36,15 @@ public final class AnalogRangeFinder implements RangeFinder {
   private static final double MARGIN =
       0.1; // tolerance beyond the curve's ends, relative: sensors vary
 
-  private final Path file;
   private final double voltsPerCount;
   private final DoubleFunction<OptionalDouble> curve;
-  private Optional<Distance> latest = Optional.empty();
-  private String trouble = "not read yet";
-  private int connections;
 
   /**
    * @param file file with the ADC counts; may be absent
    * @param curve range [m] over voltage [V]
    */
   AnalogRangeFinder(Path file, double voltsPerCount, DoubleFunction<OptionalDouble> curve) {
-    this.file = file;
+    super(List.of(file));
     this.voltsPerCount = voltsPerCount;
     this.curve = curve;
   }
@@ -85,31 +78,8 @@ public final class AnalogRangeFinder implements RangeFinder {
   }
 
   @Override
-  public Optional<Distance> read(long nowMicros) {
-    try {
-      double counts = Double.parseDouble(new String(Files.readAllBytes(file), US_ASCII).trim());
-      latest = Optional.of(new Distance(nowMicros, curve.apply(counts * voltsPerCount)));
-      connections += isConnected() ? 0 : 1;
-      trouble = "";
-    } catch (IOException | NumberFormatException e) { // a lost device is a state, not an exception
-      trouble = e.toString();
-    }
-    return latest;
-  }
-
-  @Override
-  public boolean isConnected() {
-    return trouble.isEmpty();
-  }
-
-  @Override
-  public int connections() {
-    return connections;
-  }
-
-  @Override
-  public String trouble() {
-    return trouble;
+  protected Distance reading(long nowMicros, double[] numbers) {
+    return new Distance(nowMicros, curve.apply(numbers[0] * voltsPerCount));
   }
 
   /** Provider of MODEL = LV ANALOG and SHARP. */

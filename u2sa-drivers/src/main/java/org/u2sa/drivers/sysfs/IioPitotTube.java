@@ -26,7 +26,7 @@ public final class IioPitotTube extends FileDevice<PitotTube.Impact> implements 
   }
 
   @Override
-  Impact reading(long nowMicros, double[] numbers) {
+  protected Impact reading(long nowMicros, double[] numbers) {
     return new Impact(
         nowMicros, PASCALS * scale * numbers[0], OptionalDouble.empty(), OptionalDouble.empty());
   }

@@ -30,7 +30,7 @@ public final class IioPressure extends FileDevice<Pressure> implements Barometer
   }
 
   @Override
-  Pressure reading(long nowMicros, double[] numbers) {
+  protected Pressure reading(long nowMicros, double[] numbers) {
     return new Pressure(nowMicros, PASCALS * scale * numbers[0], OptionalDouble.empty());
   }
 

@@ -19,7 +19,7 @@ public final class LinuxCounter extends FileDevice<WheelEncoder.Ticks> implement
   }
 
   @Override
-  Ticks reading(long nowMicros, double[] numbers) {
+  protected Ticks reading(long nowMicros, double[] numbers) {
     return new Ticks(nowMicros, (int) (long) numbers[0], (int) (long) numbers[1]);
   }
 

@@ -104,13 +104,6 @@ public final class Estimate {
     return sigma(FilterState.VELOCITY + axis);
   }
 
-  /** Velocity over ground along BODY_FRD [m/s]. */
-  public double bodyVelocityMps(int axis) {
-    return r[axis] * s.x[FilterState.V]
-        + r[3 + axis] * s.x[FilterState.V + 1]
-        + r[6 + axis] * s.x[FilterState.V + 2];
-  }
-
   /** Roll [rad]. */
   public double phi() {
     return Quaternions.phi(r);
@@ -150,16 +143,6 @@ public final class Estimate {
     double[] x = s.x;
     double turn = r[7] * x[FilterState.W + 1] + r[8] * x[FilterState.W + 2];
     return cos < VERTICAL ? 0.0 : turn / (cos * cos);
-  }
-
-  /** Bias of a gyroscope [rad/s]. */
-  public double gyroBias(int axis) {
-    return s.x[FilterState.BG + axis];
-  }
-
-  /** Bias of an accelerometer [m/s²]. */
-  public double forceBias(int axis) {
-    return s.x[FilterState.BF + axis];
   }
 
   /** Wind or current, north or east component of the direction it flows to [m/s]. */

@@ -24,6 +24,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.sim.aircraft.ControlInputs;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.Repository;
 
 /** The link against the installed FlightGear: {@code mvn verify -Pflightgear}, half a minute. */
 @Tag("flightgear")
@@ -114,12 +115,9 @@ final class RealFlightGearTest {
   }
 
   private void script(String name, String... arguments) throws Exception {
-    Path root = Path.of("").toAbsolutePath();
-    while (!Files.isDirectory(root.resolve("scripts"))) {
-      root = root.getParent();
-    }
     List<String> command =
-        new ArrayList<>(List.of(root.resolve("scripts/flightgear").resolve(name).toString()));
+        new ArrayList<>(
+            List.of(Repository.root().resolve("scripts/flightgear").resolve(name).toString()));
     command.addAll(List.of(arguments));
     Path output = data.resolve(name + ".txt");
     Process process =

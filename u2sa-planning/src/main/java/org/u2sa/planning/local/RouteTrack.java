@@ -72,11 +72,6 @@ public final class RouteTrack {
     return alongM;
   }
 
-  /** Distance to the next cusp of the route or to its end [m]. */
-  public double straightOnM() {
-    return at[cusp()] - alongM;
-  }
-
   /**
    * Updates with the vehicle's position.
    *

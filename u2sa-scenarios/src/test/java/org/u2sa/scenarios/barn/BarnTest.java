@@ -15,6 +15,7 @@ import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.testkit.Repository;
 
 /** Worlds in BARN's format, made here: read, scored, and one driven with the default settings. */
 class BarnTest {
@@ -113,19 +114,11 @@ class BarnTest {
       }
     }
     BarnCourse course = new BarnCourse(world(text), SCALE);
-    System.setProperty("u2sa.home", repository().toString());
+    System.setProperty("u2sa.home", Repository.root().toString());
 
     BarnScore score = BarnDrive.drive(course, folder.resolve("run"), List.of());
 
     assertThat(score.outcome()).isEqualTo(BarnScore.Outcome.REACHED);
     assertThat(score.metric(1.0)).isEqualTo(BarnScore.BEST);
-  }
-
-  private static Path repository() {
-    Path at = Path.of("").toAbsolutePath();
-    while (!Files.isDirectory(at.resolve("config/ugv"))) {
-      at = at.getParent();
-    }
-    return at;
   }
 }

@@ -16,6 +16,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Surroundings;
+import org.u2sa.testkit.Repository;
 
 /** A line in the system file adds a sensor to the Cessna, and it rolls all the same. */
 class AddedAircraftSensorsTest {
@@ -26,7 +27,7 @@ class AddedAircraftSensorsTest {
   @ParameterizedTest
   @ValueSource(strings = {"BarometerSensor", "AirspeedSensor", "GpsSensor", "ImuSensor"})
   void run_sensorAdded_theControlKnowsThatItStandsOnItsWheels(String sensor) throws Exception {
-    Path home = CommandLineRun.repository();
+    Path home = Repository.root();
     Path cessna = home.resolve("config/cessna");
     Path file = directory.resolve("system.xml");
     Files.writeString(

@@ -13,6 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
+import org.u2sa.testkit.Repository;
 
 /** What the commands say to wrong input: one clear line, exit code 2, nothing left running. */
 class BadInputTest {
@@ -118,7 +120,7 @@ class BadInputTest {
   @Test
   void run_brokerUnreachable_failsInOneLine() {
     Set<Thread> before = RunningThreads.now();
-    Path system = CommandLineRun.repository().resolve("config/cessna/system.xml");
+    Path system = Repository.root().resolve("config/cessna/system.xml");
 
     CommandLineRun run =
         CommandLineRun.of(
@@ -155,13 +157,13 @@ class BadInputTest {
   /** The Cessna's files in the test's own folder. */
   private void copyConfiguration() throws IOException {
     Path copy = Files.createDirectory(directory.resolve("cessna"));
-    Path original = CommandLineRun.repository().resolve("config/cessna");
+    Path original = Repository.root().resolve("config/cessna");
     try (Stream<Path> files = Files.list(original)) {
       for (Path file : files.toList()) {
         Files.copy(file, copy.resolve(file.getFileName()));
       }
     }
-    Path mission = CommandLineRun.repository().resolve("missions/cessna/mission.xml");
+    Path mission = Repository.root().resolve("missions/cessna/mission.xml");
     for (String name : List.of("MissionManager.xml", "Simulator.xml")) {
       Path file = copy.resolve(name);
       Files.writeString(

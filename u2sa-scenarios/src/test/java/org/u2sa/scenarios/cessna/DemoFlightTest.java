@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** Whole flights by the command line, own take-off included, as fast as the machine allows. */
 class DemoFlightTest {
@@ -126,6 +127,6 @@ class DemoFlightTest {
   }
 
   private CommandLineRun fly(String name, String... options) {
-    return CommandLineRun.demo(out(name), options);
+    return CommandLineRun.demo("cessna", out(name), options);
   }
 }

@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.scenarios.cessna.FlightWitness.Moment;
+import org.u2sa.testkit.Repository;
 
 /** The predictive fence in flight: it is never crossed, whatever the wind. */
 @Timeout(240)
@@ -74,7 +75,7 @@ class FenceFlightTest {
 
   @Test
   void ceiling_belowAWaypoint_isNotCrossed() throws IOException, InterruptedException {
-    Path shipped = CommandLineRun.repository().resolve("config/cessna/fence.xml");
+    Path shipped = Repository.root().resolve("config/cessna/fence.xml");
     Path fence = directory.resolve("low.xml");
     String text = Files.readString(shipped);
     assertThat(text).contains("<ceiling unit=\"ft\">4500</ceiling>");

@@ -22,6 +22,7 @@ import org.u2sa.flightgear.link.StandInFlightGear;
 import org.u2sa.flightgear.link.StandInSetup;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.mission.Mission;
+import org.u2sa.scenarios.run.CommandLineRun;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.atmosphere.Wind;
 

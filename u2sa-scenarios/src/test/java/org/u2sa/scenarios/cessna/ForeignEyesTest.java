@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.Repository;
 
 /**
  * A flight seen from outside: Python, with nothing of U2SA, reads what the broker carries; and a
@@ -74,7 +75,7 @@ class ForeignEyesTest {
   /** Tries until the broker is there: a virtual machine needs a second or more to start one. */
   private ForeignProgram.Ended awaitMessages(String python, String port)
       throws IOException, InterruptedException {
-    String script = CommandLineRun.repository().resolve("scripts/wire/decode.py").toString();
+    String script = Repository.root().resolve("scripts/wire/decode.py").toString();
     while (true) {
       ForeignProgram.Ended read =
           ForeignProgram.run(

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.testkit.ForeignPrograms;
+import org.u2sa.testkit.Repository;
 
 /**
  * Programs beside the tests' own virtual machine: Python, Mosquitto, and u2sa as a user runs it.
@@ -46,7 +47,7 @@ final class ForeignProgram {
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:+UseSerialGC",
                 "-Djava.awt.headless=true",
-                "-Du2sa.home=" + CommandLineRun.repository(),
+                "-Du2sa.home=" + Repository.root(),
                 "-cp",
                 System.getProperty("java.class.path"),
                 "org.u2sa.cli.Main"));

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** Flights on noisy GPS, barometer, airspeed, IMU and compass instead of the simulator's truth. */
 class FusedFlightTest {
@@ -21,7 +22,7 @@ class FusedFlightTest {
     all[1] = "fusing";
     all[2] = "--seed";
     all[3] = String.valueOf(seed);
-    CommandLineRun run = CommandLineRun.demo(out, all);
+    CommandLineRun run = CommandLineRun.demo("cessna", out, all);
     assertThat(run.exitCode()).as("seed %d: %s%s", seed, run.err(), Summary.in(out)).isZero();
     Summary summary = Summary.in(out);
     summary.requireGood();

@@ -28,6 +28,7 @@ import org.u2sa.scenarios.estimate.EstimateErrors.Truth;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.testkit.Repository;
 
 /** The Cessna's state on noisy sensors errs by as much as it says, measured against truth. */
 @Tag("long")
@@ -84,7 +85,7 @@ class HonestFlightTest {
   }
 
   private void fly(long seed, EstimateErrors errors) throws Exception {
-    Path home = CommandLineRun.repository();
+    Path home = Repository.root();
     Path mission = home.resolve("missions/cessna/mission.xml").toAbsolutePath();
     LockstepClock clock = new LockstepClock();
     LaunchOptions options =

@@ -29,6 +29,7 @@ import org.u2sa.scenarios.run.SwapOperator;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.testkit.Repository;
 
 /** What the other services see of swaps all along the demo's flight: nothing. */
 class HotSwapGapTest {
@@ -81,7 +82,7 @@ class HotSwapGapTest {
 
   private Observer fly(String name, List<SwapOperator.PlannedSwap> swaps)
       throws InterruptedException {
-    Path root = CommandLineRun.repository();
+    Path root = Repository.root();
     String mission = root.resolve("missions/cessna/mission.xml").toAbsolutePath().toString();
     LockstepClock clock = new LockstepClock();
     LaunchOptions options =

@@ -18,6 +18,7 @@ import org.u2sa.control.fixedwing.CessnaControl;
 import org.u2sa.control.fixedwing.ThesisControl;
 import org.u2sa.planning.PathPlanner;
 import org.u2sa.planning.VectorFieldPlanner;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** Algorithms replaced in flight by the command line (thesis 5.1, user story 8). */
 class HotSwapTest {
@@ -28,7 +29,7 @@ class HotSwapTest {
   }
 
   private CommandLineRun fly(String name, List<String> options) {
-    return CommandLineRun.demo(directory.resolve(name), options.toArray(new String[0]));
+    return CommandLineRun.demo("cessna", directory.resolve(name), options.toArray(new String[0]));
   }
 
   private byte[] track(String name) throws IOException {

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** Flights over many seeds: the demo's mission in many winds, and missions nobody tuned for. */
 @Tag("long")
@@ -43,7 +44,8 @@ class ManyFlightsTest {
     for (long seed : new long[] {11, 13}) {
       Path out = directory.resolve("out" + seed);
       CommandLineRun run =
-          CommandLineRun.demo(out, "--seed", String.valueOf(seed), "--wind", "12@" + fromDeg);
+          CommandLineRun.demo(
+              "cessna", out, "--seed", String.valueOf(seed), "--wind", "12@" + fromDeg);
 
       assertThat(run.exitCode()).as("seed %d: %s%s", seed, run.err(), Summary.in(out)).isZero();
     }
@@ -51,7 +53,7 @@ class ManyFlightsTest {
 
   private void fly(long seed, String... options) {
     Path out = directory.resolve("out");
-    CommandLineRun run = CommandLineRun.demo(out, options);
+    CommandLineRun run = CommandLineRun.demo("cessna", out, options);
 
     assertThat(run.exitCode()).as("seed %d: %s%s", seed, run.err(), Summary.in(out)).isZero();
     Summary.in(out).requireGood();

@@ -13,6 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
+import org.u2sa.testkit.Repository;
 
 /**
  * Towers and keep-out zones that the World Modeler has from a file, traffic that only a receiver
@@ -34,7 +36,7 @@ class ObstructedFlightTest {
   private CommandLineRun fly(Path world, String... more) {
     List<String> all = new ArrayList<>(List.of("--world", world.toString()));
     all.addAll(List.of(more));
-    return CommandLineRun.demo(directory.resolve("out"), all.toArray(new String[0]));
+    return CommandLineRun.demo("cessna", directory.resolve("out"), all.toArray(new String[0]));
   }
 
   private Path file(String world) throws IOException {
@@ -102,7 +104,7 @@ class ObstructedFlightTest {
   @ParameterizedTest(name = "seed {0}")
   @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
   void demo_wholeMission_everyWaypointAndNoViolation(long seed) {
-    Path world = CommandLineRun.repository().resolve("missions/cessna/obstructed.xml");
+    Path world = Repository.root().resolve("missions/cessna/obstructed.xml");
     CommandLineRun run = fly(world, "--seed", String.valueOf(seed));
     Summary summary = Summary.in(directory.resolve("out"));
     assertThat(run.exitCode()).as("seed %d: %s%s", seed, run.err(), summary).isZero();

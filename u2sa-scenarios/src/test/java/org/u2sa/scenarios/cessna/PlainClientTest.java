@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.Repository;
 
 /**
  * A client that nobody here wrote (paho-mqtt, cbor2) sees exactly what docs/wire-protocol.md says:
@@ -85,7 +86,7 @@ class PlainClientTest {
         ForeignProgram.u2sa(
             file("run.txt"),
             "run",
-            CommandLineRun.repository().resolve("config/cessna/system.xml").toString(),
+            Repository.root().resolve("config/cessna/system.xml").toString(),
             "--logs",
             file("logs").toString(),
             "--set",
@@ -111,7 +112,7 @@ class PlainClientTest {
   }
 
   private Process check(String python, int port, String... options) throws IOException {
-    Path script = CommandLineRun.repository().resolve("scripts/wire/check.py");
+    Path script = Repository.root().resolve("scripts/wire/check.py");
     List<String> command =
         new ArrayList<>(
             List.of(

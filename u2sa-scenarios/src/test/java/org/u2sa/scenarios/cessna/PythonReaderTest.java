@@ -9,13 +9,14 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.u2sa.testkit.ForeignPrograms;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.Repository;
 
 /**
  * The wire is readable without Java: scripts/wire/decode.py reads every golden vector with Python's
  * cbor2.
  */
 class PythonReaderTest {
-  private static final Path VECTORS = CommandLineRun.repository().resolve("docs/wire/golden");
+  private static final Path VECTORS = Repository.root().resolve("docs/wire/golden");
 
   @Test
   @NeedsProgram(value = "python3", modules = "cbor2")
@@ -23,7 +24,7 @@ class PythonReaderTest {
     ForeignProgram.Ended read =
         ForeignProgram.run(
             ForeignPrograms.ofThisMachine().required("python3", "cbor2"),
-            CommandLineRun.repository().resolve("scripts/wire/decode.py").toString());
+            Repository.root().resolve("scripts/wire/decode.py").toString());
 
     assertThat(read.output())
         .contains(vectors() + " golden vectors read with cbor2, 0 differences");

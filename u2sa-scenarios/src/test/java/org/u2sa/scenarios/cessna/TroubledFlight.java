@@ -17,6 +17,7 @@ import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.scenarios.cessna.FlightWitness.Moment;
+import org.u2sa.testkit.Repository;
 
 /**
  * A flight of the configured Cessna in lockstep, in which a scenario makes things go wrong: it
@@ -33,7 +34,7 @@ final class TroubledFlight implements AutoCloseable {
   private final FlightWitness witness;
 
   private TroubledFlight(Path logs, long seed, String wind, UnaryOperator<LaunchOptions> changed) {
-    Path root = CommandLineRun.repository();
+    Path root = Repository.root();
     String mission = root.resolve("missions/cessna/mission.xml").toAbsolutePath().toString();
     LaunchOptions options =
         new LaunchOptions()

@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.run.CommandLineRun;
 import org.u2sa.sim.camera.Scenery;
 
 /** Straight lanes whose lines are both dashed or worn, with gaps side by side. */
@@ -34,7 +35,7 @@ class DashedLaneTest {
     return builder;
   }
 
-  private IgvcRun run(Course course) {
+  private CommandLineRun run(Course course) {
     return IgvcRun.of(
         directory.resolve("run"),
         course,
@@ -49,7 +50,7 @@ class DashedLaneTest {
   void demo_bothLinesDashed_isDrivenBetweenThem() {
     CourseBuilder builder = lane();
     builder.barrel(Point.of(13.0, -1.0, 0.0));
-    IgvcRun run = run(builder.course("a dashed lane"));
+    CommandLineRun run = run(builder.course("a dashed lane"));
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isEqualTo(1);
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
@@ -62,7 +63,7 @@ class DashedLaneTest {
     for (double y = -HALF_M; y <= HALF_M; y += 0.6) {
       builder.barrel(Point.of(15.0, y, 0.0));
     }
-    IgvcRun run = run(builder.course("a closed dashed lane"));
+    CommandLineRun run = run(builder.course("a closed dashed lane"));
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isZero();
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /**
  * Rows of barrels, seen by the laser alone: a vehicle 0.92 m wide goes through a gap of 1.524 m,
@@ -68,14 +69,14 @@ class GapTest {
     return Point.of(ahead - along * Math.sin(angle), along * Math.cos(angle), 0.0);
   }
 
-  private IgvcRun drive(Course course, long seed, String... more) {
+  private CommandLineRun drive(Course course, long seed, String... more) {
     List<String> options = new ArrayList<>(List.of(LASER_ALONE));
     options.addAll(List.of(more));
     return IgvcRun.of(
         directory.resolve("run " + seed), course, seed, options.toArray(new String[0]));
   }
 
-  private static void requireClean(IgvcRun run) {
+  private static void requireClean(CommandLineRun run) {
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isEqualTo(1);
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
@@ -90,7 +91,7 @@ class GapTest {
 
   private void thread(long seed, double gapM, String... more) {
     Course course = row(seed, LONG_ROW_M, new double[] {0.0}, new double[] {gapM});
-    IgvcRun run = drive(course, seed, more);
+    CommandLineRun run = drive(course, seed, more);
     requireClean(run);
     assertThat(run.summary().path("distanceM").asDouble()).as(run.said()).isLessThan(AROUND_M);
   }
@@ -110,7 +111,8 @@ class GapTest {
 
   @Test
   void demo_vehicleOfAnImpossibleWidth_isRefused() {
-    IgvcRun run = drive(row(1, ROW_M, new double[] {0.0}, new double[] {2.0}), 1, "--width", "3");
+    CommandLineRun run =
+        drive(row(1, ROW_M, new double[] {0.0}, new double[] {2.0}), 1, "--width", "3");
     assertThat(run.exitCode()).isNotZero();
     assertThat(run.said()).contains("--width 3.0: expected 0.5…1.2 m");
   }

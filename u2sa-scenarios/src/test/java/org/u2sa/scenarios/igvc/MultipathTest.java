@@ -8,6 +8,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** Positions that are off by 0.5 to 1.5 m for some seconds, over open ground, by laser alone. */
 class MultipathTest {
@@ -24,7 +25,7 @@ class MultipathTest {
   @ParameterizedTest
   @ValueSource(longs = {1, 2})
   void demo_reflectedSignals_doNotDrawThePositionAlong(long seed) {
-    IgvcRun run =
+    CommandLineRun run =
         IgvcRun.of(
             directory.resolve("run"),
             open(),

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.run.CommandLineRun;
 import org.u2sa.sim.camera.Scenery;
 
 /** A straight lane with a ramp as steep as the rules have it, and a barrel just behind it. */
@@ -49,7 +50,7 @@ class RampedLaneTest {
 
   @Test
   void demo_laneWithARamp_isDrivenOverItBetweenItsLines() {
-    IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1, "--snapshot-every", "0");
+    CommandLineRun run = IgvcRun.of(directory.resolve("run"), course(), 1, "--snapshot-every", "0");
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isEqualTo(1);
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();

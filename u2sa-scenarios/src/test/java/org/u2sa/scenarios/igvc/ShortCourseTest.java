@@ -11,6 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.run.CommandLineRun;
 import org.u2sa.sim.camera.Scenery;
 
 /**
@@ -43,7 +44,7 @@ class ShortCourseTest {
 
   @Test
   void demo_laneThatTurnsAside_isDrivenBetweenItsLines() {
-    IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1, "--snapshot-every", "5");
+    CommandLineRun run = IgvcRun.of(directory.resolve("run"), course(), 1, "--snapshot-every", "5");
     requireClean(run);
     assertThat(run.file("snapshots/005.png")).isNotEmpty();
   }
@@ -66,7 +67,7 @@ class ShortCourseTest {
   @ParameterizedTest
   @ValueSource(booleans = {true, false})
   void demo_flagWithTheWiderWayOnTheWrongSide_isPassedOnTheRightOne(boolean red) {
-    IgvcRun run =
+    CommandLineRun run =
         IgvcRun.of(
             directory.resolve("run"),
             laneWithFlag(red),
@@ -75,11 +76,11 @@ class ShortCourseTest {
             "PathPlanner:PASS SIDES=red flag: LEFT, blue flag: RIGHT");
     requireClean(run);
     assertThat(run.figure("flagsOnWrongSide")).as(run.said()).isZero();
-    IgvcRun without = IgvcRun.of(directory.resolve("other"), laneWithFlag(red), 1);
+    CommandLineRun without = IgvcRun.of(directory.resolve("other"), laneWithFlag(red), 1);
     assertThat(without.figure("flagsOnWrongSide")).as(without.said()).isEqualTo(1);
   }
 
-  private static void requireClean(IgvcRun run) {
+  private static void requireClean(CommandLineRun run) {
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isEqualTo(1);
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
@@ -97,7 +98,7 @@ class ShortCourseTest {
   }
 
   private void standsBetweenItsLines(String dies) {
-    IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1, dies, "5");
+    CommandLineRun run = IgvcRun.of(directory.resolve("run"), course(), 1, dies, "5");
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isZero();
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
@@ -108,8 +109,8 @@ class ShortCourseTest {
   @Tag("long")
   @Test
   void demo_ofTheSameSeed_isTheSameToTheByte() {
-    IgvcRun one = IgvcRun.of(directory.resolve("one"), course(), 3);
-    IgvcRun other = IgvcRun.of(directory.resolve("other"), course(), 3);
+    CommandLineRun one = IgvcRun.of(directory.resolve("one"), course(), 3);
+    CommandLineRun other = IgvcRun.of(directory.resolve("other"), course(), 3);
     assertThat(one.file("track.csv")).isEqualTo(other.file("track.csv"));
     assertThat(one.file("judge.log")).isEqualTo(other.file("judge.log"));
   }

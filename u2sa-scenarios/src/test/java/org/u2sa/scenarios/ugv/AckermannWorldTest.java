@@ -13,6 +13,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
+import org.u2sa.testkit.Repository;
 
 /**
  * The truck with steered wheels among obstacles that only its laser sees, led by PLANNER HYBRID.
@@ -26,24 +28,25 @@ class AckermannWorldTest {
 
   @TempDir private Path directory;
 
-  private UgvCommandLine drive(long seed, String world, String... more) {
+  private CommandLineRun drive(long seed, String world, String... more) {
     List<String> options =
         new ArrayList<>(List.of("--vehicle", "ackermann", "--seed", String.valueOf(seed)));
     options.addAll(List.of("--world", file(world)));
     options.addAll(List.of(more));
-    return UgvCommandLine.demo(directory.resolve("out" + seed), options.toArray(new String[0]));
+    return CommandLineRun.demo(
+        "ugv", directory.resolve("out" + seed), options.toArray(new String[0]));
   }
 
   private static String file(String name) {
-    return UgvCommandLine.repository().resolve("missions/ugv").resolve(name).toString();
+    return Repository.root().resolve("missions/ugv").resolve(name).toString();
   }
 
-  private UgvCommandLine park(long seed) {
+  private CommandLineRun park(long seed) {
     return drive(seed, "parking-world.xml", "--mission", file("parking.xml"));
   }
 
   /** Way driven with the rear first on a leg [m]. */
-  private static double backwardsM(UgvCommandLine run, int leg) {
+  private static double backwardsM(CommandLineRun run, int leg) {
     double backwards = 0.0;
     double[] before = null;
     for (String line : new String(run.track(), StandardCharsets.UTF_8).lines().skip(1).toList()) {
@@ -61,7 +64,7 @@ class AckermannWorldTest {
   }
 
   /** Reached as far as the vehicle can know: its position is off by some centimetres. */
-  private static void requireReached(UgvCommandLine run, double... thresholdsM) {
+  private static void requireReached(CommandLineRun run, double... thresholdsM) {
     assertThat(run.exitCode()).as(run.out() + run.err()).isLessThanOrEqualTo(ExitCode.FAILED);
     JsonNode summary = run.summary();
     assertThat(summary.get("goalsCompleted").asInt()).isEqualTo(thresholdsM.length);
@@ -73,7 +76,7 @@ class AckermannWorldTest {
     }
   }
 
-  private static void requireBackedOut(UgvCommandLine run) {
+  private static void requireBackedOut(CommandLineRun run) {
     requireReached(run, 0.5, 0.3, 0.4, 0.5); // thresholds of parking.xml
     assertThat(backwardsM(run, 2)).as("backwards out of the bay").isGreaterThan(0.5);
     assertThat(backwardsM(run, 3)).as("backwards out of the alley").isGreaterThan(0.5);

@@ -20,6 +20,7 @@ import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.mission.Mission;
 import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.sim.ground.Hazards;
+import org.u2sa.testkit.Repository;
 
 /**
  * A line in the system file adds a sensor, and the vehicle goes on (thesis 5.1, story 9): with the
@@ -33,7 +34,7 @@ class AddedSensorsTest {
   private final LockstepClock clock = new LockstepClock();
 
   private RunningSystem start(String base, String services) throws IOException {
-    Path ugv = UgvCommandLine.repository().resolve("config/ugv");
+    Path ugv = Repository.root().resolve("config/ugv");
     StringBuilder lines = new StringBuilder();
     for (String each : services.split(" ")) {
       lines.append("  <service class=\"org.u2sa.device.").append(each).append("\"/>\n");
@@ -45,7 +46,7 @@ class AddedSensorsTest {
             .replace(ESTIMATOR, lines + ESTIMATOR) // so that the Safety Manager looks after them
             .replace("configuration=\"", "configuration=\"" + ugv + "/"),
         UTF_8);
-    Mission mission = Mission.load(UgvCommandLine.repository().resolve("missions/ugv/loop.xml"));
+    Mission mission = Mission.load(Repository.root().resolve("missions/ugv/loop.xml"));
     UgvWorld world =
         new UgvWorld(
             RunPlans.start(mission),

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** What receivers allow of a mission's thresholds is said, and thresholds can follow it. */
 class AttainableThresholdTest {
@@ -20,11 +21,11 @@ class AttainableThresholdTest {
 
   @TempDir private Path directory;
 
-  private UgvCommandLine drive(String... options) {
-    return UgvCommandLine.demo(directory.resolve("out"), options);
+  private CommandLineRun drive(String... options) {
+    return CommandLineRun.demo("ugv", directory.resolve("out"), options);
   }
 
-  private List<Double> thresholds(UgvCommandLine run) throws IOException {
+  private List<Double> thresholds(CommandLineRun run) throws IOException {
     return REACHED
         .matcher(Files.readString(run.directory().resolve("logs/PathPlanner.log")))
         .results()
@@ -34,7 +35,7 @@ class AttainableThresholdTest {
 
   @Test
   void demo_phoneReceiver_saysAtTheStartWhatItsThresholdsAreWorth() {
-    UgvCommandLine run = drive("--receiver", "phone", "--loops", "1", "--seed", "1");
+    CommandLineRun run = drive("--receiver", "phone", "--loops", "1", "--seed", "1");
 
     assertThat(run.out())
         .contains("PathPlanner: waypoint \"1\" may be missed although it seems reached")
@@ -49,7 +50,7 @@ class AttainableThresholdTest {
   @ParameterizedTest
   @ValueSource(longs = {1, 2})
   void demo_thresholdsFollowAPhonesAccuracy_areTrulyMet(long seed) throws IOException {
-    UgvCommandLine run =
+    CommandLineRun run =
         drive(
             "--receiver",
             "phone",

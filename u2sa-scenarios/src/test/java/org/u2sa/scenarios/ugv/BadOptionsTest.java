@@ -8,6 +8,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** Changes of a demo that are not of their form, or would have no effect. */
 class BadOptionsTest {
@@ -35,7 +36,7 @@ class BadOptionsTest {
   }
 
   private void requireBad(String expected, String... options) {
-    UgvCommandLine run = UgvCommandLine.demo(directory, options);
+    CommandLineRun run = CommandLineRun.demo("ugv", directory, options);
 
     assertThat(run.err()).startsWith("u2sa: --set: ").contains(expected);
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);

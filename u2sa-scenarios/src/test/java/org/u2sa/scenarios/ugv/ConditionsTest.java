@@ -11,6 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** Motors, loads and ground that the configuration was not tuned on. */
 class ConditionsTest {
@@ -18,12 +19,12 @@ class ConditionsTest {
 
   @TempDir private Path directory;
 
-  private UgvCommandLine drive(String options) {
-    return UgvCommandLine.demo(directory, options.split(" "));
+  private CommandLineRun drive(String options) {
+    return CommandLineRun.demo("ugv", directory, options.split(" "));
   }
 
   /** Fails unless one loop was driven, each waypoint within its threshold, and on its lines. */
-  static void requireHeld(UgvCommandLine run) {
+  static void requireHeld(CommandLineRun run) {
     assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
     JsonNode summary = run.summary();
     assertThat(summary.get("goalsCompleted").asInt()).isEqualTo(6);
@@ -52,8 +53,9 @@ class ConditionsTest {
             "<mission><home><x>-81.0478</x><y>29.1885</y><psi>0</psi></home>"
                 + "<waypoint><x>-81.0478</x><y>29.18854</y></waypoint></mission>");
 
-    UgvCommandLine run =
-        UgvCommandLine.demo(
+    CommandLineRun run =
+        CommandLineRun.demo(
+            "ugv",
             directory.resolve("out"),
             "--mission",
             mission.toString(),
@@ -78,7 +80,7 @@ class ConditionsTest {
         "--vehicle ackermann --mismatch 5"
       })
   void demo_whatNoVehicleIs_isRefusedByName(String options) {
-    UgvCommandLine run = drive(options);
+    CommandLineRun run = drive(options);
 
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(run.err())

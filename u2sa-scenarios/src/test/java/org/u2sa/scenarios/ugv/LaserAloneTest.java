@@ -15,6 +15,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Mission;
 import org.u2sa.sim.ground.Hazards;
+import org.u2sa.testkit.Repository;
 
 /**
  * The loop with the shipped files, in which one walker after the other comes, of whom only the
@@ -63,7 +64,7 @@ class LaserAloneTest {
             new UgvDrive.Scene(seed, GpsGrade.SURVEY, Hazards.none(), List.of()),
             true,
             options -> {})) {
-      Mission mission = Mission.load(UgvCommandLine.repository().resolve("missions/ugv/loop.xml"));
+      Mission mission = Mission.load(Repository.root().resolve("missions/ugv/loop.xml"));
       Random chance = new Random(seed);
       Point from = Point.ORIGIN;
       Geodetic origin = drive.world.world().plane().at(0.0, 0.0, 0.0);

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** All that docs/ugv.md says that the motors can do, over several seeds. */
 @Tag("long")
@@ -39,6 +40,7 @@ class ManyConditionsTest {
   @ParameterizedTest
   @MethodSource("conditions")
   void demo_unlikeMotorsLoadsAndGround_holdsTheLine(String options) {
-    ConditionsTest.requireHeld(UgvCommandLine.demo(directory, (options + " --loops 1").split(" ")));
+    ConditionsTest.requireHeld(
+        CommandLineRun.demo("ugv", directory, (options + " --loops 1").split(" ")));
   }
 }

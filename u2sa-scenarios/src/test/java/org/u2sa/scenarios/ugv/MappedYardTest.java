@@ -27,6 +27,7 @@ import org.u2sa.sim.device.SimulatedLaser;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
+import org.u2sa.testkit.Repository;
 import org.u2sa.testkit.ServiceKit;
 import org.u2sa.world.WorldModeler;
 import org.u2sa.world.xml.WorldFile;
@@ -53,7 +54,7 @@ class MappedYardTest {
   private final ServiceKit kit = new ServiceKit();
   private final Geodetic home = new Geodetic(-81.0478, 29.1885, 0.0);
   private final List<ObjectDescription> yard =
-      WorldFile.load(UgvCommandLine.repository().resolve("missions/ugv/yard.xml")).objects();
+      WorldFile.load(Repository.root().resolve("missions/ugv/yard.xml")).objects();
   private final World world = World.at(home).with(yard);
   private final Random noise = new Random(11L);
   private final Map<String, Integer> sightings = new TreeMap<>();

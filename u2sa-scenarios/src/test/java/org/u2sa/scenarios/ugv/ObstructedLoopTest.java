@@ -10,6 +10,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
+import org.u2sa.testkit.Repository;
 
 /**
  * Obstacles on every leg of the loop, known to nobody: the laser sees them, the World Modeler's
@@ -18,15 +20,15 @@ import org.u2sa.cli.command.ExitCode;
 class ObstructedLoopTest {
   @TempDir private Path directory;
 
-  private UgvCommandLine drive(long seed, String... more) {
-    String world = UgvCommandLine.repository().resolve("missions/ugv/obstructed.xml").toString();
+  private CommandLineRun drive(long seed, String... more) {
+    String world = Repository.root().resolve("missions/ugv/obstructed.xml").toString();
     String[] options = {"--loops", "1", "--seed", String.valueOf(seed), "--world", world};
     String[] all = Arrays.copyOf(options, options.length + more.length);
     System.arraycopy(more, 0, all, options.length, more.length);
-    return UgvCommandLine.demo(directory.resolve("out" + seed), all);
+    return CommandLineRun.demo("ugv", directory.resolve("out" + seed), all);
   }
 
-  private static void requireUntouched(UgvCommandLine run) {
+  private static void requireUntouched(CommandLineRun run) {
     assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
     assertThat(run.summary().get("waypointsCaptured").asInt()).isEqualTo(6);
     assertThat(run.summary().get("contacts").asInt()).isZero();
@@ -49,7 +51,7 @@ class ObstructedLoopTest {
 
   @Test
   void demo_worldWithTheProportionalControl_isRefused() {
-    UgvCommandLine run = drive(1, "--control", "proportional");
+    CommandLineRun run = drive(1, "--control", "proportional");
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(run.err()).contains("--world: expected --control pursuit");
   }

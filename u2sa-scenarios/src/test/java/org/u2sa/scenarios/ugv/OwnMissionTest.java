@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** Missions that nobody tuned for, judged by their own thresholds. */
 class OwnMissionTest {
@@ -46,15 +47,15 @@ class OwnMissionTest {
     return Files.writeString(directory.resolve("own.xml"), text + "</mission>\n");
   }
 
-  private UgvCommandLine drive(Path mission, String... more) {
+  private CommandLineRun drive(Path mission, String... more) {
     String[] options = new String[more.length + 2];
     options[0] = "--mission";
     options[1] = mission.toString();
     System.arraycopy(more, 0, options, 2, more.length);
-    return UgvCommandLine.demo(directory.resolve("out"), options);
+    return CommandLineRun.demo("ugv", directory.resolve("out"), options);
   }
 
-  private static void requireAll(UgvCommandLine run, int goals, double withinM) {
+  private static void requireAll(CommandLineRun run, int goals, double withinM) {
     assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
     JsonNode summary = run.summary();
     assertThat(summary.get("goalsCompleted").asInt()).isEqualTo(goals);
@@ -92,7 +93,7 @@ class OwnMissionTest {
 
   @Test
   void demo_thresholdSetForTheRun_isWhatTheScoreGoesBy() throws IOException {
-    UgvCommandLine run =
+    CommandLineRun run =
         drive(
             mission(HAWAII, "", new double[][] {{10, 0}, {10, 10}}),
             "--set",

@@ -18,6 +18,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.recorder.mcap.McapCursor;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** A drive that is recorded. */
 class RecordedDriveTest {
@@ -32,11 +33,12 @@ class RecordedDriveTest {
 
   @TempDir Path folder;
 
-  private UgvCommandLine drive(String out, String... options) throws IOException {
+  private CommandLineRun drive(String out, String... options) throws IOException {
     Path mission = Files.writeString(folder.resolve("short.xml"), TWO_WAYPOINTS);
     List<String> all = new ArrayList<>(List.of(options));
     all.addAll(List.of("--seed", "3", "--mission", mission.toString()));
-    UgvCommandLine run = UgvCommandLine.demo(folder.resolve(out), all.toArray(new String[0]));
+    CommandLineRun run =
+        CommandLineRun.demo("ugv", folder.resolve(out), all.toArray(new String[0]));
     assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
     return run;
   }
@@ -69,8 +71,8 @@ class RecordedDriveTest {
 
   @Test
   void demo_recordedTwice_drivesAsUnrecordedAndGivesTheSameMessages() throws IOException {
-    UgvCommandLine unrecorded = drive("plain");
-    UgvCommandLine recorded = drive("recorded", "--record");
+    CommandLineRun unrecorded = drive("plain");
+    CommandLineRun recorded = drive("recorded", "--record");
     drive("again", "--record");
     assertThat(recorded.track()).isEqualTo(unrecorded.track());
     List<String> messages = messages(folder.resolve("recorded"));
@@ -133,7 +135,7 @@ class RecordedDriveTest {
 
   @Test
   void rerun_servicesSwappedWhileDriving_thoseBeforeAndAfterAreIdentical() throws IOException {
-    UgvCommandLine run =
+    CommandLineRun run =
         drive(
             "swapped",
             "--record",
@@ -164,7 +166,7 @@ class RecordedDriveTest {
 
   @Test
   void demo_splitWithoutRecord_isRefused() {
-    UgvCommandLine run = UgvCommandLine.demo(folder.resolve("out"), "--split", "10s");
+    CommandLineRun run = CommandLineRun.demo("ugv", folder.resolve("out"), "--split", "10s");
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(run.err()).contains("--record");
   }

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.testkit.Repository;
 
 /**
  * The ground vehicle runs the Cessna's State Estimator, Mission Manager and Path Planner (thesis
@@ -17,9 +18,7 @@ import org.u2sa.core.launch.SystemFile;
  */
 class SameServicesTest {
   private static Set<String> classes(String file) {
-    return SystemFile.read(UgvCommandLine.repository().resolve("config").resolve(file))
-        .services()
-        .stream()
+    return SystemFile.read(Repository.root().resolve("config").resolve(file)).services().stream()
         .map(SystemFile.Entry::className)
         .collect(Collectors.toCollection(TreeSet::new));
   }

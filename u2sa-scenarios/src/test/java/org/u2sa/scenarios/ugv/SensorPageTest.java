@@ -17,6 +17,7 @@ import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.testkit.Repository;
 
 /** The system files of docs/drivers/sensors.md start as they stand there, without their devices. */
 class SensorPageTest {
@@ -27,7 +28,7 @@ class SensorPageTest {
 
   @BeforeEach
   void write() throws Exception {
-    Path page = UgvCommandLine.repository().resolve("docs/drivers/sensors.md");
+    Path page = Repository.root().resolve("docs/drivers/sensors.md");
     Matcher files = FILE.matcher(Files.readString(page, UTF_8));
     while (files.find()) {
       Files.writeString(directory.resolve(files.group(1)), files.group(2), UTF_8);

@@ -32,6 +32,7 @@ import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
+import org.u2sa.testkit.Repository;
 
 /**
  * The ground vehicle with its GPS and its compass as services of their own (thesis 4.6.3), and the
@@ -49,7 +50,7 @@ class SeparateSensorsTest {
   private UgvWorld world;
 
   private RunningSystem start(String sensors) throws IOException {
-    Path ugv = UgvCommandLine.repository().resolve("config/ugv");
+    Path ugv = Repository.root().resolve("config/ugv");
     String system = Files.readString(ugv.resolve("system-pass-through.xml"), UTF_8);
     Path file = directory.resolve("system.xml");
     Files.writeString(
@@ -58,7 +59,7 @@ class SeparateSensorsTest {
             .replace(ESTIMATOR, sensors + ESTIMATOR)
             .replace("configuration=\"", "configuration=\"" + ugv + "/"),
         UTF_8);
-    Mission mission = Mission.load(UgvCommandLine.repository().resolve("missions/ugv/loop.xml"));
+    Mission mission = Mission.load(Repository.root().resolve("missions/ugv/loop.xml"));
     RunPlan.Start start = RunPlans.start(mission);
     LocalPlane plane =
         new LocalPlane(new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM()));

@@ -24,6 +24,7 @@ import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.planning.PathPlanner;
 import org.u2sa.planning.VectorFieldPlanner;
 import org.u2sa.sim.ground.Hazards;
+import org.u2sa.testkit.Repository;
 import org.u2sa.world.WorldModeler;
 import org.u2sa.world.xml.WorldFile;
 
@@ -74,7 +75,7 @@ class SwapWhileDrivingTest {
       throws IOException {
     for (String folder : List.of("config/ugv", "missions/ugv")) {
       Path copy = Files.createDirectories(directory.resolve(folder));
-      try (Stream<Path> files = Files.list(UgvCommandLine.repository().resolve(folder))) {
+      try (Stream<Path> files = Files.list(Repository.root().resolve(folder))) {
         for (Path each : files.filter(Files::isRegularFile).toList()) {
           Files.copy(each, copy.resolve(each.getFileName()));
         }
@@ -159,7 +160,7 @@ class SwapWhileDrivingTest {
   @Test
   @Tag("long")
   void swap_modellersAmongObstacles_loopIsDrivenWithoutContact() throws Exception {
-    Path file = UgvCommandLine.repository().resolve("missions/ugv/obstructed.xml");
+    Path file = Repository.root().resolve("missions/ugv/obstructed.xml");
     List<ObjectDescription> obstacles = WorldFile.load(file).objects();
     try (UgvDrive drive = start("system-world.xml", obstacles, file.toString())) {
       Leaps leaps = new Leaps();

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
 import org.u2sa.testkit.FreePort;
 
 /** A short drive whose services talk through the broker only. */
@@ -29,8 +30,9 @@ class ThroughBrokerTest {
   void demo_throughBrokerInRealTime_passesBothWaypoints() throws IOException {
     Path mission = Files.writeString(directory.resolve("two.xml"), TWO_WAYPOINTS);
 
-    UgvCommandLine run =
-        UgvCommandLine.demo(
+    CommandLineRun run =
+        CommandLineRun.demo(
+            "ugv",
             directory.resolve("out"),
             FreePort.find(),
             "--through-broker",
@@ -44,11 +46,13 @@ class ThroughBrokerTest {
 
   @Test
   void demo_throughBrokerInLockstepOrWithoutOne_isRefused() {
-    UgvCommandLine lockstep = UgvCommandLine.demo(directory, FreePort.find(), "--through-broker");
+    CommandLineRun lockstep =
+        CommandLineRun.demo("ugv", directory, FreePort.find(), "--through-broker");
     assertThat(lockstep.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(lockstep.err()).contains("take real time; expected --realtime");
 
-    UgvCommandLine without = UgvCommandLine.demo(directory, "--through-broker", "--realtime");
+    CommandLineRun without =
+        CommandLineRun.demo("ugv", directory, "--through-broker", "--realtime");
     assertThat(without.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(without.err()).contains("is none; expected embedded or external");
   }

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
 
 /** Whole drives by the command line: board, drivers and services in lockstep, judged by truth. */
 class UgvDemoTest {
@@ -18,12 +19,12 @@ class UgvDemoTest {
 
   @TempDir private Path directory;
 
-  private UgvCommandLine drive(String name, String... options) {
-    return UgvCommandLine.demo(directory.resolve(name), options);
+  private CommandLineRun drive(String name, String... options) {
+    return CommandLineRun.demo("ugv", directory.resolve(name), options);
   }
 
   /** Fails unless the drive kept every bound of the project's fourth issue. */
-  static void requireGood(UgvCommandLine run, int goals) {
+  static void requireGood(CommandLineRun run, int goals) {
     assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.DONE);
     JsonNode summary = run.summary();
     assertThat(summary.get("goals").asInt()).isEqualTo(goals);
@@ -55,16 +56,16 @@ class UgvDemoTest {
 
   @Test
   void demo_phoneReceiver_completesAllGoalsByItsOwnEstimate() {
-    UgvCommandLine run = drive("out", "--receiver", "phone", "--loops", "1", "--seed", "2");
+    CommandLineRun run = drive("out", "--receiver", "phone", "--loops", "1", "--seed", "2");
 
     assertThat(run.summary().get("goalsCompleted").asInt()).as(run.out()).isEqualTo(6);
   }
 
   @Test
   void demo_sameSeed_sameBytesOfTrack() {
-    UgvCommandLine once = drive("once", "--seed", "5", "--loops", "1");
-    UgvCommandLine again = drive("again", "--seed", "5", "--loops", "1");
-    UgvCommandLine other = drive("other", "--seed", "6", "--loops", "1");
+    CommandLineRun once = drive("once", "--seed", "5", "--loops", "1");
+    CommandLineRun again = drive("again", "--seed", "5", "--loops", "1");
+    CommandLineRun other = drive("other", "--seed", "6", "--loops", "1");
 
     assertThat(again.track()).isEqualTo(once.track());
     assertThat(other.track()).isNotEqualTo(once.track());
@@ -75,7 +76,7 @@ class UgvDemoTest {
     String pursuit = ":Control=org.u2sa.control.ground.DifferentialPursuitControl";
     String proportional = ":Control=org.u2sa.control.ground.DifferentialDriveControl";
 
-    UgvCommandLine run =
+    CommandLineRun run =
         drive(
             "out",
             "--seed",
@@ -97,7 +98,7 @@ class UgvDemoTest {
 
   @Test
   void demo_proportionalControlOfAckermannVehicle_isRefused() {
-    UgvCommandLine run = drive("out", "--vehicle", "ackermann", "--control", "proportional");
+    CommandLineRun run = drive("out", "--vehicle", "ackermann", "--control", "proportional");
 
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(run.err()).contains("expected pursuit with --vehicle ackermann");
@@ -116,7 +117,7 @@ class UgvDemoTest {
           --swap | 5:Contrl=org.u2sa.planning.PathPlanner | did you mean "Control"?
           """)
   void demo_whatWouldHaveNoEffect_isRefused(String option, String value, String expected) {
-    UgvCommandLine run = drive("out", "--loops", "1", option, value);
+    CommandLineRun run = drive("out", "--loops", "1", option, value);
 
     assertThat(run.err()).contains(expected);
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
@@ -124,7 +125,7 @@ class UgvDemoTest {
 
   @Test
   void demo_noLoops_isRefused() {
-    UgvCommandLine run = drive("out", "--loops", "0");
+    CommandLineRun run = drive("out", "--loops", "0");
 
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(run.err()).contains("--loops 0: expected 1 or more");

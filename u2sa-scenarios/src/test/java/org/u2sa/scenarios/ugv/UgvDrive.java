@@ -25,6 +25,7 @@ import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.testkit.Repository;
 
 /**
  * A drive of the configured ground vehicle in lockstep, in which a scenario makes things go wrong.
@@ -66,7 +67,7 @@ final class UgvDrive implements AutoCloseable {
    */
   UgvDrive(Path logs, Path system, Scene scene, boolean armAtStart, Consumer<LaunchOptions> more) {
     long seed = scene.seed();
-    mission = Mission.load(UgvCommandLine.repository().resolve("missions/ugv/loop.xml"));
+    mission = Mission.load(Repository.root().resolve("missions/ugv/loop.xml"));
     world =
         new UgvWorld(
             RunPlans.start(mission),
@@ -98,7 +99,7 @@ final class UgvDrive implements AutoCloseable {
 
   /** Where the vehicle's files are. */
   static Path config() {
-    return UgvCommandLine.repository().resolve("config/ugv");
+    return Repository.root().resolve("config/ugv");
   }
 
   /** Ends a service as if its process were gone: nobody restarts it. */

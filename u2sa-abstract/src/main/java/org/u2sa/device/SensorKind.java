@@ -1,0 +1,33 @@
+package org.u2sa.device;
+
+import org.u2sa.device.port.Device;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * What distinguishes one kind of {@link DeviceSensor} from the others, besides its messages.
+ *
+ * @param serviceName default name of the service
+ * @param port kind of device that it reads
+ * @param usual device that it opens by default
+ * @param channel channel of its messages
+ * @param rateHz how often it reads the device by default [Hz]
+ * @param silentAfterS time without a new reading after which a connected device counts as silent by
+ *     default [s]
+ */
+public record SensorKind<D extends Device<?>>(
+    String serviceName,
+    Class<D> port,
+    Devices.Usual usual,
+    Channel<?> channel,
+    double rateHz,
+    double silentAfterS) {
+
+  /** The vehicle itself is measured (thesis 3.2.2.4), or its environment (3.2.2.3). */
+  ServiceRole role() {
+    return channel.equals(Channels.SENSED_STATE)
+        ? ServiceRole.PROPRIOCEPTIVE_SENSOR
+        : ServiceRole.EXTEROCEPTIVE_SENSOR;
+  }
+}

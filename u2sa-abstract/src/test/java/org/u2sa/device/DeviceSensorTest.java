@@ -1,0 +1,157 @@
+package org.u2sa.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.u2sa.device.port.Pressure;
+import org.u2sa.device.port.RangeFinder;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.ConfigurationException;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.testkit.ServiceKit;
+
+/** What all sensors with a device have in common. */
+class DeviceSensorTest {
+  private static final List<Channel<?>> STATE = List.of(Channels.SENSED_STATE);
+  private static final List<Channel<?>> OBJECTS = List.of(Channels.SENSED_OBJECTS);
+  private static final List<Channel<?>> SCANS = List.of(Channels.SENSED_OBJECTS, Channels.SCANS);
+
+  private final ServiceKit kit = new ServiceKit();
+
+  @AfterEach
+  void end() {
+    kit.close();
+  }
+
+  private static Arguments kind(
+      String device,
+      double silentAfterS,
+      List<Channel<?>> published,
+      Function<ServiceContext, DeviceSensor<?>> sensor) {
+    return arguments(device, silentAfterS, published, sensor);
+  }
+
+  static Stream<Arguments> kinds() {
+    return Stream.of(
+        kind("pitot tube", 1.0, STATE, c -> new AirspeedSensor(c, now -> Optional.empty())),
+        kind("barometer", 1.0, STATE, c -> new BarometerSensor(c, now -> Optional.empty())),
+        kind("compass", 1.5, STATE, c -> new CompassSensor(c, now -> Optional.empty())),
+        kind("depth gauge", 1.0, STATE, c -> new DepthSensor(c, now -> Optional.empty())),
+        kind("GPS receiver", 2.5, STATE, c -> new GpsSensor(c, now -> Optional.empty())),
+        kind("IMU", 0.5, STATE, c -> new ImuSensor(c, now -> Optional.empty())),
+        kind("laser", 1.0, SCANS, c -> new LidarSensor(c, now -> Optional.empty())),
+        kind("range finder", 0.5, OBJECTS, c -> new RangeSensor(c, now -> Optional.empty())),
+        kind("sonar", 4.0, SCANS, c -> new SonarSensor(c, now -> Optional.empty())),
+        kind("traffic receiver", 10.0, OBJECTS, c -> new TrafficSensor(c, now -> Optional.empty())),
+        kind("velocity log", 2.0, STATE, c -> new WaterSpeedSensor(c, now -> Optional.empty())),
+        kind("wheel encoder", 0.5, STATE, c -> new WheelEncoderSensor(c, now -> Optional.empty())));
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("kinds")
+  void step_mute_isReportedAfterTheTimeoutOfItsKind(
+      String device,
+      double silentAfterS,
+      List<Channel<?>> published,
+      Function<ServiceContext, DeviceSensor<?>> sensor) {
+    DeviceSensor<?> service = kit.start(sensor);
+    String name = service.getClass().getSimpleName();
+    assertThat(service.getServiceName()).isEqualTo(name);
+    assertThat(service.publishedChannels()).isEqualTo(published);
+    assertThat(service.role())
+        .isEqualTo(
+            published.equals(STATE)
+                ? ServiceRole.PROPRIOCEPTIVE_SENSOR
+                : ServiceRole.EXTEROCEPTIVE_SENSOR);
+    kit.advance(silentAfterS - 0.1);
+    assertThat(kit.log(name)).noneMatch(line -> line.contains("WARN"));
+    kit.advance(0.2);
+    assertThat(kit.log(name))
+        .anyMatch(
+            line ->
+                line.contains("WARN")
+                    && line.contains(
+                        ("the " + device + " has sent nothing readable for more than ")
+                            + (silentAfterS + " s")));
+  }
+
+  @Test
+  void step_timeoutConfigured_countsInsteadOfTheKinds() {
+    kit.with("TIMEOUT", 5.0).start(context -> new RangeSensor(context, now -> Optional.empty()));
+    kit.advance(4.0);
+    assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError)).isEmpty();
+    kit.advance(2.0);
+    assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError))
+        .hasValue("the range finder has sent nothing readable for more than 5.0 s");
+  }
+
+  @Test
+  void step_reading_isPublishedOnceWithTheTimeOfItsMeasurement() {
+    Optional<Pressure> pressure = Optional.of(new Pressure(7, 101_325.0, OptionalDouble.empty()));
+    kit.start(context -> new DepthSensor(context, now -> pressure));
+    kit.advance(1.0);
+    assertThat(kit.published(Channels.SENSED_STATE))
+        .extracting(StateInformation::timestamp)
+        .containsExactly(OptionalLong.of(7));
+  }
+
+  /** Counts its closings. */
+  public static final class Echo extends DeviceProvider<RangeFinder> implements RangeFinder {
+    private static final AtomicInteger CLOSINGS = new AtomicInteger();
+
+    /** For {@link java.util.ServiceLoader}. */
+    public Echo() {
+      super(RangeFinder.class, "ECHO");
+    }
+
+    @Override
+    protected RangeFinder open(String name, ServiceContext context) {
+      return this;
+    }
+
+    @Override
+    public Optional<Distance> read(long nowMicros) {
+      return Optional.empty();
+    }
+
+    @Override
+    public void close() {
+      CLOSINGS.incrementAndGet();
+    }
+  }
+
+  @Test
+  void construct_variableRefusedAfterTheDeviceWasOpened_deviceIsClosed(@TempDir Path folder)
+      throws Exception {
+    kit.with("MODEL", "ECHO").with("MOUNTED X", 1e9);
+    RegisteredProviders providers = new RegisteredProviders(folder, Echo.class);
+    try {
+      ServiceContext context = kit.context();
+      int before = Echo.CLOSINGS.get();
+      assertThatThrownBy(() -> new RangeSensor(context)).isInstanceOf(ConfigurationException.class);
+      context.abandon();
+      assertThat(Echo.CLOSINGS.get() - before).isEqualTo(1);
+    } finally {
+      providers.close();
+    }
+  }
+}
