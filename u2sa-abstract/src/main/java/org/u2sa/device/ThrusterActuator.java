@@ -10,13 +10,13 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.ActuatorDescription;
-import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.actuator.ActuatorDescription;
+import org.u2sa.service.actuator.ActuatorOwner;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Actuator service of one thruster, of which a boat may have two and an underwater vehicle six

@@ -2,6 +2,8 @@ package org.u2sa.device;
 
 import java.util.stream.Stream;
 import org.u2sa.device.port.WheelEncoder;
+import org.u2sa.device.wheel.OdometryVariables;
+import org.u2sa.device.wheel.WheelOdometry;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;

@@ -5,19 +5,22 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.device.port.MotorController;
+import org.u2sa.device.wheel.OdometryVariables;
+import org.u2sa.device.wheel.WheelOdometry;
+import org.u2sa.device.wheel.WheelVariables;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.command.SpeedCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.service.ActuatorDescription;
-import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.actuator.ActuatorDescription;
+import org.u2sa.service.actuator.ActuatorOwner;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Actuator and odometry service of a differential vehicle's motor controller; one service because

@@ -8,6 +8,9 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.actuator.ActuatorDescription;
+import org.u2sa.service.actuator.ActuatorOwner;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * An actuator service (thesis 3.2.2.5). In: actuation, of which it obeys commands addressed to its

@@ -16,6 +16,10 @@ import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.service.actuator.CommandHold;
+import org.u2sa.service.actuator.CommandRefusal;
+import org.u2sa.service.actuator.EmergencyLatch;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Gate between the actuation channel and the actuators of one service: invalid commands are

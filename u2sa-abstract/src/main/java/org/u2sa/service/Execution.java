@@ -6,6 +6,7 @@ import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Hook into everything that passes between a service's code and its environment, in order: clock

@@ -5,6 +5,9 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.inbox.CallbackStopwatch;
+import org.u2sa.service.inbox.MessageAge;
+import org.u2sa.service.inbox.ServiceInbox;
 
 /**
  * Message loop of a service: delivers messages one by one, answers those of the service contract,

@@ -9,6 +9,8 @@ import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.handover.HandOverText;
 
 /**
  * Saved state of a service for its restart: a text file beside its log, replaced atomically, so

@@ -10,6 +10,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.service.inbox.CallbackStopwatch;
+import org.u2sa.service.inbox.CallbackTimes;
 
 /**
  * A service's own health data (thesis 3.5.3). Written by the service's thread, readable from any

@@ -6,6 +6,7 @@ import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.inbox.ServiceInbox;
 
 /**
  * Dispatches messages from the transport: stop orders are obeyed immediately, other messages for

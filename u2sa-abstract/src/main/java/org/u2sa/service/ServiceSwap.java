@@ -6,6 +6,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Replaces a running service by another one (thesis 5.1, user story 8) without losing a message or

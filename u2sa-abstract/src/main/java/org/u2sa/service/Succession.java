@@ -10,6 +10,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.ServiceInbox;
 
 /**
  * Succession of services: takeover by another class at run time (user story 8), and restarts with

@@ -21,6 +21,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.actuator.EmergencyLatch;
+import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.CallbackStopwatch;
 
 /**
  * A service: one thread that knows no other service and communicates by messages only (thesis

@@ -12,6 +12,8 @@ import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.actuator.CommandHold;
+import org.u2sa.service.actuator.CommandRefusal;
 
 /** Commands at the very limits of what an actuator takes, and of their time. */
 class CommandHoldLimitsTest {

@@ -19,6 +19,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.actuator.CommandHold;
+import org.u2sa.service.actuator.CommandRefusal;
 
 /** Whatever comes, in whatever order: an actuator moves by a valid command in time, or not. */
 class CommandHoldProperties {

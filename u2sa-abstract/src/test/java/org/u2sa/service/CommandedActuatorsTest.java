@@ -14,6 +14,8 @@ import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.service.actuator.CommandRefusal;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.testkit.ServiceKit;
 
 /** Two actuators of one service: which commands move them, and what is said of the others. */

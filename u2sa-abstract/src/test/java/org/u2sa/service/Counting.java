@@ -8,6 +8,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /** Writes down what it handles and hands the list over, so that the last of many knows all. */
 class Counting extends EventDrivenService {

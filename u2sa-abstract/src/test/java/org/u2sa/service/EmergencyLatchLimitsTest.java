@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.service.actuator.EmergencyLatch;
 
 /** How many stops are told apart, how many lifted ones are remembered, and what comes after. */
 class EmergencyLatchLimitsTest {

@@ -20,6 +20,7 @@ import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /** What a service knows after it was started again. */
 @Timeout(120)

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Keeps the last commands, and blends from another control system's commands to this one's: when

@@ -17,9 +17,9 @@ import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.EventDrivenService;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Turns navigation points into actuator commands (thesis 3.2.3.5). In: navigation, state. Out:

@@ -1,6 +1,6 @@
 package org.u2sa.control;
 
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * A PID controller in parallel form, with filtered derivative on measurement, set-point weighting,

@@ -14,8 +14,8 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.testkit.ServiceKit;
 
 class ControlSystemTest {

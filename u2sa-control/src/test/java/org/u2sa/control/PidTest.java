@@ -8,7 +8,7 @@ import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 class PidTest {
   private static final double STEP_S = 0.001;

@@ -11,8 +11,8 @@ import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * A simple alternative between pass-through and full fusion: slow but drift-free measurements of a

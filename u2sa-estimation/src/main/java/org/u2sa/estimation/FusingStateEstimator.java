@@ -16,8 +16,8 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Fuses all available proprioceptive sources into one state with consistent standard deviations

@@ -4,8 +4,8 @@ import java.util.Optional;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Uses the measurements as the state (thesis 4.5.2.2, 4.6.2.2): copies each present field of a

@@ -5,8 +5,8 @@ import java.util.OptionalDouble;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /** Smooths the measured altitude. In: sensed-state. Out: state. */
 public final class SmoothedAltitude extends StateEstimator {

@@ -11,7 +11,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * The goals of a mission by name: each as defined, and in its current state with the Path Planner's

@@ -12,7 +12,7 @@ import java.util.Set;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * The order in which the goals of a mission become current (thesis 3.2.3.2, 3.2.3.3): {@link

@@ -22,10 +22,10 @@ import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,

@@ -10,7 +10,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.safety.FailsafeAction;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Progress of the mission, or of a failsafe's goals while the mission waits to be resumed. Not

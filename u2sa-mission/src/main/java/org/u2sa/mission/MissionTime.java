@@ -1,7 +1,7 @@
 package org.u2sa.mission;
 
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * The clock of time limits: runs while the vehicle is armed, or always if the arming state is

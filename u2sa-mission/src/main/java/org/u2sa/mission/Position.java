@@ -6,7 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /** Position in a {@link GoalSequence}, by goal names only. Not thread-safe. */
 final class Position {

@@ -8,9 +8,9 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Optional;
 import org.u2sa.interfaces.configuration.WholeFile;
 import org.u2sa.messages.schema.MessageCodec;
-import org.u2sa.service.HandOver;
-import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.handover.HandOverText;
 
 /**
  * Mission progress saved beside the logs, so that another process can resume it. Replaced

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /** Enforces time limits of goals and the mission. Confined to the manager's thread. */
 final class TimeLimits {

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.mission.GoalSequence.Options;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /** Which goals come next, by what came of the ones before. */
 class GoalBranchesTest {

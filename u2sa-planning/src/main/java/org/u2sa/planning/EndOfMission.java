@@ -10,7 +10,7 @@ import org.u2sa.planning.guidance.LoiterCircle;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /** Behaviour of a planner without a goal: hold at a place, or nothing. */
 final class EndOfMission {

@@ -24,9 +24,9 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.EventDrivenService;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of

@@ -2,7 +2,7 @@ package org.u2sa.planning;
 
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * State of a {@link PathPlanner}'s state machine, which pursues one class of goals (thesis

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.TreeSet;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.world.grid.GridModeller;
 import org.u2sa.world.modeller.MapFrame;
 import org.u2sa.world.modeller.Modeller;

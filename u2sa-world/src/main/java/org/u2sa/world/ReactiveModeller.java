@@ -14,7 +14,7 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.PointCloud;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.world.modeller.Modeller;
 import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.Sighting;

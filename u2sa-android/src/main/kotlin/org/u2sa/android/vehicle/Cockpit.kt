@@ -8,7 +8,7 @@ import org.u2sa.messages.BatteryState
 import org.u2sa.messages.safety.ArmCommand
 import org.u2sa.messages.safety.EmergencyStop
 import org.u2sa.messages.schema.U2SAData
-import org.u2sa.service.EmergencyLatch
+import org.u2sa.service.actuator.EmergencyLatch
 import org.u2sa.service.PeriodicService
 import org.u2sa.service.ServiceContext
 import org.u2sa.service.ServiceRole

@@ -3,7 +3,7 @@ package org.u2sa.control.allocation;
 import java.util.Optional;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.EffectCurve;
+import org.u2sa.service.actuator.EffectCurve;
 
 /**
  * Actuator model for allocation: the wrench of a share of its full effect, and the limits of that

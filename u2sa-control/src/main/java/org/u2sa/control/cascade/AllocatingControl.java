@@ -24,8 +24,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.ForceCommand;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ArmingState;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Controls any vehicle using the effects its actuators announce (thesis 3.2.3.5: "discover which

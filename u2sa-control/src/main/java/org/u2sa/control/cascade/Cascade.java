@@ -7,7 +7,7 @@ import org.u2sa.control.Pid;
 import org.u2sa.control.allocation.Allocator;
 import org.u2sa.control.allocation.DegreeOfFreedom;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Computes the wrench that moves the vehicle to its target: proportional outer loops give

@@ -2,7 +2,7 @@ package org.u2sa.control.cascade;
 
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Estimates the vehicle's motion without states. The actuators' effect predicts acceleration;

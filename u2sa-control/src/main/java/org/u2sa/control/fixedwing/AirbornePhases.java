@@ -8,7 +8,7 @@ import org.u2sa.control.fixedwing.law.GuidanceParameters;
 import org.u2sa.control.fixedwing.law.LateralGuidance;
 import org.u2sa.control.fixedwing.law.Limit;
 import org.u2sa.control.fixedwing.law.StallGuard;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /** The airborne phases: climb-out, cruise, holding and go-around. */
 final class AirbornePhases {

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.control.fixedwing.law.GroundSteering;
 import org.u2sa.control.fixedwing.law.Limit;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure

@@ -15,8 +15,8 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Flies a Cessna 172 autonomously from the runway along its mission. In: state, navigation. Out:

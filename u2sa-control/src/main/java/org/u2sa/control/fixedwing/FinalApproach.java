@@ -1,7 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Estimates the line that navigation follows from its points ahead, independent of the aircraft's

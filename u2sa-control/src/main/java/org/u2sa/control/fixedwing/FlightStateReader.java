@@ -18,7 +18,7 @@ import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Converts state messages in GLOBAL to {@link FlightState}s: Euler rates to body rates, geodetic

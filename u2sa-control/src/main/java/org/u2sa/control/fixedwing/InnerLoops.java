@@ -5,7 +5,7 @@ import org.u2sa.control.fixedwing.law.Limit;
 import org.u2sa.control.fixedwing.law.PitchLaw;
 import org.u2sa.control.fixedwing.law.RollLaw;
 import org.u2sa.control.fixedwing.law.YawLaw;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * The inner loops and their setpoints: bank by the ailerons, pitch by the elevator, coordination by

@@ -3,7 +3,7 @@ package org.u2sa.control.fixedwing;
 import java.util.Locale;
 import java.util.Optional;
 import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Refuses to land in more crosswind than configured. After a refusal the aircraft stays airborne

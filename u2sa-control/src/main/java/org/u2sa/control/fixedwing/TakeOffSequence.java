@@ -2,7 +2,7 @@ package org.u2sa.control.fixedwing;
 
 import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /** State machine of {@link FlightPhase}s. */
 final class TakeOffSequence {

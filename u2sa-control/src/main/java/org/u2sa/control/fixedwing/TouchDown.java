@@ -6,7 +6,7 @@ import org.u2sa.control.fixedwing.law.GroundSteering;
 import org.u2sa.control.fixedwing.law.LateralGuidance;
 import org.u2sa.control.fixedwing.law.Limit;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * The last metres of a landing, and the roll-out. In the air it holds the runway's centreline by

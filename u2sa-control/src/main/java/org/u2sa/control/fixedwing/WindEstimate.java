@@ -3,7 +3,7 @@ package org.u2sa.control.fixedwing;
 import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Estimates the wind: velocity over ground minus velocity through the air, with gusts averaged out.

@@ -12,8 +12,8 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.AngleCommand;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Follows the navigation points of a ground vehicle with steered front wheels by regulated pure

@@ -3,7 +3,7 @@ package org.u2sa.control.ground;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Regulated pure pursuit independent of the drive: computes the motion command with feedback from

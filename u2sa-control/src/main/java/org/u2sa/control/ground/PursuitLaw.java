@@ -1,7 +1,7 @@
 package org.u2sa.control.ground;
 
 import java.util.Optional;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Regulated pure pursuit: drives the arc to the point, slower in tight curves and near the goal,

@@ -1,7 +1,7 @@
 package org.u2sa.control.ground;
 
 import java.util.OptionalDouble;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Integral trim of steady speed errors from slopes, soft ground, load or a discharging battery. It

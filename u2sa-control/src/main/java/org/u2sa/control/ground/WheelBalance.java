@@ -1,7 +1,7 @@
 package org.u2sa.control.ground;
 
 import java.util.OptionalDouble;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Makes two motors attain the wanted yaw rate despite motor mismatch and load, by three integrals

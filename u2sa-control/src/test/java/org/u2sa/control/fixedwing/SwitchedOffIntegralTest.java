@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.u2sa.control.fixedwing.law.RateLoop;
 import org.u2sa.control.fixedwing.law.YawLaw;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 class SwitchedOffIntegralTest {
   @Test

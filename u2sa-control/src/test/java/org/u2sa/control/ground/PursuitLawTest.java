@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 class PursuitLawTest {
   private static final double STEP_S = 0.1;

@@ -18,6 +18,13 @@ import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
+import org.u2sa.core.communication.access.Authenticator;
+import org.u2sa.core.communication.access.ConnectRequest;
+import org.u2sa.core.communication.access.LocalAccount;
+import org.u2sa.core.communication.access.Refusals;
+import org.u2sa.core.communication.access.Users;
+import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.routing.Publication;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.User;
 
@@ -47,7 +54,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private ConnectRequest.Will will; // null if none or already published
   private boolean hasNews; // packets passed to Moquette since the last read-complete
   private String clientId = "";
-  private volatile String name = ConnectionFilter.ANONYMOUS;
+  private volatile String name = LocalAccount.ANONYMOUS;
   private User user; // null: anonymous
   private InetAddress from;
   private long since;

@@ -15,6 +15,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.u2sa.core.communication.limit.Allowance;
+import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.routing.TopicFilter;
 
 /**
  * One client's subscriptions, and the cost of its packets in queries. Confined to its connection's

@@ -4,6 +4,7 @@ import io.netty.handler.codec.DecoderException;
 import io.netty.handler.ssl.NotSslRecordException;
 import java.io.IOException;
 import javax.net.ssl.SSLHandshakeException;
+import org.u2sa.core.communication.access.Refusals;
 
 /**
  * Reason for a failed connection.

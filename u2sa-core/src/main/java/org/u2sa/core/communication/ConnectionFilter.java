@@ -22,6 +22,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import org.u2sa.core.communication.access.Authenticator;
+import org.u2sa.core.communication.access.Refusals;
+import org.u2sa.core.communication.access.Users;
+import org.u2sa.core.communication.limit.AcceptRate;
+import org.u2sa.core.communication.limit.Allowance;
+import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.limit.CostlyTime;
+import org.u2sa.core.communication.limit.PendingConnections;
+import org.u2sa.core.communication.routing.RemoteSubscriptions;
+import org.u2sa.core.communication.routing.RetainedTable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.MessageCodec;
 
@@ -30,9 +40,6 @@ import org.u2sa.messages.schema.MessageCodec;
  * connection. Moquette accepts only connections admitted here.
  */
 final class ConnectionFilter implements AutoCloseable {
-  /** User name of anonymous clients. */
-  static final String ANONYMOUS = "anonymous";
-
   /**
    * Beyond this limit Moquette would drop silently; the connection filter drops earlier and counts.
    */

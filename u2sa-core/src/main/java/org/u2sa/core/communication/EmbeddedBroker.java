@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Properties;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.time.SystemClock;

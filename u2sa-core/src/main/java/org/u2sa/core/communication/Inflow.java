@@ -7,6 +7,8 @@ import io.netty.util.ReferenceCountUtil;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.TimeUnit;
+import org.u2sa.core.communication.limit.Allowance;
+import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.OccupancyGrid;
 

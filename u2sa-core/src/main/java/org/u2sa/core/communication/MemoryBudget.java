@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.u2sa.core.communication.limit.BrokerLimits;
 
 /**
  * Limits one kind of memory that the broker holds for its connections, such as incomplete packets.

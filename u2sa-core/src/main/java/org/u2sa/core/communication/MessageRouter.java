@@ -9,6 +9,10 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.u2sa.core.communication.routing.Publication;
+import org.u2sa.core.communication.routing.RemoteSubscriptions;
+import org.u2sa.core.communication.routing.RetainedTable;
+import org.u2sa.core.communication.routing.TopicRoute;
 
 /**
  * Routes messages from publishers to subscribers, and retained messages to new subscribers. Runs

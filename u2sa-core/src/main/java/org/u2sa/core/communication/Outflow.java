@@ -10,6 +10,9 @@ import io.netty.handler.codec.mqtt.MqttMessage;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.u2sa.core.communication.access.Refusals;
+import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.routing.Publication;
 import org.u2sa.core.security.User;
 
 /**

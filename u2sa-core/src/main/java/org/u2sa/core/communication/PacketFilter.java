@@ -9,6 +9,7 @@ import io.netty.handler.codec.mqtt.MqttQoS;
 import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
 import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
 import java.util.Optional;
+import org.u2sa.core.communication.access.Refusals;
 
 /** Filters the packets of an admitted client. Confined to its connection's thread. */
 final class PacketFilter {

@@ -4,6 +4,7 @@ import io.netty.buffer.ByteBuf;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.util.ReferenceCountUtil;
+import org.u2sa.core.communication.limit.BrokerLimits;
 
 /**
  * Passes complete MQTT packets to the decoder, so that it reads each byte once, however the packets

@@ -4,6 +4,7 @@ import io.netty.buffer.ByteBuf;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.util.ReferenceCountUtil;
+import org.u2sa.core.communication.limit.BrokerLimits;
 
 /**
  * Counts every byte a client sends, including TLS overhead, before decryption and decoding, and

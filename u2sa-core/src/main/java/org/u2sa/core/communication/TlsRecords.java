@@ -7,6 +7,7 @@ import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.handler.codec.ByteToMessageDecoder;
 import io.netty.handler.ssl.SslHandshakeCompletionEvent;
 import java.util.List;
+import org.u2sa.core.communication.limit.Allowance;
 
 /**
  * Passes TLS records to the decryption one by one and limits those without data, which are

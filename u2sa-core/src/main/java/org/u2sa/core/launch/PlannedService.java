@@ -16,8 +16,8 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.schema.MessageTypes;
-import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.U2SAService;
+import org.u2sa.service.actuator.ActuatorOwner;
 
 /**
  * Description of a service of a system file as it would run: created with its configuration,

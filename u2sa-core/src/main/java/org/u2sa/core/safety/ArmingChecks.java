@@ -13,7 +13,7 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.service.EmergencyLatch;
+import org.u2sa.service.actuator.EmergencyLatch;
 
 /** Reasons against arming. */
 final class ArmingChecks {

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.service.MessageAge;
+import org.u2sa.service.inbox.MessageAge;
 
 /**
  * Checks that the vehicle knows its position: lost when states are stale, lack x and y, or are too

@@ -19,10 +19,10 @@ import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.service.EmergencyLatch;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.actuator.EmergencyLatch;
 
 /**
  * Decides what the vehicle does when something is wrong, by the failsafe matrix in its

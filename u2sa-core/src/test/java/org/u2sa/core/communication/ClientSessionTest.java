@@ -14,6 +14,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.core.communication.access.Authenticator;
+import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;

@@ -13,6 +13,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.access.LocalAccount;
+import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.routing.TopicRoute;
 
 /** Subscriptions of one client, and how many questions they count as. */
 class ClientSubscriptionsTest {
@@ -29,7 +32,7 @@ class ClientSubscriptionsTest {
 
   private ClientSubscriptions of(String connection) {
     PacketRules rules = new PacketRules(filter, null, "client");
-    return new ClientSubscriptions(filter, rules, ConnectionFilter.ANONYMOUS, connection);
+    return new ClientSubscriptions(filter, rules, LocalAccount.ANONYMOUS, connection);
   }
 
   private static MqttSubscribeMessage subscribe(MqttQoS quality, List<String> filters) {
@@ -53,19 +56,19 @@ class ClientSubscriptionsTest {
     int most = BrokerLimits.FILTERS_PER_CLIENT;
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, different("a", most))))
         .isEmpty();
-    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(most);
+    assertThat(filter.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isEqualTo(most);
 
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("b"))))
         .contains("it has too many filters");
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a0")))).isEmpty();
-    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(most);
+    assertThat(filter.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isEqualTo(most);
   }
 
   @Test
   void refusalOf_oneTooManyInAPacket_entersNone() {
     List<String> tooMany = different("a", BrokerLimits.FILTERS_PER_CLIENT + 1);
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, tooMany))).isPresent();
-    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isZero();
+    assertThat(filter.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isZero();
   }
 
   @Test
@@ -118,11 +121,11 @@ class ClientSubscriptionsTest {
 
     subscriptions.unsubscribe(unsubscribe("x", "u2sa/#", "u2sa/cessna/#", "u2sa/#"));
     assertThat(filter.subscriptions().wants(TOPIC)).isTrue();
-    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isEqualTo(1);
+    assertThat(filter.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isEqualTo(1);
 
     subscriptions.unsubscribe(unsubscribe("u2sa/+/state/#"));
     assertThat(filter.subscriptions().wants(TOPIC)).isFalse();
-    assertThat(filter.subscriptions().ofUser(ConnectionFilter.ANONYMOUS)).isZero();
+    assertThat(filter.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isZero();
   }
 
   @Test

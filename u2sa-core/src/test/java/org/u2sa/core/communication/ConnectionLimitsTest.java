@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.access.LocalAccount;
+import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;

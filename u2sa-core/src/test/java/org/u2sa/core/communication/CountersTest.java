@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.access.Refusals;
+import org.u2sa.core.communication.limit.Allowance;
 
 /** What the broker counts: what it refuses, and what each user may ask. */
 class CountersTest {

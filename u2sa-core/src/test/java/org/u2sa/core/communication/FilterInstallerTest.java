@@ -16,6 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.mqtt.MqttTransport;

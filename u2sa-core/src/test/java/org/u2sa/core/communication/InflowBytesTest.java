@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.limit.BrokerLimits;
 
 /** How many bytes a client is read, and how many answers it may leave unread. */
 class InflowBytesTest {

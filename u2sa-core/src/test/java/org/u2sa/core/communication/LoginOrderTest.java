@@ -6,6 +6,9 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.access.LoginApplication;
+import org.u2sa.core.communication.access.LoginFailures;
+import org.u2sa.core.communication.access.LoginQueue;
 import org.u2sa.interfaces.time.Clock;
 
 /** Whose password is checked next, and who must wait how long after a wrong one. */

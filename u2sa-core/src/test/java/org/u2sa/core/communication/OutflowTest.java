@@ -10,6 +10,7 @@ import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttQoS;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.registry.StandardTypes;

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.core.communication.limit.BrokerLimits;
 
 /** How often bytes are decoded, and which packets never are. */
 class PacketFramerTest {

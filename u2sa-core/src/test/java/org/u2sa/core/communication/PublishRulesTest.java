@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;

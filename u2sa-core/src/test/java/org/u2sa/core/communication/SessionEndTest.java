@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.limit.BrokerLimits;
 
 /** How connections end, and what is left of them. */
 class SessionEndTest {

@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.concurrent.Future;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.routing.Publication;
+import org.u2sa.core.communication.routing.TopicRoute;
 
 /** What happens to a client that does not read or acknowledge what it is sent. */
 class SlowClientTest {

@@ -10,6 +10,10 @@ import java.util.Map;
 import java.util.Set;
 import javax.net.ssl.SSLHandshakeException;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.discovery.FoundBroker;
+import org.u2sa.core.communication.discovery.MulticastAddresses;
+import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.limit.SourceNetwork;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 
 /** What a connection failed by, whom an address is counted as, which limits follow from others. */

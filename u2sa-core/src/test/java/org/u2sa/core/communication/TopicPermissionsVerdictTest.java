@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.core.communication.access.TopicPermissions;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.PasswordHash;

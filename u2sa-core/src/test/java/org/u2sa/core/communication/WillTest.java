@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.communication.access.ConnectRequest;
+import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.messages.safety.EmergencyStop;
 
 /** Which wills a client may have, and when they are published. */

@@ -5,9 +5,9 @@ import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.handover.HandOver;
 
 /** Services that are put into one another's place, or that should not be. */
 final class SwapCandidates {

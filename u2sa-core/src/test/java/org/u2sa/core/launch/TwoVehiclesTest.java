@@ -103,7 +103,13 @@ class TwoVehiclesTest {
       assertThat(inCessna.heard).allMatch(message -> message.systemId().equals("cessna"));
       assertThat(inBoat.heard).allMatch(message -> message.systemId().equals("boat"));
       assertThat(curious.heard).allMatch(message -> message.systemId().equals("boat"));
-      assertThat(all.publish(Channels.ACTUATION, command("cessna", "RUDDER"))).isFalse();
+      int before = inBoat.heard.size();
+      hears(all, inCessna, command("cessna", "ELEVATOR")); // and who hears all, to each by its name
+      assertThat(inBoat.heard).hasSize(before);
+      PercentageCommand toNobody = PercentageCommand.of("RUDDER", 1.0);
+      toNobody.timestamp(1);
+      toNobody.freeze();
+      assertThat(all.publish(Channels.ACTUATION, toNobody)).isFalse();
     }
   }
 

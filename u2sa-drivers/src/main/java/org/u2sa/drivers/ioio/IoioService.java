@@ -14,12 +14,12 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.service.ActuatorDescription;
-import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.actuator.ActuatorDescription;
+import org.u2sa.service.actuator.ActuatorOwner;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Connects a vehicle through an IOIO board (thesis 4.6.2.1): GPS and compass on UARTs, motors on

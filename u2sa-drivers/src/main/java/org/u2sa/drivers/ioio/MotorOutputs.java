@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.drivers.motor.PulseOutput;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.service.ActuatorDescription;
 import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.actuator.ActuatorDescription;
 
 /** Actuators on the board: converts commands to pulses. Confined to the service's thread. */
 final class MotorOutputs {

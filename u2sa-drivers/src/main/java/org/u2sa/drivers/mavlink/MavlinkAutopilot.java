@@ -20,11 +20,11 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.actuator.ActuatorOwner;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * A MAVLink autopilot (ArduPilot or PX4): a state sensor, and actuators chosen by the variable

@@ -12,11 +12,11 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.actuator.ActuatorOwner;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
 

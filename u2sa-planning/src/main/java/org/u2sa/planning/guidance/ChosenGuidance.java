@@ -10,7 +10,7 @@ import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Delegates to the guidance currently configured; both are kept up to date on each leg, so that it

@@ -2,7 +2,7 @@ package org.u2sa.planning.guidance;
 
 import java.util.Optional;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * A loiter circle around a place. Radius 0 holds the place itself.

@@ -2,7 +2,7 @@ package org.u2sa.planning.guidance;
 
 import java.util.Optional;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /** Guides a vehicle from waypoint to waypoint. */
 public interface WaypointGuidance {

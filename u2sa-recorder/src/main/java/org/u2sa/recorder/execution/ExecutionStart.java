@@ -18,8 +18,8 @@ import org.u2sa.recorder.mcap.McapWriter;
 import org.u2sa.recorder.mcap.record.McapAttachment;
 import org.u2sa.recorder.mcap.record.McapException;
 import org.u2sa.recorder.mcap.record.McapMetadata;
-import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOverText;
 
 /**
  * Everything a service was given on construction, including the files it then read: enough to

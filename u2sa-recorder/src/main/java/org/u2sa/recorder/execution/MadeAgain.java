@@ -20,8 +20,8 @@ import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.record.McapException;
 import org.u2sa.service.Execution;
-import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOverText;
 
 /**
  * Restores a service's inputs in a folder, so that it can be recreated. Nothing outside the folder

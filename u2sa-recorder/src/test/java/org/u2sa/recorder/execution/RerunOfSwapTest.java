@@ -10,8 +10,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.recorder.execution.AmplifierRun.Amplifier;
-import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /** A service and the one that took its place while both were recorded. */
 class RerunOfSwapTest {

@@ -6,7 +6,7 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.world.modeller.MapFrame;
 import org.u2sa.world.modeller.Modeller;
 import org.u2sa.world.modeller.ScanPoses;

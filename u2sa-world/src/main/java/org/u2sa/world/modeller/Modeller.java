@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * A representation of sensor data (thesis 3.2.3.3): a memory, an object map, a grid. Several may be

@@ -14,7 +14,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.world.grid.GridModeller;
 import org.u2sa.world.modeller.HiddenGround;
 import org.u2sa.world.modeller.MapFrame;

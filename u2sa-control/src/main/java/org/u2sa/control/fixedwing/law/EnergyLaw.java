@@ -1,7 +1,7 @@
 package org.u2sa.control.fixedwing.law;
 
 import org.u2sa.messages.frame.Gravity;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Controls altitude and airspeed together: the throttle sets the total energy rate γ + V̇/g, the

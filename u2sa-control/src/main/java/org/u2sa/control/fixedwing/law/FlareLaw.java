@@ -1,7 +1,7 @@
 package org.u2sa.control.fixedwing.law;
 
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Flares at the end of a descent: the demanded sink rate falls with height, ḣ = −h/τ, an

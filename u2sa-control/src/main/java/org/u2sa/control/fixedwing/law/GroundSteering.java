@@ -1,7 +1,7 @@
 package org.u2sa.control.fixedwing.law;
 
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Keeps the runway's centreline by rudder and nose wheel: aims at a point ahead on the line, turns

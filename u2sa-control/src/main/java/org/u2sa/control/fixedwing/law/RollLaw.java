@@ -1,7 +1,7 @@
 package org.u2sa.control.fixedwing.law;
 
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /** Holds a bank by the ailerons: proportional bank loop around a rate loop. */
 public final class RollLaw {

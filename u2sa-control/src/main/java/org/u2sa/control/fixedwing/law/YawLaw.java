@@ -2,7 +2,7 @@ package org.u2sa.control.fixedwing.law;
 
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
-import org.u2sa.service.HandOver;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Coordinates turns by rudder: damps yaw about r = g/V · sin φ cos θ (coordinated turn; Stevens and

@@ -1,0 +1,2 @@
+/** Wheels of ground vehicles: geometry and odometry. */
+package org.u2sa.device.wheel;

@@ -1,0 +1,147 @@
+package org.u2sa.service.actuator;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Configured description of an actuator, for its announcement: any actuator service gets it by
+ * {@code settings(ActuatorDescription.class)}, with the actuator's name as prefix if it has
+ * several.
+ */
+public record ActuatorDescription(
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Force and moment on the vehicle at full command, in forward, right and down axes: \"thrust 40 / 30 at 0.16 -0.11 0 towards 1 1 0\" in N and m, the second number astern, or \"wrench X Y Z K M N\" in N and N m; empty: not announced in numbers.")
+        String effect,
+    @Variable(
+            min = 0.1,
+            max = 10,
+            ifAbsent = 1,
+            text =
+                "Power of the share of full command with which the effect grows; propellers have about 2.")
+        double effectExponent,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            max = 1000,
+            ifAbsent = 0,
+            text =
+                "Speed through air or water at which the effect holds, growing with its square; 0: does not depend on speed.")
+        double effectSpeed,
+    @Variable(
+            unit = "%",
+            min = 0,
+            max = 99,
+            ifAbsent = 0,
+            text = "Command below which nothing moves.")
+        double deadband,
+    @Variable(
+            unit = "%/s",
+            min = 0,
+            max = 1.0e6,
+            ifAbsent = 0,
+            text = "Fastest change to announce; 0: at once.")
+        double rateLimit,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 60,
+            ifAbsent = 0,
+            text = "Time constant of the response; 0: unknown.")
+        double timeConstant,
+    @Variable(
+            unit = "deg",
+            min = -360,
+            max = 360,
+            ifAbsent = 0,
+            text = "Angle at +100 %, so that angles may be commanded; 0: none.")
+        double fullAngle,
+    @Variable(
+            unit = "rad/s",
+            min = -10_000,
+            max = 10_000,
+            ifAbsent = 0,
+            text =
+                "Speed of rotation at +100 %, so that speeds of rotation may be commanded; 0: none.")
+        double fullSpeed,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 60,
+            ifAbsent = 0,
+            text =
+                "Time between announcements: control drops an actuator that misses three; 0: 0.25 s with EFFECT, otherwise 5 s.")
+        double renewal) {
+  /** Announcement period of an allocated actuator [s]; control drops it within a second. */
+  private static final double ALLOCATED_RENEWAL_S = 0.25;
+
+  /** Validates the effect syntax. */
+  public ActuatorDescription {
+    if (!effect.trim().isEmpty()) {
+      EffectText.parse(effect);
+    }
+  }
+
+  /**
+   * Writes the effect of a thruster into an announcement, for services with their own variables for
+   * it, and returns the announcement.
+   *
+   * @param place position relative to the vehicle's reference point: forward, right, down [m]
+   * @param direction in which it pushes the vehicle at +100 %, in the same axes, of any length
+   * @param forwardN thrust at +100 % [N]
+   * @param reverseN thrust at −100 % [N]
+   */
+  public static ActuatorAnnouncement addThrust(
+      ActuatorAnnouncement announcement,
+      Point place,
+      Point direction,
+      double forwardN,
+      double reverseN) {
+    return EffectText.ofThrust(place, direction, forwardN, reverseN)
+        .addTo(announcement)
+        .renewal(ALLOCATED_RENEWAL_S);
+  }
+
+  /** Writes this description into an announcement and returns the announcement. */
+  public ActuatorAnnouncement addTo(ActuatorAnnouncement announcement) {
+    List<String> types = new ArrayList<>(announcement.commandTypes());
+    if (!effect.trim().isEmpty()) {
+      EffectText.parse(effect).addTo(announcement);
+      announcement.renewal(ALLOCATED_RENEWAL_S);
+      if (announcement.force().orElseThrow().distance() > 0.0) {
+        types.add("ForceCommand");
+      }
+    }
+    if (effectExponent != 1.0) {
+      announcement.exponent(effectExponent);
+    }
+    if (effectSpeed > 0.0) {
+      announcement.referenceSpeed(effectSpeed);
+    }
+    if (deadband > 0.0) {
+      announcement.deadband(deadband);
+    }
+    if (rateLimit > 0.0) {
+      announcement.rateLimit(rateLimit);
+    }
+    if (timeConstant > 0.0) {
+      announcement.timeConstant(timeConstant);
+    }
+    if (fullAngle != 0.0) {
+      announcement.fullAngle(Math.toRadians(fullAngle));
+      types.add("AngleCommand");
+    }
+    if (fullSpeed != 0.0) {
+      announcement.fullSpeed(fullSpeed);
+      types.add("SpeedCommand");
+    }
+    if (renewal > 0.0) {
+      announcement.renewal(renewal);
+    }
+    return types.isEmpty() ? announcement : announcement.commandTypes(types);
+  }
+}

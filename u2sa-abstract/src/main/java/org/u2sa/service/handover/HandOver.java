@@ -1,0 +1,192 @@
+package org.u2sa.service.handover;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.U2SAService;
+
+/**
+ * State of a service that is transferred to its successor or restored after a restart: a few named
+ * values. A map rather than an object, so that independent algorithms can share the values both
+ * understand.
+ *
+ * <p>The old service writes it in {@link U2SAService#handOver}, the new one reads it in {@link
+ * U2SAService#takeOver}. A missing value is empty. Not thread-safe.
+ */
+public final class HandOver {
+  private final String className;
+  private final Map<String, Object> values = new LinkedHashMap<>();
+
+  /**
+   * Creates an empty state.
+   *
+   * @param className the class of the service that hands over
+   */
+  public HandOver(String className) {
+    this.className = className;
+  }
+
+  /**
+   * The class of the service that hands over; class-specific values are meaningless to other
+   * classes.
+   */
+  public String className() {
+    return className;
+  }
+
+  /** The names of all values, in the order in which they were set. */
+  public Set<String> names() {
+    return Set.copyOf(values.keySet());
+  }
+
+  /** All values by name: Strings, Doubles, Booleans, messages, and Lists of texts or messages. */
+  Map<String, Object> values() {
+    return Collections.unmodifiableMap(values);
+  }
+
+  /** Sets a text. */
+  public HandOver text(String name, String value) {
+    return set(name, value);
+  }
+
+  /**
+   * The text of that name.
+   *
+   * @throws IllegalArgumentException if the value is not a text
+   */
+  public Optional<String> text(String name) {
+    return get(name, String.class, "text");
+  }
+
+  /** Sets a number, in SI units. NaN means no value and is omitted. */
+  public HandOver number(String name, double value) {
+    return Double.isNaN(value) ? this : set(name, value);
+  }
+
+  /**
+   * The number of that name.
+   *
+   * @throws IllegalArgumentException if the value is not a number
+   */
+  public OptionalDouble number(String name) {
+    Optional<Double> value = get(name, Double.class, "number");
+    return value.isPresent() ? OptionalDouble.of(value.get()) : OptionalDouble.empty();
+  }
+
+  /** Sets a flag. */
+  public HandOver flag(String name, boolean value) {
+    return set(name, value);
+  }
+
+  /**
+   * The flag of that name; false without one.
+   *
+   * @throws IllegalArgumentException if it is not a flag
+   */
+  public boolean flag(String name) {
+    return get(name, Boolean.class, "flag").orElse(false);
+  }
+
+  /** Sets a list of texts. */
+  public HandOver texts(String name, Iterable<String> value) {
+    return set(name, list(value));
+  }
+
+  /**
+   * The list of texts of that name; empty without one.
+   *
+   * @throws IllegalArgumentException if it is another kind of value
+   */
+  public List<String> texts(String name) {
+    return members(name, String.class, "list of texts");
+  }
+
+  /**
+   * Sets a message. Unfrozen messages are copied, so that the old service may still change them.
+   */
+  public HandOver message(String name, U2SAData value) {
+    return set(name, frozen(value));
+  }
+
+  /**
+   * The message of that name, frozen.
+   *
+   * @throws IllegalArgumentException if the value is not a message of that class
+   */
+  public <T extends U2SAData> Optional<T> message(String name, Class<T> type) {
+    return get(name, type, type.getSimpleName());
+  }
+
+  /** Sets a list of messages, as {@link #message(String, U2SAData)} does with one. */
+  public HandOver messages(String name, Iterable<? extends U2SAData> value) {
+    List<U2SAData> messages = new ArrayList<>();
+    value.forEach(message -> messages.add(frozen(message)));
+    return set(name, List.copyOf(messages));
+  }
+
+  /**
+   * The messages of that name, frozen; empty without such a value.
+   *
+   * @throws IllegalArgumentException if the value is not a list of messages of that class
+   */
+  public <T extends U2SAData> List<T> messages(String name, Class<T> type) {
+    return members(name, type, "list of " + type.getSimpleName());
+  }
+
+  private static U2SAData frozen(U2SAData message) {
+    if (message.isFrozen()) {
+      return message;
+    }
+    U2SAData copy = message.copy();
+    copy.freeze();
+    return copy;
+  }
+
+  private static List<String> list(Iterable<String> texts) {
+    List<String> list = new ArrayList<>();
+    texts.forEach(list::add);
+    return List.copyOf(list);
+  }
+
+  private HandOver set(String name, Object value) {
+    if (values.put(name, value) != null) {
+      throw new IllegalArgumentException("value \"" + name + "\" is handed over twice");
+    }
+    return this;
+  }
+
+  private <T> Optional<T> get(String name, Class<T> type, String expected) {
+    Object value = values.get(name);
+    if (value != null && !type.isInstance(value)) {
+      throw wrongKind(name, value, expected);
+    }
+    return Optional.ofNullable(type.cast(value));
+  }
+
+  private <T> List<T> members(String name, Class<T> type, String expected) {
+    List<T> members = new ArrayList<>();
+    for (Object member : get(name, List.class, expected).orElse(List.of())) {
+      if (!type.isInstance(member)) {
+        throw wrongKind(name, member, expected);
+      }
+      members.add(type.cast(member));
+    }
+    return members;
+  }
+
+  private IllegalArgumentException wrongKind(String name, Object value, String expected) {
+    return new IllegalArgumentException(
+        "value \"" + name + "\" of " + className + " is " + value + ", expected " + expected);
+  }
+
+  @Override
+  public String toString() {
+    return className + values;
+  }
+}

@@ -1,0 +1,243 @@
+package org.u2sa.service.inbox;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.FunctionalityRequest;
+import org.u2sa.messages.mission.GoalCommand;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.shape.Circle;
+import org.u2sa.service.inbox.ServiceInbox.Outcome;
+
+/** Which queue of an inbox is full when, what is replaced, and what moves to a successor. */
+class ServiceInboxLimitsTest {
+  private static final int CAPACITY = 8;
+
+  private final ServiceInbox inbox = new ServiceInbox(CAPACITY);
+
+  private static boolean put(ServiceInbox inbox, Channel<?> channel, U2SAData message) {
+    return inbox.put(channel, message, 0L) == Outcome.KEPT;
+  }
+
+  private static boolean putNumber(ServiceInbox inbox, String number) {
+    return put(inbox, Channels.GOAL_COMMANDS, new GoalCommand().uid(number));
+  }
+
+  private static int fill(ServiceInbox inbox, Channel<?> channel, U2SAData message) {
+    int taken = 0;
+    while (taken < 100 && put(inbox, channel, message)) {
+      taken++;
+    }
+    return taken;
+  }
+
+  private static StateInformation state(String sensor) {
+    return new StateInformation().sensorName(sensor);
+  }
+
+  private static List<String> contents(ServiceInbox inbox) {
+    List<String> contents = new ArrayList<>();
+    for (ServiceInbox.Delivery next = inbox.poll(); next != null; next = inbox.poll()) {
+      U2SAData message = next.message();
+      contents.add(
+          message instanceof GoalCommand command
+              ? command.uid()
+              : message instanceof StateInformation state
+                  ? state.sensorName()
+                  : message.type().name());
+    }
+    return contents;
+  }
+
+  @Test
+  void put_eachQueueAlone_holdsExactlyTheCapacity() {
+    assertThat(fill(inbox, Channels.GOAL_COMMANDS, new GoalCommand())).isEqualTo(CAPACITY);
+    assertThat(fill(inbox, Channels.ARMING, new ArmCommand())).isEqualTo(CAPACITY);
+    assertThat(fill(inbox, Channels.EMERGENCY_STOP, new EmergencyStop())).isEqualTo(CAPACITY);
+
+    assertThat(inbox.depth()).isEqualTo(3 * CAPACITY);
+    assertThat(inbox.dropped()).isEqualTo(3);
+  }
+
+  @Test
+  void put_afterAReservedOneWasTaken_makesRoomForOneReservedOne() {
+    fill(inbox, Channels.ARMING, new ArmCommand());
+    inbox.poll();
+
+    assertThat(fill(inbox, Channels.ARMING, new ArmCommand())).isOne();
+    assertThat(fill(inbox, Channels.GOAL_COMMANDS, new GoalCommand())).isEqualTo(CAPACITY);
+  }
+
+  @Test
+  void put_questionIntoASmallInbox_hasRoomForOne() {
+    ServiceInbox small = new ServiceInbox(3);
+
+    assertThat(fill(small, Channels.FUNCTIONALITY, new FunctionalityRequest())).isOne();
+    assertThat(fill(small, Channels.GOAL_COMMANDS, new GoalCommand())).isEqualTo(2);
+  }
+
+  @Test
+  void put_newerOfOneSource_replacesMessageAndTimeButNotItsPlace() {
+    inbox.put(Channels.STATE, state("A"), 1L);
+    inbox.put(Channels.STATE, state("B"), 2L);
+    StateInformation newer = state("A");
+    assertThat(inbox.put(Channels.STATE, newer, 3L)).isEqualTo(Outcome.KEPT);
+
+    assertThat(inbox.replaced()).isOne();
+    ServiceInbox.Delivery first = inbox.poll();
+    assertThat(first.message()).isSameAs(newer);
+    assertThat(first.arrivedMicros()).isEqualTo(3L);
+    assertThat(first.channel() == (Channel<?>) Channels.STATE).isTrue();
+    assertThat(contents(inbox)).containsExactly("B");
+  }
+
+  @Test
+  void put_latestIntoAFullInbox_isLostAndNotTakenForOneThatWaits() {
+    fill(inbox, Channels.GOAL_COMMANDS, new GoalCommand());
+    assertThat(put(inbox, Channels.STATE, state("A"))).isFalse();
+    assertThat(put(inbox, Channels.STATE, state("A"))).isFalse();
+    assertThat(inbox.dropped()).as("with the one that did not fit").isEqualTo(3);
+    assertThat(inbox.replaced()).isZero();
+
+    inbox.poll();
+
+    assertThat(put(inbox, Channels.STATE, state("A"))).isTrue();
+    assertThat(inbox.depth()).isEqualTo(CAPACITY);
+  }
+
+  @Test
+  void moveTo_allThatWaits_comesAheadOfWhatIsThereAndUrgentFirst() {
+    ServiceInbox next = new ServiceInbox(CAPACITY);
+    putNumber(inbox, "old 1");
+    put(inbox, Channels.EMERGENCY_STOP, new EmergencyStop());
+    putNumber(next, "new 1");
+    put(next, Channels.STATE, state("new state"));
+
+    inbox.moveTo(next, List.of());
+    assertThat(putNumber(inbox, "put into the old one")).isTrue();
+
+    assertThat(inbox.depth()).isZero();
+    assertThat(inbox.poll()).isNull();
+    assertThat(contents(next))
+        .containsExactly("EmergencyStop", "old 1", "new 1", "new state", "put into the old one");
+  }
+
+  @Test
+  void moveTo_urgentOneWaitsInTheSuccessorAlready_isThereOnceBehindTheOthers() {
+    ServiceInbox next = new ServiceInbox(CAPACITY);
+    EmergencyStop before = new EmergencyStop();
+    EmergencyStop after = new EmergencyStop();
+    put(inbox, Channels.EMERGENCY_STOP, before);
+    put(next, Channels.EMERGENCY_STOP, after);
+
+    inbox.moveTo(next, List.of());
+
+    assertThat(next.depth()).isEqualTo(2);
+    assertThat(next.poll().message()).isSameAs(before);
+    assertThat(next.poll().message()).isSameAs(after);
+  }
+
+  @Test
+  void put_afterTheMoveToAFullSuccessor_isLostThere() {
+    ServiceInbox next = new ServiceInbox(1);
+    inbox.moveTo(next, List.of());
+
+    assertThat(putNumber(inbox, "1")).isTrue();
+    assertThat(putNumber(inbox, "2")).isFalse();
+    assertThat(next.dropped()).isOne();
+  }
+
+  @Test
+  void moveTo_handledBefore_isSeenFirstUnlessANewerOneWaits() {
+    ServiceInbox next = new ServiceInbox(CAPACITY);
+    put(inbox, Channels.STATE, state("A"));
+    put(inbox, Channels.STATE, state("B"));
+    List<ServiceInbox.Delivery> handled = List.of(inbox.poll(), inbox.poll());
+    put(inbox, Channels.STATE, state("B"));
+    putNumber(inbox, "waits");
+
+    inbox.moveTo(next, handled);
+
+    assertThat(contents(next)).containsExactly("A", "B", "waits");
+  }
+
+  @Test
+  void moveTo_latestThatWaits_isReplacedInItsNewPlace() {
+    ServiceInbox next = new ServiceInbox(CAPACITY);
+    put(inbox, Channels.STATE, state("A"));
+    inbox.moveTo(next, List.of());
+
+    put(next, Channels.STATE, state("A"));
+
+    assertThat(next.depth()).isOne();
+    assertThat(next.replaced()).isOne();
+  }
+
+  @Test
+  void moveTo_lostAndReplacedSoFar_areSummed() {
+    ServiceInbox next = new ServiceInbox(1);
+    fill(inbox, Channels.GOAL_COMMANDS, new GoalCommand());
+    put(inbox, Channels.ARMING_STATE, new ArmingState());
+    put(inbox, Channels.ARMING_STATE, new ArmingState());
+    fill(next, Channels.GOAL_COMMANDS, new GoalCommand());
+    put(next, Channels.ARMING_STATE, new ArmingState());
+    put(next, Channels.ARMING_STATE, new ArmingState());
+
+    inbox.moveTo(next, List.of());
+
+    assertThat(next.dropped()).isEqualTo(2);
+    assertThat(next.replaced()).isEqualTo(2);
+  }
+
+  @Test
+  void moveTo_questionsAndReservedOnesOfBoth_countInTheSuccessor() {
+    ServiceInbox next = new ServiceInbox(CAPACITY);
+    put(inbox, Channels.DISCOVERY, new DiscoveryRequest());
+    put(next, Channels.DISCOVERY, new DiscoveryRequest());
+    put(inbox, Channels.ARMING, new ArmCommand());
+    put(next, Channels.ARMING, new ArmCommand());
+
+    inbox.moveTo(next, List.of());
+
+    assertThat(put(next, Channels.DISCOVERY, new DiscoveryRequest())).isFalse();
+    assertThat(fill(next, Channels.ARMING, new ArmCommand())).isEqualTo(CAPACITY - 2);
+    assertThat(fill(next, Channels.GOAL_COMMANDS, new GoalCommand())).isEqualTo(CAPACITY - 2);
+  }
+
+  @Test
+  void put_moreSourcesThanAnyVehicleHas_keepsToTheFirst() {
+    for (int i = 0; i < ServiceInbox.MAX_SOURCES; i++) {
+      assertThat(put(inbox, Channels.SENSED_STATE, state("s" + i))).isTrue();
+      inbox.poll();
+    }
+
+    assertThat(inbox.put(Channels.SENSED_STATE, state("invented"), 0L))
+        .isEqualTo(Outcome.UNKNOWN_SOURCE);
+    assertThat(put(inbox, Channels.SENSED_STATE, state("s0"))).isTrue();
+    assertThat(put(inbox, Channels.STATE, state("invented"))).isTrue(); // counted by channel
+    assertThat(contents(inbox)).containsExactly("s0", "invented");
+    assertThat(inbox.dropped()).isEqualTo(1);
+  }
+
+  @Test
+  void put_moreSourcesOfObjectsThanAnyVehicleHas_keepsToTheFirst() {
+    for (int i = 0; i < ServiceInbox.MAX_SOURCES; i++) {
+      assertThat(put(inbox, Channels.SENSED_OBJECTS, new Circle().sensorName("s" + i))).isTrue();
+      inbox.poll();
+    }
+
+    assertThat(inbox.put(Channels.SENSED_OBJECTS, new Circle().sensorName("invented"), 0L))
+        .isEqualTo(Outcome.UNKNOWN_SOURCE);
+    assertThat(put(inbox, Channels.SENSED_OBJECTS, new Circle().sensorName("s0"))).isTrue();
+    assertThat(put(inbox, Channels.SENSED_OBJECTS, new Circle())).isTrue(); // names no source
+  }
+}
