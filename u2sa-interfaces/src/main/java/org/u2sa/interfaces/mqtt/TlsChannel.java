@@ -99,7 +99,7 @@ final class TlsChannel implements BrokerChannel {
     plain.compact();
   }
 
-  /** Decrypts one record; returns false if none is complete. */
+  /** Decrypts one record; returns false if that needs more from the broker. */
   private boolean decrypt() throws IOException {
     MqttPackets.flip(received);
     SSLEngineResult result;
@@ -121,11 +121,13 @@ final class TlsChannel implements BrokerChannel {
         return false;
       }
       default -> {
+        boolean goesOn = result.bytesConsumed() > 0;
         if (result.getHandshakeStatus() == HandshakeStatus.NEED_TASK) {
           compute();
+          goesOn = true;
         }
         noteAnswerOwed();
-        return result.bytesConsumed() > 0;
+        return goesOn;
       }
     }
   }
