@@ -58,13 +58,13 @@ final class AutonomyEvidence {
     String sensors =
         (own.isEmpty()
                 ? "nobody measures the vehicle"
-                : WholeInWords.and(own)
+                : DataFlowSummary.and(own)
                     + (own.size() == 1 ? " measures" : " measure")
                     + " the vehicle")
             + ", "
             + (around.isEmpty()
                 ? "nobody its surroundings"
-                : WholeInWords.and(around) + " the surroundings");
+                : DataFlowSummary.and(around) + " the surroundings");
     if (own.isEmpty() && around.isEmpty()) {
       return new Finding("perception", stated, Perception.NO_SENSING, sensors);
     }
@@ -75,7 +75,7 @@ final class AutonomyEvidence {
         "perception",
         stated,
         Perception.GROUPED,
-        sensors + "; " + WholeInWords.and(modelers) + " groups what is seen to objects");
+        sensors + "; " + DataFlowSummary.and(modelers) + " groups what is seen to objects");
   }
 
   private Finding decision(Optional<Level> stated) {
@@ -89,9 +89,9 @@ final class AutonomyEvidence {
           planners.isEmpty() ? "no Path Planner" : "no Mission Manager");
     }
     String plan =
-        WholeInWords.and(managers)
+        DataFlowSummary.and(managers)
             + " chooses goals by their results, "
-            + WholeInWords.and(planners)
+            + DataFlowSummary.and(planners)
             + " the way";
     List<String> readers = new ArrayList<>(vehicle.subscribersOf(OBJECTS));
     readers.retainAll(planners);
@@ -103,7 +103,7 @@ final class AutonomyEvidence {
         "decision",
         stated,
         Decision.MEMORY,
-        plan + " by the map that " + WholeInWords.and(vehicle.publishersOf(OBJECTS)) + " keeps");
+        plan + " by the map that " + DataFlowSummary.and(vehicle.publishersOf(OBJECTS)) + " keeps");
   }
 
   private Finding independence(Optional<Level> stated) {
@@ -121,14 +121,14 @@ final class AutonomyEvidence {
           "independence",
           stated,
           Independence.STABILIZED,
-          WholeInWords.and(control) + " controls; no mission");
+          DataFlowSummary.and(control) + " controls; no mission");
     }
     if (health.isEmpty() && vehicle.publishersOf(Channels.POWER.name()).isEmpty()) {
       return new Finding(
           "independence",
           stated,
           Independence.TASK_AUTONOMY,
-          WholeInWords.and(control)
+          DataFlowSummary.and(control)
               + " carries out the mission; nobody watches services or battery");
     }
     if (safety.isEmpty()) {
@@ -142,10 +142,10 @@ final class AutonomyEvidence {
         "independence",
         stated,
         Independence.PROBLEM_DETECTION,
-        WholeInWords.and(safety)
+        DataFlowSummary.and(safety)
             + " has failsafes and refuses to arm a vehicle that is not fit"
             + (health.isEmpty()
                 ? ""
-                : "; " + WholeInWords.and(health) + " restarts failed services"));
+                : "; " + DataFlowSummary.and(health) + " restarts failed services"));
   }
 }

@@ -47,7 +47,7 @@ final class DescriptionText {
 
   private void words() {
     head("In words");
-    lines.addAll(new WholeInWords(vehicle).sentences());
+    lines.addAll(new DataFlowSummary(vehicle).sentences());
   }
 
   private void head(String text) {

@@ -22,8 +22,8 @@ import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.MotionLimits;
 import org.u2sa.planning.local.RouteTrack;
-import org.u2sa.planning.route.HousePlanners;
 import org.u2sa.planning.route.RoutePlanner;
+import org.u2sa.planning.route.RoutePlanners;
 import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
@@ -82,7 +82,7 @@ public final class Avoidance {
     this.settings = settings;
     this.lines = lines;
     this.say = say;
-    Map<String, RoutePlanner> planners = new LinkedHashMap<>(HousePlanners.all(configuration));
+    Map<String, RoutePlanner> planners = new LinkedHashMap<>(RoutePlanners.all(configuration));
     List<String> names = new ArrayList<>(planners.keySet());
     names.add(0, NONE);
     VariableDeclaration<String> planner =

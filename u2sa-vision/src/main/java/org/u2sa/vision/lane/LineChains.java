@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Set;
 import org.u2sa.messages.frame.Point;
 
-/** Links beads to lines. Coordinates in metres from the map's anchor. */
+/** Links samples to lines. Coordinates in metres from the map's anchor. */
 final class LineChains {
-  private static final double LINK_M = 0.5; // maximum step between beads
+  private static final double LINK_M = 0.5; // maximum step between samples
   private static final double ASIDE = 0.7; // sine of the maximum angle between step and line
   private static final double SHORTEST_M = 0.5; // minimum length of a line
   private static final double VIEWS = 2.5; // minimum mean number of viewpoints of a sure line
@@ -24,9 +24,9 @@ final class LineChains {
     this.sure = sure;
   }
 
-  static LineChains of(List<LineBeads.Bead> beads) {
-    int[][] next = new int[beads.size()][];
-    Neighbours near = new Neighbours(beads);
+  static LineChains of(List<LineSamples.Sample> samples) {
+    int[][] next = new int[samples.size()][];
+    Neighbours near = new Neighbours(samples);
     for (int i = 0; i < next.length; i++) {
       next[i] = new int[] {near.step(i, 1.0), near.step(i, -1.0)};
     }
@@ -35,12 +35,12 @@ final class LineChains {
     Set<List<Point>> sure = new HashSet<>();
     for (int i = 0; i < next.length; i++) {
       if (!strung[i]) {
-        List<LineBeads.Bead> string = string(i, beads, next, strung);
+        List<LineSamples.Sample> string = string(i, samples, next, strung);
         List<Point> line = new ArrayList<>(string.size());
-        string.forEach(bead -> line.add(Point.of(bead.x, bead.y, 0.0)));
+        string.forEach(sample -> line.add(Point.of(sample.x, sample.y, 0.0)));
         if (LineGeometry.lengthM(line) >= SHORTEST_M) {
           lines.add(line);
-          double views = string.stream().mapToInt(bead -> bead.views).average().orElse(0.0);
+          double views = string.stream().mapToInt(sample -> sample.views).average().orElse(0.0);
           if (views >= VIEWS) {
             sure.add(line);
           }
@@ -50,18 +50,18 @@ final class LineChains {
     return new LineChains(lines, sure);
   }
 
-  /** Follows beads in both directions while they are mutual neighbours. */
-  private static List<LineBeads.Bead> string(
-      int from, List<LineBeads.Bead> beads, int[][] next, boolean[] strung) {
-    List<LineBeads.Bead> line = new ArrayList<>();
+  /** Follows samples in both directions while they are mutual neighbours. */
+  private static List<LineSamples.Sample> string(
+      int from, List<LineSamples.Sample> samples, int[][] next, boolean[] strung) {
+    List<LineSamples.Sample> line = new ArrayList<>();
     strung[from] = true;
-    line.add(beads.get(from));
+    line.add(samples.get(from));
     for (int way = 0; way < 2; way++) {
       int before = from;
       int at = next[from][way];
       while (at >= 0 && !strung[at] && (next[at][0] == before || next[at][1] == before)) {
         strung[at] = true;
-        line.add(beads.get(at));
+        line.add(samples.get(at));
         int on = next[at][0] == before ? next[at][1] : next[at][0];
         before = at;
         at = on;
@@ -81,40 +81,40 @@ final class LineChains {
     return sure.contains(line);
   }
 
-  /** Finds the next bead along a line. */
+  /** Finds the next sample along a line. */
   private static final class Neighbours {
-    private final List<LineBeads.Bead> beads;
+    private final List<LineSamples.Sample> samples;
     private final Integer[] byX;
     private final int[] rank;
 
-    Neighbours(List<LineBeads.Bead> beads) {
-      this.beads = beads;
-      byX = new Integer[beads.size()];
-      rank = new int[beads.size()];
+    Neighbours(List<LineSamples.Sample> samples) {
+      this.samples = samples;
+      byX = new Integer[samples.size()];
+      rank = new int[samples.size()];
       Arrays.setAll(byX, i -> i);
-      Arrays.sort(byX, Comparator.comparingDouble((Integer i) -> beads.get(i).x));
+      Arrays.sort(byX, Comparator.comparingDouble((Integer i) -> samples.get(i).x));
       for (int i = 0; i < byX.length; i++) {
         rank[byX[i]] = i;
       }
     }
 
-    /** Index of the nearest bead ahead (1) or behind (-1) that may follow; −1 if none. */
+    /** Index of the nearest sample ahead (1) or behind (-1) that may follow; −1 if none. */
     int step(int from, double sign) {
-      LineBeads.Bead bead = beads.get(from);
+      LineSamples.Sample sample = samples.get(from);
       int best = -1;
       double nearest = LINK_M;
       for (int way = -1; way <= 1; way += 2) {
         for (int k = rank[from] + way; k >= 0 && k < byX.length; k += way) {
-          LineBeads.Bead other = beads.get(byX[k]);
-          double x = other.x - bead.x;
-          double y = other.y - bead.y;
+          LineSamples.Sample other = samples.get(byX[k]);
+          double x = other.x - sample.x;
+          double y = other.y - sample.y;
           if (Math.abs(x) > nearest) {
             break;
           }
           double away = Math.hypot(x, y);
-          double along = sign * (x * bead.dx + y * bead.dy);
-          double across = Math.abs(x * bead.dy - y * bead.dx);
-          boolean parallel = Math.abs(bead.dx * other.dx + bead.dy * other.dy) > ASIDE;
+          double along = sign * (x * sample.dx + y * sample.dy);
+          double across = Math.abs(x * sample.dy - y * sample.dx);
+          boolean parallel = Math.abs(sample.dx * other.dx + sample.dy * other.dy) > ASIDE;
           if (parallel && along > 0.02 && across <= ASIDE * away && away < nearest) {
             best = byX[k];
             nearest = away;

@@ -58,7 +58,7 @@ record LineEnd(List<Point> line, Point at, double dx, double dy) {
 
   /** Curvature in outward direction [1/m], positive anticlockwise; clamped. */
   private double bend() {
-    int far = Math.min(line.size() - 1, (int) Math.round(2.0 * TANGENT_M / LineBeads.STEP_M));
+    int far = Math.min(line.size() - 1, (int) Math.round(2.0 * TANGENT_M / LineSamples.STEP_M));
     int middle = far / 2;
     if (middle < 2) {
       return 0.0;

@@ -3,7 +3,7 @@ package org.u2sa.vision.lane;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 
-/** Geometry of lines given as points spaced about {@link LineBeads#STEP_M} [m]. */
+/** Geometry of lines given as points spaced about {@link LineSamples#STEP_M} [m]. */
 final class LineGeometry {
   private static final double TANGENT_M = 0.8; // to either side, for measuring a direction
 
@@ -36,7 +36,7 @@ final class LineGeometry {
 
   /** Direction of a line at one of its points, as a unit vector. */
   static double[] direction(List<Point> line, int at) {
-    int span = (int) Math.round(TANGENT_M / LineBeads.STEP_M);
+    int span = (int) Math.round(TANGENT_M / LineSamples.STEP_M);
     Point from = line.get(Math.max(0, at - span));
     Point to = line.get(Math.min(line.size() - 1, at + span));
     double length = Math.max(1.0e-9, metres(from, to));

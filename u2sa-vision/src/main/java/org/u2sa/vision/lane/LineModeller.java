@@ -28,7 +28,7 @@ final class LineModeller implements Modeller {
   private static final long UNSURE_MICROS = 3 * Clock.MICROS_PER_SECOND;
 
   private final Settings<LineModelSettings> settings;
-  private final LineBeads beads = new LineBeads();
+  private final LineSamples samples = new LineSamples();
   private final HiddenGround hidden = new HiddenGround();
   private final LookedGround looked = new LookedGround();
   private final DrivenWay driven = new DrivenWay();
@@ -50,17 +50,17 @@ final class LineModeller implements Modeller {
       looked.clear();
       driven.clear();
       lane.clear();
-      beads.clear(); // latest image only: motion since is unknown
+      samples.clear(); // latest image only: motion since is unknown
     }
     double turning = sighting.vehicle().map(state -> state.psiDot().orElse(0.0)).orElse(0.0);
     if (Math.abs(turning) > tuning.steadyTurn()) {
       return;
     }
-    beads.begin(sighting.micros(), tuning.lineWander() * tuning.lineWander());
+    samples.begin(sighting.micros(), tuning.lineWander() * tuning.lineWander());
     Point at = sighting.frame().vehicle(sighting.vehicle());
     driven.at(at);
     lane.at(at, sighting.micros());
-    beads.from(at.x(), at.y());
+    samples.from(at.x(), at.y());
     hidden.lookFrom(at.x(), at.y(), sighting.micros());
     boolean isPicture = false;
     for (ObjectDescription object : seen) {
@@ -93,7 +93,7 @@ final class LineModeller implements Modeller {
       double x = 0.5 * (from.x() + to.x());
       double y = 0.5 * (from.y() + to.y());
       if (!hidden.hides(x, y, settings.get().hiddenBehind())) {
-        beads.enter(from, to, across, gate);
+        samples.enter(from, to, across, gate);
       }
     }
     sightings++;
@@ -113,14 +113,14 @@ final class LineModeller implements Modeller {
         tuning.lookReach(),
         half,
         (x, y) -> !hidden.hides(x, y, tuning.hiddenBehind()));
-    beads.doubt(
+    samples.doubt(
         at.x(),
         at.y(),
         heading,
         tuning.doubtReach(),
         0.5 * Math.toRadians(tuning.doubtAngle()),
         (x, y) -> !hidden.hides(x, y, tuning.hiddenBehind()));
-    beads.forget(
+    samples.forget(
         at.x(),
         at.y(),
         FORGET * tuning.lineReach(),
@@ -131,7 +131,7 @@ final class LineModeller implements Modeller {
   @Override
   public void enter(MapFrame newFrame, Sighting now) {
     frame = newFrame;
-    beads.clear();
+    samples.clear();
     looked.clear();
     driven.clear();
     lane.clear();
@@ -142,7 +142,7 @@ final class LineModeller implements Modeller {
     LineModelSettings tuning = settings.get();
     Point at = frame.vehicle(now.vehicle());
     int hits = frame.frame().isBody() ? 1 : tuning.lineHits();
-    LineChains chains = LineChains.of(beads.certain(at.x(), at.y(), tuning.lineReach(), hits));
+    LineChains chains = LineChains.of(samples.certain(at.x(), at.y(), tuning.lineReach(), hits));
     String type = tuning.types().iterator().next();
     LinePieces pieces = new LinePieces(frame, type, at, tuning.clearOfVehicle());
     LineGaps gaps =
@@ -186,6 +186,6 @@ final class LineModeller implements Modeller {
 
   @Override
   public String remark() {
-    return sightings + " sightings, " + beads.count() + " places, " + published + " pieces";
+    return sightings + " sightings, " + samples.count() + " places, " + published + " pieces";
   }
 }

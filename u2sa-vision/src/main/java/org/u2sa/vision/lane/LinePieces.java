@@ -110,7 +110,7 @@ final class LinePieces {
     List<Point> points = piece.stream().map(frame::point).collect(Collectors.toList());
     PolyLine line = new PolyLine();
     line.points(points)
-        .width(LineBeads.WIDTH_M)
+        .width(LineSamples.WIDTH_M)
         .uid("line " + (all.size() + 1))
         .objectType(type)
         .referenceFrame(frame.frame())

@@ -17,7 +17,7 @@ class DrivenLaneTest {
 
   private void line(boolean sure, double fromX, double toX, double y) {
     List<Point> points = new ArrayList<>();
-    for (double x = fromX; x <= toX; x += LineBeads.STEP_M) {
+    for (double x = fromX; x <= toX; x += LineSamples.STEP_M) {
       points.add(Point.of(x, y, 0.0));
     }
     known.add(new DrivenLane.Known(points, sure));

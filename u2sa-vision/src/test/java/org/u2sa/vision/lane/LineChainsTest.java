@@ -5,7 +5,7 @@ import static org.assertj.core.data.Offset.offset;
 
 import org.junit.jupiter.api.Test;
 
-/** Beads of painted lines: how they are seen, strung and doubted. */
+/** Samples of painted lines: how they are seen, linked and doubted. */
 class LineChainsTest {
   private final PaintedLines paint = new PaintedLines();
 
@@ -66,44 +66,44 @@ class LineChainsTest {
   @Test
   void doubt_lineBehindWhatStands_stays() {
     paint.lookThrice(1.5, 0.0, 2.4, 0.0);
-    int before = paint.beads.count();
+    int before = paint.samples.count();
     for (int i = 0; i < 8; i++) {
-      paint.beads.begin(paint.micros += 100_000, 0.0);
-      paint.beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5, (x, y) -> x < 1.0);
-      paint.beads.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
+      paint.samples.begin(paint.micros += 100_000, 0.0);
+      paint.samples.doubt(0.0, 0.0, 0.0, 2.5, 0.5, (x, y) -> x < 1.0);
+      paint.samples.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
     }
-    assertThat(paint.beads.count()).isEqualTo(before);
+    assertThat(paint.samples.count()).isEqualTo(before);
   }
 
   @Test
   void doubt_lineAheadNotSeenAnyMore_goes() {
     paint.lookThrice(1.5, 0.0, 2.4, 0.0);
     for (int i = 0; i < 8; i++) {
-      paint.beads.begin(paint.micros += 100_000, 0.0);
-      paint.beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5, (x, y) -> true);
-      paint.beads.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
+      paint.samples.begin(paint.micros += 100_000, 0.0);
+      paint.samples.doubt(0.0, 0.0, 0.0, 2.5, 0.5, (x, y) -> true);
+      paint.samples.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
     }
-    assertThat(paint.beads.count()).isZero();
+    assertThat(paint.samples.count()).isZero();
   }
 
   @Test
   void doubt_lineBesideTheVehicle_stays() {
     paint.lookThrice(0.0, 2.0, 2.0, 2.0);
-    int before = paint.beads.count();
+    int before = paint.samples.count();
     for (int i = 0; i < 8; i++) {
-      paint.beads.begin(paint.micros += 100_000, 0.0);
-      paint.beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5, (x, y) -> true);
-      paint.beads.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
+      paint.samples.begin(paint.micros += 100_000, 0.0);
+      paint.samples.doubt(0.0, 0.0, 0.0, 2.5, 0.5, (x, y) -> true);
+      paint.samples.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
     }
-    assertThat(paint.beads.count()).isEqualTo(before);
+    assertThat(paint.samples.count()).isEqualTo(before);
   }
 
   @Test
   void forget_seenOnceLongAgoOrFarAway_goes() {
     paint.look(0.0, 0.0, 1.0, 0.0);
     paint.lookThrice(20.0, 0.0, 21.0, 0.0);
-    paint.beads.forget(0.0, 0.0, 10.0, paint.micros, 3);
-    assertThat(paint.beads.count()).isZero();
+    paint.samples.forget(0.0, 0.0, 10.0, paint.micros, 3);
+    assertThat(paint.samples.count()).isZero();
   }
 
   @Test
@@ -111,8 +111,8 @@ class LineChainsTest {
     paint.lookThrice(0.0, 1.0, 4.0, 1.0);
     paint.micros += 60_000_000;
     paint.look(0.0, 1.5, 4.0, 1.5);
-    assertThat(paint.beads.certain(0.0, 0.0, 50.0, 1))
-        .allSatisfy(bead -> assertThat(bead.y).isBetween(1.4, 1.5));
+    assertThat(paint.samples.certain(0.0, 0.0, 50.0, 1))
+        .allSatisfy(sample -> assertThat(sample.y).isBetween(1.4, 1.5));
   }
 
   @Test
@@ -121,12 +121,12 @@ class LineChainsTest {
     paint.micros += 5_000_000;
     for (int i = 0; i < 8; i++) {
       paint.look(0.0, 1.9, 4.0, 1.9);
-      paint.beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1, (x, y) -> true); // looks the other way
-      paint.beads.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
+      paint.samples.doubt(0.0, 0.0, Math.PI, 2.5, 0.1, (x, y) -> true); // looks the other way
+      paint.samples.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
     }
-    assertThat(paint.beads.certain(0.0, 0.0, 50.0, 3))
+    assertThat(paint.samples.certain(0.0, 0.0, 50.0, 3))
         .isNotEmpty()
-        .allSatisfy(bead -> assertThat(bead.y).isGreaterThan(1.5));
+        .allSatisfy(sample -> assertThat(sample.y).isGreaterThan(1.5));
   }
 
   @Test
@@ -134,14 +134,14 @@ class LineChainsTest {
     paint.lookThrice(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
     paint.micros += 5_000_000;
     paint.look(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
-    paint.beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1, (x, y) -> true);
-    assertThat(paint.beads.certain(0.0, 0.0, 50.0, 4))
+    paint.samples.doubt(0.0, 0.0, Math.PI, 2.5, 0.1, (x, y) -> true);
+    assertThat(paint.samples.certain(0.0, 0.0, 50.0, 4))
         .as("four sightings, no doubt")
-        .hasSize(paint.beads.count());
+        .hasSize(paint.samples.count());
     for (int i = 0; i < 8; i++) {
       paint.look(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
-      paint.beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1, (x, y) -> true);
-      paint.beads.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
+      paint.samples.doubt(0.0, 0.0, Math.PI, 2.5, 0.1, (x, y) -> true);
+      paint.samples.forget(0.0, 0.0, 50.0, paint.micros - 3_000_000, 3);
     }
     assertThat(paint.chains().lines()).hasSize(2);
   }
@@ -156,7 +156,7 @@ class LineChainsTest {
   @Test
   void isSure_seenFromThreePlaces_is() {
     for (int i = 0; i < 3; i++) {
-      paint.beads.from(0.3 * i, 0.0);
+      paint.samples.from(0.3 * i, 0.0);
       paint.look(0.0, 1.0, 4.0, 1.0);
     }
     LineChains chains = paint.chains();

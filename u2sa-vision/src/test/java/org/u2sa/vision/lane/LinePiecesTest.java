@@ -16,7 +16,7 @@ class LinePiecesTest {
 
   private static List<Point> line(double fromX, double toX, double y) {
     List<Point> points = new ArrayList<>();
-    for (double x = fromX; x <= toX; x += LineBeads.STEP_M) {
+    for (double x = fromX; x <= toX; x += LineSamples.STEP_M) {
       points.add(Point.of(x, y, 0.0));
     }
     return points;

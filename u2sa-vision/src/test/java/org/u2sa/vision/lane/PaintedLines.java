@@ -7,14 +7,14 @@ import org.u2sa.messages.frame.Point;
 final class PaintedLines {
   private static final double WANDER = 0.0025; // 5 cm in a second
 
-  final LineBeads beads = new LineBeads();
+  final LineSamples samples = new LineSamples();
   long micros;
 
   /** One picture of lines, each x and y of both its ends [m]. */
   void look(double... ends) {
-    beads.begin(micros += 100_000, WANDER);
+    samples.begin(micros += 100_000, WANDER);
     for (int i = 0; i < ends.length; i += 4) {
-      beads.enter(
+      samples.enter(
           Point.of(ends[i], ends[i + 1], 0.0), Point.of(ends[i + 2], ends[i + 3], 0.0), 0.05, 0.35);
     }
   }
@@ -26,7 +26,7 @@ final class PaintedLines {
   }
 
   LineChains chains() {
-    return LineChains.of(beads.certain(0.0, 0.0, 50.0, 3));
+    return LineChains.of(samples.certain(0.0, 0.0, 50.0, 3));
   }
 
   List<List<Point>> lines() {

@@ -9,10 +9,10 @@ import org.u2sa.cli.describe.VehicleComposition.AnnouncedActuator;
 import org.u2sa.interfaces.communication.Channels;
 
 /** Summary of the data flow from sensors to actuators, in a few sentences for newcomers. */
-final class WholeInWords {
+final class DataFlowSummary {
   private final VehicleComposition vehicle;
 
-  WholeInWords(VehicleComposition vehicle) {
+  DataFlowSummary(VehicleComposition vehicle) {
     this.vehicle = vehicle;
   }
 

@@ -6,8 +6,8 @@ import java.util.ServiceLoader;
 import org.u2sa.interfaces.configuration.Configurator;
 
 /** All route planners: the built-in ones and those of extensions. */
-public final class HousePlanners {
-  private HousePlanners() {}
+public final class RoutePlanners {
+  private RoutePlanners() {}
 
   /** Creates planners, by their value of the variable PLANNER, in display order. */
   public static Map<String, RoutePlanner> all(Configurator configuration) {

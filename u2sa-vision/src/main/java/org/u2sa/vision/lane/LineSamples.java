@@ -9,17 +9,17 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Painted lines as sample points (beads), each with a direction, a Kalman filter of its lateral
- * position, and a count of sightings for and against it.
+ * Painted lines as sample points, each with a direction, a Kalman filter of its lateral position,
+ * and a count of sightings for and against it.
  */
-final class LineBeads {
+final class LineSamples {
   /** Published line width, 3 in [m]. */
   static final double WIDTH_M = 0.0762;
 
-  /** Bead spacing [m]. */
+  /** Sample spacing [m]. */
   static final double STEP_M = 0.15;
 
-  private static final double ALONG_M = 0.6 * STEP_M; // beads closer along the line are the same
+  private static final double ALONG_M = 0.6 * STEP_M; // samples closer along the line are the same
   private static final double PARALLEL = 0.82; // cosine of the angle between two parts of one line
   private static final double CELL_M = 0.5;
   private static final double MIN_SIGMA_M = 0.025; // because the vehicle's position drifts
@@ -32,7 +32,7 @@ final class LineBeads {
   private static final long ANOTHER_TIME = 2 * Clock.MICROS_PER_SECOND;
 
   /** A sample point on a line. */
-  static final class Bead {
+  static final class Sample {
     double x;
     double y;
     double dx; // direction of the line, either way
@@ -47,8 +47,8 @@ final class LineBeads {
     private long cell;
   }
 
-  private final List<Bead> all = new ArrayList<>();
-  private final Map<Long, List<Bead>> cells = new HashMap<>();
+  private final List<Sample> all = new ArrayList<>();
+  private final Map<Long, List<Sample>> cells = new HashMap<>();
   private long micros;
   private double fromX; // vehicle position
   private double fromY;
@@ -102,23 +102,23 @@ final class LineBeads {
   }
 
   private void enter(double x, double y, double dx, double dy, double sigmaM, double gateM) {
-    Bead nearest = null;
+    Sample nearest = null;
     double least = Double.POSITIVE_INFINITY;
-    for (Bead bead : near(x, y, Math.max(TWICE_M, 2.0 * gateM) + STEP_M)) {
-      double along = Math.abs((x - bead.x) * bead.dx + (y - bead.y) * bead.dy);
-      double across = Math.abs((x - bead.x) * bead.dy - (y - bead.y) * bead.dx);
-      boolean parallel = Math.abs(dx * bead.dx + dy * bead.dy) > PARALLEL;
+    for (Sample sample : near(x, y, Math.max(TWICE_M, 2.0 * gateM) + STEP_M)) {
+      double along = Math.abs((x - sample.x) * sample.dx + (y - sample.y) * sample.dy);
+      double across = Math.abs((x - sample.x) * sample.dy - (y - sample.y) * sample.dx);
+      boolean parallel = Math.abs(dx * sample.dx + dy * sample.dy) > PARALLEL;
       if (!parallel || along > ALONG_M) {
         continue;
       }
-      double gate = gateM + Math.min(gateM, Math.sqrt(wandered(bead)));
+      double gate = gateM + Math.min(gateM, Math.sqrt(wandered(sample)));
       double cost = along / ALONG_M + across / gate;
       if (across <= gate && cost < least) {
-        nearest = bead;
+        nearest = sample;
         least = cost;
       }
-      if (across > gate && across < TWICE_M && micros - bead.seenMicros > ANOTHER_TIME) {
-        bead.refutedMicros = micros;
+      if (across > gate && across < TWICE_M && micros - sample.seenMicros > ANOTHER_TIME) {
+        sample.refutedMicros = micros;
       }
     }
     if (nearest == null) {
@@ -128,58 +128,58 @@ final class LineBeads {
     }
   }
 
-  /** Variance a bead has gained since it was last seen [m²]. */
-  private double wandered(Bead bead) {
-    return wanderPerS * Clock.seconds(Math.max(0L, micros - bead.seenMicros));
+  /** Variance a sample has gained since it was last seen [m²]. */
+  private double wandered(Sample sample) {
+    return wanderPerS * Clock.seconds(Math.max(0L, micros - sample.seenMicros));
   }
 
   private void add(double x, double y, double dx, double dy, double sigmaM) {
-    Bead bead = new Bead();
-    bead.x = x;
-    bead.y = y;
-    bead.dx = dx;
-    bead.dy = dy;
-    bead.variance = sigmaM * sigmaM;
-    bead.seenMicros = micros;
-    bead.viewX = fromX;
-    bead.viewY = fromY;
-    bead.cell = cell(x, y);
-    all.add(bead);
-    cells.computeIfAbsent(bead.cell, key -> new ArrayList<>()).add(bead);
+    Sample sample = new Sample();
+    sample.x = x;
+    sample.y = y;
+    sample.dx = dx;
+    sample.dy = dy;
+    sample.variance = sigmaM * sigmaM;
+    sample.seenMicros = micros;
+    sample.viewX = fromX;
+    sample.viewY = fromY;
+    sample.cell = cell(x, y);
+    all.add(sample);
+    cells.computeIfAbsent(sample.cell, key -> new ArrayList<>()).add(sample);
   }
 
-  private void correct(Bead bead, double x, double y, double dx, double dy, double sigmaM) {
-    double variance = bead.variance + wandered(bead);
+  private void correct(Sample sample, double x, double y, double dx, double dy, double sigmaM) {
+    double variance = sample.variance + wandered(sample);
     double gain = variance / (variance + sigmaM * sigmaM);
-    double across = (x - bead.x) * -bead.dy + (y - bead.y) * bead.dx;
-    bead.x += gain * across * -bead.dy;
-    bead.y += gain * across * bead.dx;
-    double sign = dx * bead.dx + dy * bead.dy < 0.0 ? -1.0 : 1.0;
-    double turnedX = bead.dx + 0.5 * gain * (sign * dx - bead.dx);
-    double turnedY = bead.dy + 0.5 * gain * (sign * dy - bead.dy);
+    double across = (x - sample.x) * -sample.dy + (y - sample.y) * sample.dx;
+    sample.x += gain * across * -sample.dy;
+    sample.y += gain * across * sample.dx;
+    double sign = dx * sample.dx + dy * sample.dy < 0.0 ? -1.0 : 1.0;
+    double turnedX = sample.dx + 0.5 * gain * (sign * dx - sample.dx);
+    double turnedY = sample.dy + 0.5 * gain * (sign * dy - sample.dy);
     double length = Math.hypot(turnedX, turnedY);
-    bead.dx = turnedX / length;
-    bead.dy = turnedY / length;
-    bead.variance = Math.max(MIN_SIGMA_M * MIN_SIGMA_M, (1.0 - gain) * variance);
-    if (bead.seenMicros != micros) {
-      bead.hits = Math.min(MAX_HITS, bead.hits + 1.0); // once per image
-      bead.seenMicros = micros;
-      if (Math.hypot(fromX - bead.viewX, fromY - bead.viewY) >= VIEW_M) {
-        bead.views++;
-        bead.viewX = fromX;
-        bead.viewY = fromY;
+    sample.dx = turnedX / length;
+    sample.dy = turnedY / length;
+    sample.variance = Math.max(MIN_SIGMA_M * MIN_SIGMA_M, (1.0 - gain) * variance);
+    if (sample.seenMicros != micros) {
+      sample.hits = Math.min(MAX_HITS, sample.hits + 1.0); // once per image
+      sample.seenMicros = micros;
+      if (Math.hypot(fromX - sample.viewX, fromY - sample.viewY) >= VIEW_M) {
+        sample.views++;
+        sample.viewX = fromX;
+        sample.viewY = fromY;
       }
     }
-    long now = cell(bead.x, bead.y);
-    if (now != bead.cell) {
-      cells.get(bead.cell).remove(bead);
-      bead.cell = now;
-      cells.computeIfAbsent(now, key -> new ArrayList<>()).add(bead);
+    long now = cell(sample.x, sample.y);
+    if (now != sample.cell) {
+      cells.get(sample.cell).remove(sample);
+      sample.cell = now;
+      cells.computeIfAbsent(now, key -> new ArrayList<>()).add(sample);
     }
   }
 
-  private List<Bead> near(double x, double y, double reachM) {
-    List<Bead> found = new ArrayList<>();
+  private List<Sample> near(double x, double y, double reachM) {
+    List<Sample> found = new ArrayList<>();
     int span = (int) Math.ceil(reachM / CELL_M);
     int column = (int) Math.floor(x / CELL_M);
     int row = (int) Math.floor(y / CELL_M);
@@ -200,8 +200,9 @@ final class LineBeads {
   }
 
   /**
-   * Counts against beads in a sector that were not seen in the last image although unoccluded, and
-   * against beads whose line was seen beside them: it is the same line unless the image shows both.
+   * Counts against samples in a sector that were not seen in the last image although unoccluded,
+   * and against samples whose line was seen beside them: it is the same line unless the image shows
+   * both.
    */
   void doubt(
       double x,
@@ -210,41 +211,41 @@ final class LineBeads {
       double reachM,
       double halfRad,
       LookedGround.View view) {
-    for (Bead bead : near(x, y, reachM)) {
-      double away = Math.hypot(bead.x - x, bead.y - y);
+    for (Sample sample : near(x, y, reachM)) {
+      double away = Math.hypot(sample.x - x, sample.y - y);
       double off =
-          Math.IEEEremainder(Math.atan2(bead.y - y, bead.x - x) - headingRad, 2.0 * Math.PI);
+          Math.IEEEremainder(Math.atan2(sample.y - y, sample.x - x) - headingRad, 2.0 * Math.PI);
       boolean looked = away > TOO_NEAR_M && away < reachM && Math.abs(off) < halfRad;
-      if (looked && bead.seenMicros != micros && view.isOpen(bead.x, bead.y)) {
-        bead.hits -= DOUBT;
+      if (looked && sample.seenMicros != micros && view.isOpen(sample.x, sample.y)) {
+        sample.hits -= DOUBT;
       }
     }
-    for (Bead bead : all) {
-      if (bead.refutedMicros == micros && bead.seenMicros != micros) {
-        bead.hits -= REFUTED;
+    for (Sample sample : all) {
+      if (sample.refutedMicros == micros && sample.seenMicros != micros) {
+        sample.hits -= REFUTED;
       }
     }
   }
 
-  /** Drops beads that are refuted, far away, or neither confirmed nor seen since a time. */
+  /** Drops samples that are refuted, far away, or neither confirmed nor seen since a time. */
   void forget(double x, double y, double reachM, long beforeMicros, int hits) {
-    List<Bead> gone = new ArrayList<>();
-    for (Bead bead : all) {
-      boolean unsure = bead.hits < hits && bead.seenMicros < beforeMicros;
-      if (bead.hits <= 0.0 || unsure || Math.hypot(bead.x - x, bead.y - y) > reachM) {
-        gone.add(bead);
-        cells.get(bead.cell).remove(bead);
+    List<Sample> gone = new ArrayList<>();
+    for (Sample sample : all) {
+      boolean unsure = sample.hits < hits && sample.seenMicros < beforeMicros;
+      if (sample.hits <= 0.0 || unsure || Math.hypot(sample.x - x, sample.y - y) > reachM) {
+        gone.add(sample);
+        cells.get(sample.cell).remove(sample);
       }
     }
     all.removeAll(new HashSet<>(gone));
   }
 
-  /** Beads seen often enough within a range. */
-  List<Bead> certain(double x, double y, double reachM, int hits) {
-    List<Bead> found = new ArrayList<>();
-    for (Bead bead : all) {
-      if (bead.hits >= hits && Math.hypot(bead.x - x, bead.y - y) <= reachM) {
-        found.add(bead);
+  /** Samples seen often enough within a range. */
+  List<Sample> certain(double x, double y, double reachM, int hits) {
+    List<Sample> found = new ArrayList<>();
+    for (Sample sample : all) {
+      if (sample.hits >= hits && Math.hypot(sample.x - x, sample.y - y) <= reachM) {
+        found.add(sample);
       }
     }
     return found;
