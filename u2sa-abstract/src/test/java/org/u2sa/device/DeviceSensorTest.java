@@ -2,7 +2,6 @@ package org.u2sa.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -11,12 +10,10 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.u2sa.device.port.Pressure;
 import org.u2sa.device.port.RangeFinder;
@@ -26,7 +23,6 @@ import org.u2sa.interfaces.configuration.ConfigurationException;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.service.ServiceContext;
-import org.u2sa.service.ServiceRole;
 import org.u2sa.testkit.ServiceKit;
 
 /** What all sensors with a device have in common. */
@@ -42,56 +38,50 @@ class DeviceSensorTest {
     kit.close();
   }
 
-  private static Arguments kind(
+  /** A kind of sensor with a device that says nothing. */
+  record Mute(
       String device,
       double silentAfterS,
       List<Channel<?>> published,
       Function<ServiceContext, DeviceSensor<?>> sensor) {
-    return arguments(device, silentAfterS, published, sensor);
+    @Override
+    public String toString() {
+      return device;
+    }
   }
 
-  static Stream<Arguments> kinds() {
-    return Stream.of(
-        kind("pitot tube", 1.0, STATE, c -> new AirspeedSensor(c, now -> Optional.empty())),
-        kind("barometer", 1.0, STATE, c -> new BarometerSensor(c, now -> Optional.empty())),
-        kind("compass", 1.5, STATE, c -> new CompassSensor(c, now -> Optional.empty())),
-        kind("depth gauge", 1.0, STATE, c -> new DepthSensor(c, now -> Optional.empty())),
-        kind("GPS receiver", 2.5, STATE, c -> new GpsSensor(c, now -> Optional.empty())),
-        kind("IMU", 0.5, STATE, c -> new ImuSensor(c, now -> Optional.empty())),
-        kind("laser", 1.0, SCANS, c -> new LidarSensor(c, now -> Optional.empty())),
-        kind("range finder", 0.5, OBJECTS, c -> new RangeSensor(c, now -> Optional.empty())),
-        kind("sonar", 4.0, SCANS, c -> new SonarSensor(c, now -> Optional.empty())),
-        kind("traffic receiver", 10.0, OBJECTS, c -> new TrafficSensor(c, now -> Optional.empty())),
-        kind("velocity log", 2.0, STATE, c -> new WaterSpeedSensor(c, now -> Optional.empty())),
-        kind("wheel encoder", 0.5, STATE, c -> new WheelEncoderSensor(c, now -> Optional.empty())));
+  static List<Mute> kinds() {
+    return List.of(
+        new Mute("pitot tube", 1.0, STATE, c -> new AirspeedSensor(c, now -> Optional.empty())),
+        new Mute("barometer", 1.0, STATE, c -> new BarometerSensor(c, now -> Optional.empty())),
+        new Mute("compass", 1.5, STATE, c -> new CompassSensor(c, now -> Optional.empty())),
+        new Mute("depth gauge", 1.0, STATE, c -> new DepthSensor(c, now -> Optional.empty())),
+        new Mute("GPS receiver", 2.5, STATE, c -> new GpsSensor(c, now -> Optional.empty())),
+        new Mute("IMU", 0.5, STATE, c -> new ImuSensor(c, now -> Optional.empty())),
+        new Mute("laser", 1.0, SCANS, c -> new LidarSensor(c, now -> Optional.empty())),
+        new Mute("range finder", 0.5, OBJECTS, c -> new RangeSensor(c, now -> Optional.empty())),
+        new Mute("sonar", 4.0, SCANS, c -> new SonarSensor(c, now -> Optional.empty())),
+        new Mute(
+            "traffic receiver", 10, OBJECTS, c -> new TrafficSensor(c, now -> Optional.empty())),
+        new Mute("velocity log", 2.0, STATE, c -> new WaterSpeedSensor(c, now -> Optional.empty())),
+        new Mute(
+            "wheel encoder", 0.5, STATE, c -> new WheelEncoderSensor(c, now -> Optional.empty())));
   }
 
-  @ParameterizedTest(name = "{0}")
+  @ParameterizedTest
   @MethodSource("kinds")
-  void step_mute_isReportedAfterTheTimeoutOfItsKind(
-      String device,
-      double silentAfterS,
-      List<Channel<?>> published,
-      Function<ServiceContext, DeviceSensor<?>> sensor) {
-    DeviceSensor<?> service = kit.start(sensor);
+  void step_mute_isReportedAfterTheTimeoutOfItsKind(Mute kind) {
+    DeviceSensor<?> service = kit.start(kind.sensor);
     String name = service.getClass().getSimpleName();
     assertThat(service.getServiceName()).isEqualTo(name);
-    assertThat(service.publishedChannels()).isEqualTo(published);
-    assertThat(service.role())
-        .isEqualTo(
-            published.equals(STATE)
-                ? ServiceRole.PROPRIOCEPTIVE_SENSOR
-                : ServiceRole.EXTEROCEPTIVE_SENSOR);
-    kit.advance(silentAfterS - 0.1);
+    assertThat(service.publishedChannels()).isEqualTo(kind.published);
+    kit.advance(kind.silentAfterS - 0.1);
     assertThat(kit.log(name)).noneMatch(line -> line.contains("WARN"));
     kit.advance(0.2);
-    assertThat(kit.log(name))
-        .anyMatch(
-            line ->
-                line.contains("WARN")
-                    && line.contains(
-                        ("the " + device + " has sent nothing readable for more than ")
-                            + (silentAfterS + " s")));
+    String silent =
+        ("the " + kind.device + " has sent nothing readable for more than ")
+            + (kind.silentAfterS + " s");
+    assertThat(kit.log(name)).anyMatch(line -> line.contains("WARN") && line.contains(silent));
   }
 
   @Test

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.units.XmlNumbers;
-import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
@@ -101,12 +100,7 @@ final class GoalElement {
       }
     }
     names.addAll(GoalLinks.ELEMENTS);
-    return child.error(
-        "unknown element in <"
-            + element.name()
-            + ">; expected one of "
-            + String.join(", ", names)
-            + NearestNames.didYouMean(child.name(), names));
+    return element.unknown(child, names);
   }
 
   private static <T extends GoalInformation> void fill(

@@ -11,13 +11,19 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /** A disk with so much room for further bytes; writes what fits, then fails. */
-final class SmallDisk implements RecordingFiles.Disk {
+public final class SmallDisk implements RecordingFiles.Disk {
   long room;
   volatile int forced; // how often
   volatile int failuresToCome; // unexpected ones, of whatever is asked of the disk
 
-  SmallDisk(long room) {
+  /** With room for so many bytes. */
+  public SmallDisk(long room) {
     this.room = room;
+  }
+
+  /** Sets the room for further bytes. */
+  public void room(long bytes) {
+    room = bytes;
   }
 
   @Override

@@ -38,6 +38,11 @@ class SecurityCommandTest {
     return Main.run(new PrintWriter(out, true), new PrintWriter(err, true), args);
   }
 
+  /** Runs a command on the folder; words without spaces. */
+  private int security(String command) {
+    return run(("security " + command + " --dir " + directory.path()).split(" "));
+  }
+
   @BeforeEach
   void init() {
     directory = new SecurityDirectory(folder.resolve("security"));
@@ -82,9 +87,7 @@ class SecurityCommandTest {
   @Test
   void certificate_otherHost_isBySameAuthority() throws IOException, GeneralSecurityException {
     byte[] before = Files.readAllBytes(directory.authority());
-    assertThat(run("security", "certificate", "10.0.0.7", "--dir", directory.path().toString()))
-        .as(err.toString())
-        .isEqualTo(ExitCode.DONE);
+    assertThat(security("certificate 10.0.0.7")).as(err.toString()).isEqualTo(ExitCode.DONE);
 
     assertThat(Files.readAllBytes(directory.authority())).isEqualTo(before);
     X509Certificate broker = certificate(directory.certificate());
@@ -94,29 +97,17 @@ class SecurityCommandTest {
 
   @Test
   void certificate_nameWithACommaInIt_isRefused() {
-    assertThat(run("security", "certificate", "a,eku=any", "--dir", directory.path().toString()))
-        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(security("certificate a,eku=any")).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("host \"a,eku=any\"");
   }
 
   @Test
   void user_addListRemove_changesTheFileAndWritesThePasswordForItsOwnerOnly() throws IOException {
     Path password = folder.resolve("pilot.password");
-    String dir = directory.path().toString();
     assertThat(
-            run(
-                "security",
-                "user",
-                "add",
-                "pilot",
-                "--role",
-                "operator,observer",
-                "--system",
-                "cessna",
-                "--new-password-file",
-                password.toString(),
-                "--dir",
-                dir))
+            security(
+                "user add pilot --role operator,observer --system cessna --new-password-file "
+                    + password))
         .as(err.toString())
         .isEqualTo(ExitCode.DONE);
 
@@ -126,12 +117,11 @@ class SecurityCommandTest {
     assertThat(Files.readString(directory.users())).doesNotContain(word);
     assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(password)))
         .isEqualTo("rw-------");
-    assertThat(run("security", "user", "list", "--dir", dir)).isEqualTo(ExitCode.DONE);
+    assertThat(security("user list")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).containsPattern("pilot +operator,observer +cessna");
-    assertThat(run("security", "user", "remove", "pilot", "--dir", dir)).isEqualTo(ExitCode.DONE);
+    assertThat(security("user remove pilot")).isEqualTo(ExitCode.DONE);
     assertThat(UserFile.read(directory.users())).isEmpty();
-    assertThat(run("security", "user", "remove", "pilot", "--dir", dir))
-        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(security("user remove pilot")).isEqualTo(ExitCode.BAD_INPUT);
   }
 
   @ParameterizedTest
@@ -146,12 +136,10 @@ class SecurityCommandTest {
       String name, String permissions, String remedy) throws IOException {
     Path open = directory.path().resolve(name);
     Files.setPosixFilePermissions(open, PosixFilePermissions.fromString(permissions));
-    String dir = directory.path().toString();
 
-    assertThat(run("security", "user", "list", "--dir", dir)).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(security("user list")).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains(directory.path().toString(), remedy);
-    assertThat(run("security", "certificate", "10.0.0.7", "--dir", dir))
-        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(security("certificate 10.0.0.7")).isEqualTo(ExitCode.BAD_INPUT);
     assertThatThrownBy(directory::check).hasMessageContaining(remedy);
   }
 
@@ -159,20 +147,8 @@ class SecurityCommandTest {
   void userAdd_passwordFileOpenToOthers_isRefused() throws IOException {
     Path password = secret("word", "1234567890\n");
     Files.setPosixFilePermissions(password, PosixFilePermissions.fromString("rw-r--r--"));
-    String dir = directory.path().toString();
 
-    assertThat(
-            run(
-                "security",
-                "user",
-                "add",
-                "x",
-                "--role",
-                "service",
-                "--password-file",
-                password.toString(),
-                "--dir",
-                dir))
+    assertThat(security("user add x --role service --password-file " + password))
         .isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("others than its owner may use it; chmod 600 it");
   }
@@ -184,17 +160,7 @@ class SecurityCommandTest {
     Files.setAttribute(directory.users(), "unix:uid", 12_345);
 
     assertThat(
-            run(
-                "security",
-                "user",
-                "add",
-                "x",
-                "--role",
-                "service",
-                "--password-file",
-                secret("word", "1234567890\n").toString(),
-                "--dir",
-                directory.path().toString()))
+            security("user add x --role service --password-file " + secret("word", "1234567890\n")))
         .as(err.toString())
         .isEqualTo(ExitCode.DONE);
     assertThat(Files.getAttribute(directory.users(), "unix:uid")).isEqualTo(12_345);
@@ -208,34 +174,12 @@ class SecurityCommandTest {
 
   @Test
   void userAdd_wrongRoleShortPasswordNoTerminal_saysWhatIsExpected() throws IOException {
-    String dir = directory.path().toString();
     Path tooShort = secret("short", "123456789\n");
     assertThat(
-            run(
-                "security",
-                "user",
-                "add",
-                "x",
-                "--role",
-                "captain",
-                "--password-file",
-                secret("long", "1234567890\n").toString(),
-                "--dir",
-                dir))
+            security("user add x --role captain --password-file " + secret("long", "1234567890\n")))
         .isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("role \"captain\": expected one of service, control");
-    assertThat(
-            run(
-                "security",
-                "user",
-                "add",
-                "x",
-                "--role",
-                "service",
-                "--password-file",
-                tooShort.toString(),
-                "--dir",
-                dir))
+    assertThat(security("user add x --role service --password-file " + tooShort))
         .isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("9 characters; expected 10 or more");
     assertThat(UserFile.read(directory.users())).isEmpty();
@@ -243,22 +187,11 @@ class SecurityCommandTest {
 
   @Test
   void mosquitto_users_haveTheirRolesRights() throws IOException {
-    String dir = directory.path().toString();
-    run(
-        "security",
-        "user",
-        "add",
-        "autopilot",
-        "--role",
-        "control",
-        "--system",
-        "cessna",
-        "--new-password-file",
-        folder.resolve("p").toString(),
-        "--dir",
-        dir);
+    security(
+        "user add autopilot --role control --system cessna --new-password-file "
+            + folder.resolve("p"));
     Path target = folder.resolve("mosquitto");
-    assertThat(run("security", "mosquitto", target.toString(), "--dir", dir, "--port", "18883"))
+    assertThat(security("mosquitto " + target + " --port 18883"))
         .as(err.toString())
         .isEqualTo(ExitCode.DONE);
 

@@ -3,7 +3,6 @@ package org.u2sa.drivers.imu;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -13,7 +12,6 @@ import org.u2sa.drivers.nmea.Nmea;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.testkit.ServiceKit;
 
@@ -39,11 +37,6 @@ class ImuSensorTest {
     link.fromDevice(Nmea.bytes(LINE));
     kit.advance(0.1);
     return kit.latest(Channels.SENSED_STATE).orElseThrow();
-  }
-
-  private Optional<String> lastError() {
-    kit.advance(0.3);
-    return kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError);
   }
 
   @Test
@@ -107,18 +100,5 @@ class ImuSensorTest {
         new StateInformation().referenceFrame(ReferenceFrame.GLOBAL).x(-80.42336).y(37.22957));
 
     assertThat(Math.toDegrees(state().psi().orElseThrow())).isBetween(80.0, 83.0);
-  }
-
-  @Test
-  void step_silentAndLost_isSaid() {
-    state();
-    kit.advance(1.0);
-    assertThat(lastError()).hasValue("the IMU has sent nothing readable for more than 0.5 s");
-    link.unplug();
-    assertThat(lastError()).hasValue("the IMU is lost: unplugged");
-    link.plug();
-    kit.advance(0.1);
-    kit.forget();
-    assertThat(state().phi()).isPresent();
   }
 }

@@ -101,7 +101,10 @@ public record XmlElement(
     for (String attribute : attributes.keySet()) {
       if (!Arrays.asList(known).contains(attribute)) {
         throw error(
-            "unknown attribute \"" + attribute + "\"; " + expected("attribute", known, attribute));
+            "unknown attribute \""
+                + attribute
+                + "\"; "
+                + expected("attribute", Arrays.asList(known), attribute));
       }
     }
   }
@@ -114,10 +117,15 @@ public record XmlElement(
   public void refuseUnknownChildren(String... known) {
     for (XmlElement child : children) {
       if (!Arrays.asList(known).contains(child.name)) {
-        throw child.error(
-            "unknown element in <" + name + ">; " + expected("element", known, child.name));
+        throw unknown(child, Arrays.asList(known));
       }
     }
+  }
+
+  /** Error for a child that is none of the known ones; quotes both. */
+  public BadInputException unknown(XmlElement child, List<String> known) {
+    return child.error(
+        "unknown element in <" + name + ">; " + expected("element", known, child.name));
   }
 
   /**
@@ -131,13 +139,11 @@ public record XmlElement(
     }
   }
 
-  private static String expected(String kind, String[] known, String given) {
-    if (known.length == 0) {
+  private static String expected(String kind, List<String> known, String given) {
+    if (known.isEmpty()) {
       return "no " + kind + " is expected here";
     }
-    return "expected "
-        + String.join(", ", known)
-        + NearestNames.didYouMean(given, Arrays.asList(known));
+    return "expected " + String.join(", ", known) + NearestNames.didYouMean(given, known);
   }
 
   @Override

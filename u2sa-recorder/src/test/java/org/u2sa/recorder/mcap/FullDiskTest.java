@@ -3,15 +3,12 @@ package org.u2sa.recorder.mcap;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
-import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.recorder.SmallDisk;
 import org.u2sa.recorder.mcap.record.McapChannel;
 import org.u2sa.recorder.mcap.record.McapMessage;
 import org.u2sa.recorder.mcap.record.McapSchema;
@@ -20,66 +17,6 @@ import org.u2sa.recorder.mcap.record.McapSchema;
 class FullDiskTest {
   @TempDir Path folder;
 
-  /** A file on a disk with so much room; writes what fits, then fails. */
-  private static final class SmallDisk implements SeekableByteChannel {
-    private final FileChannel file;
-    private long room;
-
-    SmallDisk(Path path, long room) throws IOException {
-      file = FileChannel.open(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-      this.room = room;
-    }
-
-    @Override
-    public int write(ByteBuffer bytes) throws IOException {
-      int fits = (int) Math.min(bytes.remaining(), room - file.position());
-      if (fits <= 0) {
-        throw new IOException("No space left on device");
-      }
-      ByteBuffer part = bytes.slice().limit(fits);
-      int written = file.write(part);
-      bytes.position(bytes.position() + written);
-      return written;
-    }
-
-    @Override
-    public int read(ByteBuffer into) throws IOException {
-      return file.read(into);
-    }
-
-    @Override
-    public long position() throws IOException {
-      return file.position();
-    }
-
-    @Override
-    public SeekableByteChannel position(long at) throws IOException {
-      file.position(at);
-      return this;
-    }
-
-    @Override
-    public long size() throws IOException {
-      return file.size();
-    }
-
-    @Override
-    public SeekableByteChannel truncate(long size) throws IOException {
-      file.truncate(size);
-      return this;
-    }
-
-    @Override
-    public boolean isOpen() {
-      return file.isOpen();
-    }
-
-    @Override
-    public void close() throws IOException {
-      file.close();
-    }
-  }
-
   private static McapMessage message(int i) {
     return new McapMessage(1, i, i, i, new byte[100]);
   }
@@ -87,14 +24,15 @@ class FullDiskTest {
   @Test
   void add_diskFullThenFreed_losesCountedMessagesOnly() throws IOException {
     Path path = folder.resolve("a.mcap");
-    SmallDisk disk = new SmallDisk(path, 5_000);
-    McapWriter writer = new McapWriter(disk, SmallRecording.options(ChunkCompression.NONE, 1_000));
+    SmallDisk disk = new SmallDisk(5_000);
+    McapWriter writer =
+        new McapWriter(disk.create(path), SmallRecording.options(ChunkCompression.NONE, 1_000));
     writer.add(new McapSchema(1, "Thing", "jsonschema", new byte[] {'{', '}'}));
     writer.add(new McapChannel(1, 1, "t", "cbor", Map.of()));
     int refusals = 0;
     for (int i = 0; i < 100; i++) {
       if (i == 80) {
-        disk.room = 1_000_000;
+        disk.room(1_000_000);
       }
       try {
         writer.add(message(i));
@@ -119,7 +57,8 @@ class FullDiskTest {
     Path path = folder.resolve("a.mcap");
     McapWriter writer =
         new McapWriter(
-            new SmallDisk(path, 5_000), SmallRecording.options(ChunkCompression.NONE, 1_000));
+            new SmallDisk(5_000).create(path),
+            SmallRecording.options(ChunkCompression.NONE, 1_000));
     writer.add(new McapChannel(1, 0, "t", "cbor", Map.of()));
     for (int i = 0; i < 100; i++) {
       addIgnoringFullDisk(writer, i);
@@ -152,14 +91,15 @@ class FullDiskTest {
   @Test
   void add_firstChunkLost_definesItsChannelsAgain() throws IOException {
     Path path = folder.resolve("a.mcap");
-    SmallDisk disk = new SmallDisk(path, 100);
-    McapWriter writer = new McapWriter(disk, SmallRecording.options(ChunkCompression.NONE, 1_000));
+    SmallDisk disk = new SmallDisk(100);
+    McapWriter writer =
+        new McapWriter(disk.create(path), SmallRecording.options(ChunkCompression.NONE, 1_000));
     writer.add(new McapSchema(1, "Thing", "jsonschema", new byte[] {'{', '}'}));
     writer.add(new McapChannel(1, 1, "t", "cbor", Map.of()));
     for (int i = 0; i < 10; i++) {
       addIgnoringFullDisk(writer, i);
     }
-    disk.room = 100_000;
+    disk.room(100_000);
     writer.close();
     try (McapReader reader = McapReader.open(path)) {
       assertThat(reader.channels()).containsOnlyKeys(1);

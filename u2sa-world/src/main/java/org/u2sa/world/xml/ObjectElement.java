@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.units.XmlNumbers;
-import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
@@ -68,12 +67,7 @@ final class ObjectElement {
         names.add(field.name());
       }
     }
-    return child.error(
-        "unknown element in <"
-            + element.name()
-            + ">; expected one of "
-            + String.join(", ", names)
-            + NearestNames.didYouMean(child.name(), names));
+    return element.unknown(child, names);
   }
 
   private static <T extends ObjectDescription> void fillFirst(
