@@ -247,6 +247,22 @@ class MissionOrdersTest extends ThreeWaypoints {
   }
 
   @Test
+  void insertAndUpdate_moreThanCanBePublished_areRefused() {
+    kit.start(MissionManager::new);
+    String text = "<description>" + "x".repeat(60_000) + "</description>";
+    for (int i = 0; i < 5; i++) {
+      accepted(
+          goals(MissionAction.INSERT, "<waypoint><x>5</x>" + text + "</waypoint>"),
+          "inserted \"" + (4 + i) + "\" after \"1\"");
+    }
+    String why = "the mission's goals would be too long to publish";
+    refused(goals(MissionAction.INSERT, "<waypoint><x>5</x>" + text + "</waypoint>"), why);
+    refused(goals(MissionAction.UPDATE, "<waypoint><name>2</name>" + text + "</waypoint>"), why);
+    accepted(
+        goals(MissionAction.INSERT, "<waypoint><x>5</x></waypoint>"), "inserted \"9\" after \"1\"");
+  }
+
+  @Test
   void insert_wrongGoals_areRefusedWithFileAndLine() {
     kit.start(MissionManager::new);
     refused(
