@@ -216,6 +216,7 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     put(state, latitude, StateField.Y, StateField.Y_SIGMA, StateField.Y_DOT);
     put(state, altitude, StateField.Z, StateField.Z_SIGMA, StateField.Z_DOT);
     put(state, heading, StateField.PSI, StateField.PSI_SIGMA, StateField.PSI_DOT);
+    state.x().ifPresent(x -> state.x(Math.IEEEremainder(x, 360.0))); // across the date line
     state.psi().ifPresent(psi -> state.psi(turned(psi)));
     return state;
   }

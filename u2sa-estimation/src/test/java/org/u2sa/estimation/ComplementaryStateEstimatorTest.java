@@ -113,4 +113,19 @@ class ComplementaryStateEstimatorTest {
     assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError))
         .hasValueSatisfying(said -> assertThat(said).contains("GPS", "STALE AFTER"));
   }
+
+  @Test
+  void callback_wayAcrossTheDateLine_longitudeStaysOnTheEarth() {
+    kit.start(ComplementaryStateEstimator::new);
+    double degPerS = SPEED_MPS * 360.0 / 40_075_017.0;
+    double start = kit.nowS();
+    drive(
+        10.0,
+        () -> {
+          double x = 179.9999 + degPerS * (kit.nowS() - start);
+          sense(new StateInformation().sensorName("GPS").x(Math.IEEEremainder(x, 360.0)).y(0.0));
+        });
+
+    assertThat(state().x().orElseThrow()).isCloseTo(-179.99992, within(1e-5)); // 20 m
+  }
 }

@@ -133,6 +133,23 @@ final class GoalBook {
         && hasRoomFor(updated(present.get(update.uid()), update));
   }
 
+  /** {@link #hasRoomForUpdate} for several updates that are taken over together. */
+  boolean hasRoomForUpdates(Collection<? extends GoalInformation> updates) {
+    return hasRoomForUpdates(defined, updates) && hasRoomForUpdates(present, updates);
+  }
+
+  private static boolean hasRoomForUpdates(
+      Map<String, GoalInformation> before, Collection<? extends GoalInformation> updates) {
+    Map<String, GoalInformation> after = new LinkedHashMap<>(before);
+    updates.forEach(update -> after.compute(update.uid(), (uid, known) -> updated(known, update)));
+    long bytes = bytes(after);
+    return bytes <= MAX_BYTES || bytes <= bytes(before); // even if the file is too long
+  }
+
+  private static long bytes(Map<String, GoalInformation> goals) {
+    return goals.values().stream().mapToLong(goal -> goal.serialize().length).sum();
+  }
+
   private boolean hasRoomFor(GoalInformation changed) {
     long bytes = changed.serialize().length;
     GoalInformation before = present.get(changed.uid());

@@ -3,6 +3,7 @@ package org.u2sa.mission;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
@@ -27,17 +28,33 @@ final class GoalInsertion {
    * @param after name of a known goal
    */
   void after(String after) {
-    add(mission.followers().usual(after));
     GoalInformation before = mission.book().goal(after);
     GoalInformation change = empty(before.type());
     change.uid(after);
     List<String> next = List.of(first());
+    List<String> exit = mission.followers().usual(after);
     if (before.nextIf(GoalResult.DONE).isPresent()) {
+      boolean ends = mission.followers().end(after, GoalResult.DONE);
+      add(last -> lead(last, exit, before, ends));
       change.nextIf(GoalResult.DONE, next);
     } else {
+      add(last -> lead(last, exit, before, false));
       change.next(next);
     }
     mission.update(change);
+  }
+
+  /** Makes an inserted goal lead to where the goal before it has led, and by the same rules. */
+  private static void lead(
+      GoalInformation last, List<String> exit, GoalInformation before, boolean ends) {
+    if (ends) {
+      last.nextIf(GoalResult.DONE, exit); // an end that the mission names, not a lap's
+    } else {
+      last.next(exit);
+    }
+    if (before.choose().isPresent() && last.choose().isEmpty()) {
+      last.choose(before.choose().getAsLong());
+    }
   }
 
   private static GoalInformation empty(MessageType<?> type) {
@@ -47,7 +64,8 @@ final class GoalInsertion {
   /** Inserts the goals before the current ones, which are pursued again afterwards. */
   void now() {
     Set<String> current = mission.currentNames();
-    add(new ArrayList<>(current));
+    List<String> exit = new ArrayList<>(current);
+    add(last -> last.next(exit));
     mission.putBefore(first());
   }
 
@@ -55,14 +73,22 @@ final class GoalInsertion {
     return goals.get(0).uid();
   }
 
-  /** Adds the goals and links those without followers to the given ones. */
-  private void add(List<String> exit) {
+  /**
+   * Adds the goals.
+   *
+   * @param exit links a goal without followers to those in the mission
+   */
+  private void add(Consumer<GoalInformation> exit) {
     boolean ordered = goals.stream().noneMatch(Followers::isLinked);
     for (int i = 0; i < goals.size(); i++) {
       GoalInformation goal = goals.get(i);
       if (!Followers.isLinked(goal)) {
         goal = goal.copy();
-        goal.next(ordered && i + 1 < goals.size() ? List.of(goals.get(i + 1).uid()) : exit);
+        if (ordered && i + 1 < goals.size()) {
+          goal.next(List.of(goals.get(i + 1).uid()));
+        } else {
+          exit.accept(goal);
+        }
         goal.freeze();
       }
       mission.update(goal);

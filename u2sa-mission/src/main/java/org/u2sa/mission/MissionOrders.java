@@ -136,6 +136,7 @@ final class MissionOrders {
   private String insert(MissionOrder order) {
     GoalSequence mission = manager.progress().mission();
     List<GoalInformation> goals = reader().readAdded(root(order), mission.book());
+    checkRoom(mission, goals);
     GoalInsertion insertion = new GoalInsertion(mission, goals);
     if (order.now()) {
       if (mission.isInTheMiddleOfOptions()) {
@@ -174,9 +175,16 @@ final class MissionOrders {
   private String update(MissionOrder order) {
     GoalSequence mission = manager.progress().mission();
     List<GoalInformation> changes = reader().readChanged(root(order), mission.book());
+    checkRoom(mission, changes);
     changes.forEach(mission::update);
     return "updated "
         + changes.stream().map(each -> "\"" + each.uid() + "\"").collect(Collectors.joining(", "));
+  }
+
+  private static void checkRoom(GoalSequence mission, List<GoalInformation> goals) {
+    if (!mission.book().hasRoomForUpdates(goals)) {
+      throw new BadInputException("the mission's goals would be too long to publish");
+    }
   }
 
   private MissionReader reader() {

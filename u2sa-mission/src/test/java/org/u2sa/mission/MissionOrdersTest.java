@@ -205,6 +205,63 @@ class MissionOrdersTest extends ThreeWaypoints {
     assertThat(current()).containsExactly("3");
   }
 
+  private void write(String goals) throws IOException {
+    Files.writeString(file, "<mission>" + goals + "</mission>");
+  }
+
+  @Test
+  void insert_afterAGoalWithAChoice_theChoiceIsMadeAfterTheInsertedGoal() throws IOException {
+    write(
+        "<waypoint><name>a</name><x>1</x><next>b, c, d</next><choose>2</choose></waypoint>"
+            + "<waypoint><name>b</name><x>2</x><next>e</next></waypoint>"
+            + "<waypoint><name>c</name><x>3</x><next>e</next></waypoint>"
+            + "<waypoint><name>d</name><x>4</x><next>e</next></waypoint>"
+            + "<waypoint><name>e</name><x>5</x></waypoint>");
+    kit.start(MissionManager::new);
+    accepted(
+        goals(
+            MissionAction.INSERT,
+            "<waypoint><name>y</name><x>6</x></waypoint><waypoint><name>z</name><x>6</x></waypoint>"),
+        "inserted \"y\", \"z\" after \"a\"");
+    run("a", "y", "z");
+    assertThat(current()).containsExactly("b", "c", "d");
+    complete("b");
+    complete("d");
+
+    assertThat(current()).containsExactly("e");
+  }
+
+  @Test
+  void insert_afterAGoalThatEndsALoopingMission_theMissionEndsAfterTheInsertedGoal()
+      throws IOException {
+    write(
+        "<waypoint><name>a</name><x>1</x><next>b</next></waypoint>"
+            + "<waypoint><name>b</name><x>2</x><end if='done'/></waypoint>");
+    kit.with("LOOP", true).start(MissionManager::new);
+    accepted(
+        goals(MissionAction.INSERT, "<waypoint><name>z</name><x>6</x></waypoint>").uid("b"),
+        "inserted \"z\" after \"b\"");
+    run("a", "b", "z");
+
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
+  void insertAndUpdate_moreThanCanBePublished_areRefused() {
+    kit.start(MissionManager::new);
+    String text = "<description>" + "x".repeat(60_000) + "</description>";
+    for (int i = 0; i < 5; i++) {
+      accepted(
+          goals(MissionAction.INSERT, "<waypoint><x>5</x>" + text + "</waypoint>"),
+          "inserted \"" + (4 + i) + "\" after \"1\"");
+    }
+    String why = "the mission's goals would be too long to publish";
+    refused(goals(MissionAction.INSERT, "<waypoint><x>5</x>" + text + "</waypoint>"), why);
+    refused(goals(MissionAction.UPDATE, "<waypoint><name>2</name>" + text + "</waypoint>"), why);
+    accepted(
+        goals(MissionAction.INSERT, "<waypoint><x>5</x></waypoint>"), "inserted \"9\" after \"1\"");
+  }
+
   @Test
   void insert_wrongGoals_areRefusedWithFileAndLine() {
     kit.start(MissionManager::new);

@@ -203,6 +203,7 @@ public final class AllocatingControl extends ControlSystem {
     tuner
         .step(isArmedBySomebody && !wentBySight, left, wanted, cascade.measured(), mass, stepS())
         .ifPresent(words -> log(words));
+    followCommands();
     allocator.allocate(wanted, stepS(), fluidMps);
     cascade.attained(allocator, stepS());
     tuner.tuned().ifPresent(cascade::rest);
@@ -220,8 +221,18 @@ public final class AllocatingControl extends ControlSystem {
       } else {
         command(name, allocator.percent(i));
       }
-      allocator.commanded(name, lastCommand(name).orElse(0.0));
     }
+  }
+
+  /**
+   * Tells the allocator where the actuators stand. It cannot know of itself: neutral commands,
+   * those of a control system that was replaced and blended ones do not come from it, and it is a
+   * new one after each change of the configuration.
+   */
+  private void followCommands() {
+    allocator
+        .effectors()
+        .forEach(each -> allocator.commanded(each.name(), lastCommand(each.name()).orElse(0.0)));
   }
 
   private void watchResponse() {
@@ -247,9 +258,7 @@ public final class AllocatingControl extends ControlSystem {
 
   /** Wrench of the last commands, including those of another control system. */
   private double[] presentWrench() {
-    allocator
-        .effectors()
-        .forEach(each -> allocator.commanded(each.name(), lastCommand(each.name()).orElse(0.0)));
+    followCommands();
     return allocator.present(fluidMps);
   }
 

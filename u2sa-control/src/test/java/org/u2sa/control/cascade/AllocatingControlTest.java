@@ -7,10 +7,14 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.testkit.ServiceKit;
 
 class AllocatingControlTest {
+  private static final double STEP_S = 0.1;
+
   private final ServiceKit kit = new ServiceKit();
 
   @AfterEach
@@ -44,5 +48,87 @@ class AllocatingControlTest {
             .fluidxDot(2.0));
 
     assertThat(kit.percent("RUDDER")).isBetween(-11.0, -9.0); // 100 kg m² times 2 1/s times 0.05
+  }
+
+  /** A slow thruster that turns the vehicle: 50 %/s. */
+  private AllocatingControl startSlowThruster() {
+    kit.with("YAW WEIGHT", 1.0).with("YAW INERTIA", 100.0).with("YAW INTEGRAL TIME", 0.0);
+    AllocatingControl control = kit.start(AllocatingControl::new);
+    announceSlowThruster();
+    return control;
+  }
+
+  private void announceSlowThruster() {
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("THRUSTER")
+            .minimum(-100.0)
+            .maximum(100.0)
+            .moment(Point.of(0.0, 0.0, 100.0))
+            .rateLimit(50.0));
+  }
+
+  /** The vehicle lies on its heading and is turned from outside. */
+  private void turned(double rateRadPerS, int steps) {
+    for (int i = 0; i < steps; i++) {
+      kit.advance(STEP_S);
+      kit.publish(
+          Channels.STATE,
+          new StateInformation()
+              .x(9.0)
+              .y(54.0)
+              .z(0.0)
+              .xDot(0.0)
+              .yDot(0.0)
+              .psi(0.0)
+              .psiDot(rateRadPerS));
+    }
+  }
+
+  private void arm(boolean armed) {
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(armed));
+  }
+
+  @Test
+  void control_armedAgain_slowActuatorStartsFromRestNotFromItsLastCommand() {
+    startSlowThruster();
+    arm(true);
+    turned(1.0, 30);
+    assertThat(kit.percent("THRUSTER")).isEqualTo(-100.0);
+    arm(false);
+    turned(0.0, 5);
+    assertThat(kit.percent("THRUSTER")).isZero();
+
+    arm(true);
+    turned(0.0, 1);
+    assertThat(kit.percent("THRUSTER")).isBetween(-5.1, 5.1);
+  }
+
+  @Test
+  void control_retunedWhileWorking_slowActuatorGoesOnFromItsCommand() {
+    AllocatingControl control = startSlowThruster();
+    turned(1.0, 30);
+    assertThat(kit.percent("THRUSTER")).isEqualTo(-100.0);
+
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange()
+            .serviceName(control.getServiceName())
+            .variableName("YAW INERTIA")
+            .value("110"));
+    turned(1.0, 1);
+    assertThat(kit.percent("THRUSTER")).isEqualTo(-100.0);
+  }
+
+  @Test
+  void control_replacesOneOfItsClass_slowActuatorGoesOnFromItsCommand() {
+    AllocatingControl control = startSlowThruster();
+    turned(1.0, 30);
+
+    kit.swap(control, AllocatingControl::new);
+    announceSlowThruster();
+    turned(1.0, 1);
+    assertThat(kit.percent("THRUSTER")).isEqualTo(-100.0);
   }
 }

@@ -14,15 +14,15 @@ import org.u2sa.planning.search.GridFrame;
 final class CostToGo {
   private static final double DIAGONAL = Math.sqrt(2.0);
   private static final int PER_STEP = 8; // buckets for a straight step at cost 1
-  private static final int BUCKETS = 4096; // more than the costliest step needs
+  private static final int STEP_BUCKETS = 512; // more than the costliest step needs
   private static final float MOST = 40.0f; // higher costs are clamped to this
 
   private int rows;
   private int columns;
   private float[] cost = new float[0]; // of a metre
   private float[] toGo = new float[0]; // [m]
-  private final int[][] buckets = new int[BUCKETS][];
-  private final int[] filled = new int[BUCKETS];
+  private int[][] buckets = new int[0][]; // used in a circle
+  private int[] filled = new int[0];
   private int waiting;
   private double bucketM;
   private GridFrame frame;
@@ -60,6 +60,13 @@ final class CostToGo {
       cost = new float[rows * columns];
       toGo = new float[rows * columns];
     }
+    // The edges start together, but differ by up to the diagonal: no two may share a bucket that
+    // belong to different laps of the circle.
+    int needed = STEP_BUCKETS + (int) Math.ceil(PER_STEP * Math.hypot(rows, columns));
+    if (buckets.length < needed) {
+      buckets = new int[needed][];
+      filled = new int[needed];
+    }
     bucketM = 2.0 * frame.cellM() / PER_STEP;
     for (int row = 0; row < rows; row++) {
       for (int column = 0; column < columns; column++) {
@@ -81,7 +88,7 @@ final class CostToGo {
       return;
     }
     toGo[cell] = metres;
-    int bucket = (int) (metres / bucketM) % BUCKETS;
+    int bucket = (int) (metres / bucketM) % buckets.length;
     if (buckets[bucket] == null) {
       buckets[bucket] = new int[64];
     } else if (filled[bucket] == buckets[bucket].length) {
@@ -95,7 +102,7 @@ final class CostToGo {
     long bucket = firstBucket();
     double step = 2.0 * frame.cellM();
     while (waiting > 0) {
-      int at = (int) (bucket % BUCKETS);
+      int at = (int) (bucket % buckets.length);
       while (filled[at] > 0) {
         int cell = buckets[at][--filled[at]];
         waiting--;

@@ -218,15 +218,22 @@ final class ObjectElement {
     if (points.isEmpty()) {
       throw element.error("lacks <x> and <y>; expected the object's centre");
     }
-    double x = 0.0;
+    boolean onTheEarth = object.referenceFrame().equals(ReferenceFrame.GLOBAL);
+    double first = ((Point) points.get(0)).x();
+    double x = onTheEarth ? first : 0.0;
     double y = 0.0;
     double z = 0.0;
     for (Object each : points) {
       Point point = (Point) each;
-      x += point.x() / points.size();
+      x += (onTheEarth ? shortWay(point.x() - first) : point.x()) / points.size();
       y += point.y() / points.size();
       z += point.z() / points.size();
     }
-    return Point.of(x, y, z);
+    return Point.of(onTheEarth ? shortWay(x) : x, y, z);
+  }
+
+  /** Longitude, or difference of two, within half a turn: an object may lie on the date line. */
+  private static double shortWay(double longitudeDeg) {
+    return Math.IEEEremainder(longitudeDeg, 360.0);
   }
 }

@@ -3,6 +3,7 @@ package org.u2sa.world.xml;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import org.junit.jupiter.api.Test;
@@ -75,6 +76,20 @@ class WorldFileTest {
     assertThat(cloud.center()).isEqualTo(Point.of(2, 3, 1));
     assertThat(((Polygon) world.objects().get(1)).distanceTo(Point.of(6, 1, 0))).isEqualTo(2.0);
     assertThat(((PolyLine) world.objects().get(2)).width()).isEqualTo(0.1);
+  }
+
+  @Test
+  void parse_pointsOnBothSidesOfTheDateLine_centreIsAmongThem() {
+    Polygon polygon =
+        (Polygon)
+            world(
+                    "<polygon><points>179.99 -17; -179.98 -17; -179.98 -16.99; 179.99 -16.99"
+                        + "</points></polygon>")
+                .objects()
+                .get(0);
+
+    assertThat(polygon.x()).isCloseTo(-179.995, within(1e-9));
+    assertThat(polygon.y()).isCloseTo(-16.995, within(1e-9));
   }
 
   @Test
