@@ -1,5 +1,6 @@
 package org.u2sa.core.safety;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -45,9 +46,17 @@ final class ActuationWatch implements Watch {
         services.values().forEach(service -> service.sinceMicros = Clock.NEVER);
       }
       armed = state.armed();
-    } else if (message instanceof HealthReport report && report.commandsObeyed().isPresent()) {
+    } else if (message instanceof HealthReport report
+        && report.commandsObeyed().isPresent()
+        && counts(report.serviceName())) {
       hear(report, nowMicros);
     }
+  }
+
+  /** Whether it is an actuator service of this vehicle, as far as the settings name them. */
+  private boolean counts(String service) {
+    List<String> named = CauseText.names(settings.get().actuatorServices());
+    return named.isEmpty() || named.contains(service);
   }
 
   private void hear(HealthReport report, long nowMicros) {

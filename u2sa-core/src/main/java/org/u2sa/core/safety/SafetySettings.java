@@ -35,7 +35,8 @@ record SafetySettings(
         String estimatorService,
     @Variable(
             ifAbsentText = "",
-            text = "Services whose failure is the loss of the actuator link, separated by commas.")
+            text =
+                "Services whose failure is the loss of the actuator link, and whose refusals count, separated by commas; empty: refusals of all count.")
         String actuatorServices,
     @Variable(
             unit = "s",

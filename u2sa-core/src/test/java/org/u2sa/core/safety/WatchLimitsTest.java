@@ -219,6 +219,18 @@ class WatchLimitsTest {
     assertThat(watch.trouble(3 * SECOND)).contains("Motor refuses all commands, 25 in 2.0 s");
   }
 
+  @Test
+  void actuation_serviceThatTheSettingsDoNotName_isIgnored() {
+    ActuationWatch watch =
+        new ActuationWatch(
+            with(Map.of("REFUSAL TIME", 2.0, "ACTUATOR SERVICES", "Rudder, Engine")));
+    watch.see(motor(10, 5), 0);
+    watch.see(motor(10, 8), SECOND);
+    watch.see(motor(10, 30), 3 * SECOND);
+
+    assertThat(watch.trouble(3 * SECOND)).isEmpty();
+  }
+
   /** Whoever commands nothing any more is not refused any more. */
   @Test
   void actuation_refusedLastLongerAgoThanItsTime_isNoTrouble() {
