@@ -36,6 +36,7 @@ final class GridThroughput {
             new Lidar("1081 beams, 270°, 10 m", 1081, 270.0, 10.0, 0.1),
             new Lidar("1081 beams, 270°, 10 m", 1081, 270.0, 10.0, 0.05),
             new Lidar("1081 beams, 270°, 30 m", 1081, 270.0, 30.0, 0.1),
+            new Lidar("541 beams, 270°, 20 m", 541, 270.0, 20.0, 0.05),
             new Lidar("360 beams, 360°, 12 m", 360, 360.0, 12.0, 0.1))) {
       for (double room : new double[] {6.0, 20.0}) {
         measure(lidar, room);

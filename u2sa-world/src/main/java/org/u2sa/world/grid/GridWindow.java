@@ -16,6 +16,7 @@ final class GridWindow {
   private byte[] spare;
   private long left;
   private long bottom;
+  private long revision;
 
   /**
    * @param resolution side of a cell [m]
@@ -31,6 +32,7 @@ final class GridWindow {
   /** Resets all cells to unknown. */
   void clear() {
     Arrays.fill(cells, OccupancyGrid.UNKNOWN);
+    revision++;
   }
 
   /** Recentres on a point [m from the anchor] if it is more than an eighth of the side away. */
@@ -97,6 +99,11 @@ final class GridWindow {
     return cells;
   }
 
+  /** Grows when cells are cleared, moved or filled; not when they are written one by one. */
+  long revision() {
+    return revision;
+  }
+
   /** Converts to a message in the map's frame. */
   OccupancyGrid message(MapFrame frame) {
     return new OccupancyGrid()
@@ -109,6 +116,7 @@ final class GridWindow {
   /** Copies the cells of a message with the same frame and resolution. */
   void fill(OccupancyGrid message) {
     byte[] from = message.cells();
+    revision++;
     int columns = message.columns();
     long dx = Math.round(message.left() / resolution) - left;
     long dy = Math.round(message.bottom() / resolution) - bottom;

@@ -1,6 +1,7 @@
 package org.u2sa.world.grid;
 
 import java.util.Arrays;
+import java.util.function.IntConsumer;
 
 /** Cells of a window that one scan changes, each once, with their previous values. */
 final class MarkedCells {
@@ -43,6 +44,13 @@ final class MarkedCells {
     cells[count] = cell;
     before[count++] = held;
     all[cell] = LogOdds.MARK;
+  }
+
+  /** Passes on each marked cell. */
+  void forEach(IntConsumer action) {
+    for (int i = 0; i < count; i++) {
+      action.accept(cells[i]);
+    }
   }
 
   /**

@@ -35,13 +35,6 @@ public final class ScanEntry {
   /** Margin of a single beam, which marks cells whose centre is up to half a cell beside it. */
   private static final double BEAM_MARGIN = MARGIN + 0.5;
 
-  /**
-   * Fixed-point positions within a row or column; doubles would dominate the time of a long beam.
-   */
-  private static final int FRACTION_BITS = 32;
-
-  private static final double FRACTIONS = 1L << FRACTION_BITS;
-
   private final GridWindow window;
   private final LogOdds odds;
   private final PolygonFill polygon;
@@ -56,6 +49,7 @@ public final class ScanEntry {
       };
   private final MarkedCells hits;
   private final MarkedCells passed;
+  private final BeamTrace trace;
 
   ScanEntry(GridWindow window, LogOdds odds) {
     this.window = window;
@@ -65,6 +59,7 @@ public final class ScanEntry {
     eightFreest = (odds.freest() & 0xFFL) * 0x0101_0101_0101_0101L;
     hits = new MarkedCells(window, LogOdds.MARK);
     passed = new MarkedCells(window, odds.freest());
+    trace = new BeamTrace(window, odds.freest(), passed);
   }
 
   /**
@@ -92,11 +87,13 @@ public final class ScanEntry {
       parts[part].enterEnds(ranges, returns);
     }
     free.cut(MARGIN * window.resolution());
+    trace.begin();
     for (Part part : parts) {
       part.enterFree();
     }
     polygon.fill(this::pass);
     passed.replace(odds.passed());
+    hits.forEach(trace::raised);
     hits.replace(odds.ended());
     return beams;
   }
@@ -213,48 +210,12 @@ public final class ScanEntry {
         if (free.of(i) > near) {
           double far = free.of(i, BEAM_MARGIN * window.resolution());
           if (far > near) {
-            along(toX, toY, near - window.resolution(), far);
+            trace.mark(x, y, toX, toY, near - window.resolution(), far);
           }
         }
         before = after;
       }
       polygon.edge(lastX, lastY, x, y);
-    }
-
-    /** Marks the cells between two ranges of a beam, one per column or row. */
-    private void along(double toX, double toY, double near, double far) {
-      int side = window.side();
-      boolean isSteep = Math.abs(toY) > Math.abs(toX);
-      double start = isSteep ? y : x;
-      double pace = isSteep ? toY : toX; // cells per metre along the major axis
-      int step = pace > 0.0 ? 1 : -1;
-      double slope = isSteep ? toX / toY : toY / toX;
-      double nearest = Math.floor(start + near * pace); // column or row
-      double from = Math.max(0.0, step > 0 ? -nearest : nearest - (side - 1)); // in the window
-      double to =
-          Math.min(
-              Math.ceil((start + far * pace - nearest - 0.5) * step),
-              step > 0 ? side - nearest : nearest + 1.0);
-      if (!(from < to)) {
-        return;
-      }
-      double first = nearest + from * step;
-      double other = (isSteep ? x : y) + (first + 0.5 - start) * slope;
-      int stride = step * (isSteep ? side : 1);
-      int otherStride = isSteep ? 1 : side;
-      int cell = (int) first * (isSteep ? side : 1);
-      byte[] cells = window.cells();
-      byte freest = odds.freest(); // most cells: not worth a call
-      long across = (long) Math.floor(other * FRACTIONS);
-      long acrossStep = (long) (step * slope * FRACTIONS);
-      for (int left = (int) (to - from); left > 0; left--) {
-        int at = (int) (across >> FRACTION_BITS);
-        if (at >= 0 && at < side && cells[cell + at * otherStride] != freest) {
-          passed.mark(cell + at * otherStride);
-        }
-        cell += stride;
-        across += acrossStep;
-      }
     }
 
     /** Range over which a beam stays between lowest and highest [m]; 0 if it starts outside. */

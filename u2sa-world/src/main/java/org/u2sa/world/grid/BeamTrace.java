@@ -1,0 +1,122 @@
+package org.u2sa.world.grid;
+
+/**
+ * Marks the cells that single beams pass, one per column or row. Most beams lead through space that
+ * earlier scans found free; blocks of such cells are skipped without reading them.
+ */
+final class BeamTrace {
+  /**
+   * Fixed-point positions within a row or column; doubles would dominate the time of a long beam.
+   */
+  private static final int FRACTION_BITS = 32;
+
+  private static final double FRACTIONS = 1L << FRACTION_BITS;
+
+  private final GridWindow window;
+  private final byte freest;
+  private final FreeBlocks freeBlocks;
+  private final MarkedCells passed;
+
+  /**
+   * @param freest minimum value of a cell, which a beam does not change
+   * @param passed receives the cells
+   */
+  BeamTrace(GridWindow window, byte freest, MarkedCells passed) {
+    this.window = window;
+    this.freest = freest;
+    this.passed = passed;
+    freeBlocks = new FreeBlocks(window, freest);
+  }
+
+  /** Begins a scan. */
+  void begin() {
+    freeBlocks.begin();
+  }
+
+  /** Takes note that a beam has ended in a cell. */
+  void raised(int cell) {
+    freeBlocks.forget(cell);
+  }
+
+  /**
+   * Marks the cells between two ranges of a beam.
+   *
+   * @param x column of the scanner, in fractional cells
+   * @param y row of the scanner, in fractional cells
+   * @param toX direction of the beam [columns per metre]
+   * @param toY direction of the beam [rows per metre]
+   * @param near range from which cells are marked [m]
+   * @param far range up to which cells are marked [m]
+   */
+  void mark(double x, double y, double toX, double toY, double near, double far) {
+    int side = window.side();
+    boolean isSteep = Math.abs(toY) > Math.abs(toX);
+    double start = isSteep ? y : x;
+    double pace = isSteep ? toY : toX; // cells per metre along the major axis
+    int step = pace > 0.0 ? 1 : -1;
+    double slope = isSteep ? toX / toY : toY / toX;
+    double nearest = Math.floor(start + near * pace); // column or row
+    double from = Math.max(0.0, step > 0 ? -nearest : nearest - (side - 1)); // in the window
+    double to =
+        Math.min(
+            Math.ceil((start + far * pace - nearest - 0.5) * step),
+            step > 0 ? side - nearest : nearest + 1.0);
+    if (!(from < to)) {
+      return;
+    }
+    double first = nearest + from * step;
+    double other = (isSteep ? x : y) + (first + 0.5 - start) * slope;
+    long across = (long) Math.floor(other * FRACTIONS);
+    long acrossStep = (long) (step * slope * FRACTIONS);
+    int count = (int) (to - from);
+    if (isInside(across) && isInside(across + (count - 1) * acrossStep)) {
+      markBlocks(isSteep, (int) first, step, across, acrossStep, count);
+    } else {
+      mark(isSteep, (int) first, step, across, acrossStep, count);
+    }
+  }
+
+  private boolean isInside(long across) {
+    return across >= 0L && across >> FRACTION_BITS < window.side();
+  }
+
+  /** Marks the cells of a line block by block, except in free blocks. */
+  private void markBlocks(
+      boolean isSteep, int first, int step, long start, long acrossStep, int count) {
+    int along = first;
+    long across = start;
+    for (int left = count, cells; left > 0; left -= cells) {
+      int inBlock = along & (FreeBlocks.SIDE - 1);
+      cells = Math.min(left, step > 0 ? FreeBlocks.SIDE - inBlock : inBlock + 1);
+      int one = (int) (across >> FRACTION_BITS);
+      int two = (int) (across + (cells - 1) * acrossStep >> FRACTION_BITS); // less than a block on
+      boolean isFree =
+          isSteep
+              ? freeBlocks.isFree(one, along) && freeBlocks.isFree(two, along)
+              : freeBlocks.isFree(along, one) && freeBlocks.isFree(along, two);
+      if (!isFree) {
+        mark(isSteep, along, step, across, acrossStep, cells);
+      }
+      along += cells * step;
+      across += cells * acrossStep;
+    }
+  }
+
+  /** Marks the cells of a line that are in the window. */
+  private void mark(boolean isSteep, int first, int step, long start, long acrossStep, int count) {
+    int side = window.side();
+    int stride = step * (isSteep ? side : 1);
+    int otherStride = isSteep ? 1 : side;
+    int cell = first * (isSteep ? side : 1);
+    byte[] cells = window.cells();
+    long across = start;
+    for (int left = count; left > 0; left--) {
+      int other = (int) (across >> FRACTION_BITS);
+      if (other >= 0 && other < side && cells[cell + other * otherStride] != freest) {
+        passed.mark(cell + other * otherStride); // most cells are at their minimum: no call
+      }
+      cell += stride;
+      across += acrossStep;
+    }
+  }
+}
