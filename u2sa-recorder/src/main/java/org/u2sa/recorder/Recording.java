@@ -35,6 +35,9 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private static final long END_WITHIN_MS = 60_000;
   private static final long STOPPED_WITHIN_MS = 3_000;
 
+  private static final long MAX_BYTES =
+      Math.max(8L << 20, Runtime.getRuntime().maxMemory() / 32); // of waiting messages
+
   /** An item waiting to be written. */
   private interface Waiting {
     /** Arrival time [µs of the run's clock]. */
@@ -56,6 +59,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private final RecorderSettings settings;
   private final Consumer<String> trouble;
   private final BlockingQueue<Waiting> waiting;
+  private final AtomicLong waitingBytes = new AtomicLong(); // from other processes, in real time
   private final RecordedChannels channels = new RecordedChannels();
   private final RecentMessages recent = new RecentMessages();
   private final FoxgloveMessages foxglove;
@@ -119,7 +123,13 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   @Override
   public void receive(Channel<?> channel, U2SAData message) {
     taken.incrementAndGet();
-    take(new Taken(channel, message, clock.micros()));
+    int bytes = message.receivedBytes();
+    if (inRealTime && waitingBytes.addAndGet(bytes) > MAX_BYTES) {
+      waitingBytes.addAndGet(-bytes);
+      drop();
+    } else if (!take(new Taken(channel, message, clock.micros())) && inRealTime) {
+      waitingBytes.addAndGet(-bytes);
+    }
   }
 
   /** Records the start of an execution; from any thread. */
@@ -132,19 +142,21 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     take(new TakenPart(part, part.micros()));
   }
 
-  private void take(Waiting one) {
+  private boolean take(Waiting one) {
     if (waiting.offer(one)) {
-      return; // also on an interrupted thread
+      return true; // also on an interrupted thread
     }
     if (inRealTime || isClosing()) {
       drop();
-      return;
+      return false;
     }
     try {
       waiting.put(one);
+      return true;
     } catch (InterruptedException e) {
       drop();
       Thread.currentThread().interrupt();
+      return false;
     }
   }
 
@@ -187,6 +199,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
         if (next != null) {
           lastNanos = next.micros() * NANOS_PER_MICRO;
           write(next, lastNanos);
+          free(next);
         }
         if (stopwatch.micros() - savedMicros >= SAVE_EVERY_MICROS) {
           unlessItFails(() -> save(sync));
@@ -200,6 +213,12 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     unlessItFails(() -> files.end(lastNanos, counts()));
   }
 
+  private void free(Waiting written) {
+    if (inRealTime && written instanceof Taken taken) {
+      waitingBytes.addAndGet(-taken.message.receivedBytes());
+    }
+  }
+
   private void save(DiskSync sync) {
     files.requirePresent(lastNanos);
     if (inRealTime) {
@@ -211,7 +230,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private void unlessItFails(Runnable action) {
     try {
       action.run();
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | OutOfMemoryError e) {
       if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: retried four times a second
         trouble.accept("recording failed, " + failures + " times so far: " + e);
       }
@@ -240,7 +259,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
       }
     } catch (IOException e) {
       files.failed(e);
-    } catch (RuntimeException e) { // only this message cannot be written
+    } catch (RuntimeException | OutOfMemoryError e) { // only this message cannot be written
       failedToWrite++;
       if (Long.bitCount(++unrecordable) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
         trouble.accept("cannot be recorded, " + unrecordable + " so far: " + e + ": " + next);

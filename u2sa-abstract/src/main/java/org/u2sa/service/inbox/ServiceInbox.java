@@ -22,7 +22,7 @@ import org.u2sa.messages.schema.U2SAData;
  * contract answers, fill a quarter of the rest at most.
  *
  * <p>Services keep state per source of a channel, so the inbox limits the number of sources, lest
- * invented names exhaust memory.
+ * invented names exhaust memory; likewise the bytes of waiting messages from other processes.
  */
 public final class ServiceInbox {
   /** A message and its channel. */
@@ -61,13 +61,15 @@ public final class ServiceInbox {
   public enum Outcome {
     /** Queued. */
     KEPT,
-    /** Lost: the queue is full. */
+    /** Lost: the queue is full, or its messages take too much memory. */
     DROPPED,
     /** Lost: too many sources. */
     UNKNOWN_SOURCE
   }
 
   private static final int QUESTIONS_PART = 4;
+  private static final long MAX_BYTES =
+      Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 64); // several of the longest messages
   private static final Delivery NONE_WAITS = new Delivery(null, null, 0L);
 
   private final int capacity;
@@ -79,6 +81,7 @@ public final class ServiceInbox {
       new HashMap<>(); // of channels on which no message may be lost
   private int reserved; // number in the queue, as the next ones
   private int questions;
+  private long bytes; // of waiting messages from other processes
   private long dropped;
   private long replaced;
   private ServiceInbox successor; // null until messages are forwarded
@@ -112,6 +115,12 @@ public final class ServiceInbox {
       return Outcome.UNKNOWN_SOURCE;
     }
     if (waiting != null && waiting != NONE_WAITS) {
+      int more = message.receivedBytes() - waiting.message.receivedBytes();
+      if (isTooMuch(channel, more)) {
+        dropped++;
+        return Outcome.DROPPED;
+      }
+      bytes += more;
       waiting.message = message;
       waiting.arrivedMicros = arrivedMicros;
       replaced++;
@@ -144,8 +153,14 @@ public final class ServiceInbox {
             || isQuestion(delivery.message) && questions >= Math.max(1, capacity / QUESTIONS_PART);
   }
 
+  private boolean isTooMuch(Channel<?> channel, int more) {
+    boolean isLimited = !channel.isUrgent() && !channel.reservesRoom();
+    return isLimited && more > 0 && bytes + more > MAX_BYTES;
+  }
+
   /** Counts a delivery that enters or leaves the queues. */
   private void count(Delivery delivery, int sign) {
+    bytes += sign * delivery.message.receivedBytes();
     if (delivery.channel.reservesRoom() && !delivery.channel.isUrgent()) {
       reserved += sign;
     } else if (isQuestion(delivery.message)) {
@@ -160,7 +175,7 @@ public final class ServiceInbox {
   }
 
   private Outcome enqueue(ArrayDeque<Delivery> line, Delivery delivery) {
-    if (isFull(line, delivery)) {
+    if (isFull(line, delivery) || isTooMuch(delivery.channel, delivery.message.receivedBytes())) {
       dropped++;
       return Outcome.DROPPED;
     }
@@ -197,6 +212,7 @@ public final class ServiceInbox {
       next.queue.clear();
       next.newest.clear();
       next.questions = 0;
+      next.bytes = 0;
       next.reserved = 0;
       for (Delivery delivery : handled) {
         if (!isWaiting(delivery)) {
@@ -212,6 +228,7 @@ public final class ServiceInbox {
       queue.clear();
       newest.clear();
       questions = 0;
+      bytes = 0;
       reserved = 0;
       successor = next;
     }

@@ -7,13 +7,18 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.ByteString;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.mission.GoalCommand;
+import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.service.inbox.ServiceInbox.Outcome;
@@ -66,6 +71,50 @@ class ServiceInboxLimitsTest {
 
     assertThat(inbox.depth()).isEqualTo(3 * CAPACITY);
     assertThat(inbox.dropped()).isEqualTo(3);
+  }
+
+  /** A message of many bytes from another process. */
+  private static U2SAData received(String sensor, int bytes) throws MalformedMessageException {
+    U2SAData message =
+        new CameraImage().sensorName(sensor).format("jpeg").data(ByteString.copyOf(new byte[bytes]));
+    return new MessageCodec(StandardTypes.registry())
+        .decode(message.typeChain(), message.serialize());
+  }
+
+  private static final int LONG = 800_000;
+
+  @Test
+  void put_longMessagesOfManySources_takesSomeMegabytesOnly() throws MalformedMessageException {
+    ServiceInbox large = new ServiceInbox(1_000);
+    int kept = 0;
+    while (kept < 1_000 && put(large, Channels.IMAGES, received("camera " + kept, LONG))) {
+      kept++;
+    }
+
+    assertThat((long) kept * LONG)
+        .isLessThanOrEqualTo(Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 64));
+    assertThat(kept).isGreaterThan(2);
+    assertThat(put(large, Channels.ARMING, new ArmCommand())).isTrue();
+    assertThat(put(large, Channels.EMERGENCY_STOP, new EmergencyStop())).isTrue();
+    large.poll();
+    large.poll();
+    assertThat(put(large, Channels.IMAGES, received("another", LONG))).isTrue();
+    assertThat(put(large, Channels.IMAGES, received("one more", LONG))).isFalse();
+  }
+
+  @Test
+  void put_shortMessagesReplacedByLongOnes_countTheirBytesToo() throws MalformedMessageException {
+    ServiceInbox large = new ServiceInbox(1_000);
+    for (int i = 0; i < 400; i++) {
+      put(large, Channels.IMAGES, received("camera " + i, 10));
+    }
+    int replaced = 0;
+    while (replaced < 400 && put(large, Channels.IMAGES, received("camera " + replaced, LONG))) {
+      replaced++;
+    }
+
+    assertThat(replaced).isBetween(3, 399);
+    assertThat(large.depth()).isEqualTo(400);
   }
 
   @Test

@@ -126,7 +126,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     Semaphore place = onTheWay;
     try {
       publish(copy, place::release);
-    } catch (RuntimeException e) { // only this message cannot be sent, e.g. too long
+    } catch (RuntimeException | OutOfMemoryError e) { // only this message cannot be sent
       place.release();
       drop("publishing on \"" + copy.topic + "\" failed: " + e.getMessage());
     }

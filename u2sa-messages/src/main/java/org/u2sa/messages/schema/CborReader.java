@@ -70,6 +70,7 @@ final class CborReader {
       if (!in.isAtEnd()) {
         throw malformed("expected the end of the message, not more bytes");
       }
+      message.decodedFrom(in.offset());
       return message;
     } catch (RuntimeException e) { // from the input or a setter
       throw new MalformedMessageException(where(), in.offset(), e.getMessage(), e);

@@ -31,6 +31,7 @@ public abstract class U2SAData {
   private final FieldStorage storage;
   private UnknownPart unknown; // fields of the unknown subclass in placeholders; else null
   private Origin origin; // of messages received over MQTT; else null
+  private int receivedBytes; // of decoded messages; else 0
 
   /** Creates an empty message of the type {@link #type()}. */
   protected U2SAData() {
@@ -95,6 +96,11 @@ public abstract class U2SAData {
   /** Sender of the bytes it was decoded from; empty if unknown or not decoded. */
   public final Optional<Origin> origin() {
     return Optional.ofNullable(origin);
+  }
+
+  /** Bytes that it was decoded from: about what it takes in memory; 0 if it was made here. */
+  public final int receivedBytes() {
+    return receivedBytes;
   }
 
   /** All fields with unit and value, in wire order; absent values are empty (thesis 3.2.3.1). */
@@ -241,6 +247,11 @@ public abstract class U2SAData {
 
   final void cameFrom(Origin sentFrom) {
     origin = sentFrom;
+  }
+
+  /** Sets {@link #receivedBytes()}. */
+  final void decodedFrom(int bytes) {
+    receivedBytes = bytes;
   }
 
   final void keepUnknown(UnknownPart part) {
