@@ -12,7 +12,9 @@ import org.u2sa.interfaces.OneLine;
  * control.
  */
 public final class PlainLines extends PrintWriter {
-  private static final Pattern COLOUR = Pattern.compile("\u001b\\[[0-9;]*m");
+  // Bold, dim and the colours of text, none of which hides it on a dark terminal.
+  private static final Pattern COLOUR =
+      Pattern.compile("\u001b\\[(?:(?:0|1|2|21|22|3[1-79]|9[1-7])?(?:;|(?=m)))*m");
 
   /** Prints to {@code out}, flushing each line. */
   public PlainLines(PrintWriter out) {

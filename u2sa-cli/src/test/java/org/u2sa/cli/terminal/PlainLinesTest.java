@@ -19,6 +19,16 @@ class PlainLinesTest {
   }
 
   @Test
+  void println_codesThatHideText_areDropped() {
+    out.println("\u001b[8mhidden\u001b[0m \u001b[1;32mshown\u001b[m \u001b[30;1mdark\u001b[40m");
+
+    assertThat(text)
+        .hasToString(
+            " [8mhidden\u001b[0m \u001b[1;32mshown\u001b[m  [30;1mdark [40m"
+                + System.lineSeparator());
+  }
+
+  @Test
   void printf_textsOfOthers_areOneLineAndTheFormsOwnLineEndsStay() {
     out.printf("%s:%n%d %s", "a\nb", 7, "c\u001b[2J");
 
