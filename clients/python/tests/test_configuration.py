@@ -45,6 +45,23 @@ class ConfigurationTest(unittest.TestCase):
         self.assertEqual(self.configuration["COUNT"], 3)
         self.assertEqual(self.file.read_text(encoding="utf-8"), TEXT)
 
+    def test_characters_that_xml_cannot_carry_and_endless_numbers_are_refused(self):
+        texts = (*VARIABLES, Variable("LABEL", "a"))
+        for name, wrong in (("LABEL", "x\x01y"), ("LABEL", "x\ufffey"), ("LABEL", "\ud800"), ("COUNT", "9" * 5000)):
+            with self.subTest(name=name), self.assertRaises(BadConfiguration):
+                Configuration(texts, self.file).change({name: wrong}, "anna")
+        self.assertEqual(Configuration(texts, self.file)["LABEL"], "a")
+
+    def test_line_separators_in_values_do_not_break_the_audit_log(self):
+        texts = (*VARIABLES, Variable("LABEL", "a"))
+        for label in ("x\u2028y", "x\u0085y", "x\ny"):
+            with self.subTest(label=ascii(label)):
+                Configuration(texts, self.file).change({"LABEL": label}, "anna")
+                again = Configuration(texts, self.file)
+                self.assertEqual(again["LABEL"], label)
+                again.undo("anna")
+        self.assertEqual(Configuration(texts, self.file).revision, 6)
+
     def test_who_saw_another_revision_changes_nothing(self):
         self.configuration.change({"COUNT": "4"}, "anna", seen=0)
         with self.assertRaises(BadConfiguration) as caught:

@@ -23,7 +23,7 @@ class Probe(Service):
     def hear(self, channel, message):
         """As if it had come over the line."""
         self._arrived("/".join(("u2sa", "cessna", channel, *message.chain)), encode(message))
-        while not self._Service__inbox.empty():
+        while self._Service__inbox.depth():
             self._take(0.0)
 
 
@@ -67,6 +67,20 @@ class ContractTest(unittest.TestCase):
         report = self.probe._described(self.probe.health.report("Probe", "RUNNING", 0))
         self.assertEqual(report["published"], 1)
         self.assertTrue(0.0 <= report["dataAge"] < 60.0)
+
+    def test_health_tells_which_emergency_stops_hold_if_the_service_heeds_them(self):
+        report = self.probe._described(self.probe.health.report("Probe", "RUNNING", 0))
+        self.assertNotIn("emergencyStops", report)
+        self.probe.register_subscriber("emergency-stop", "EmergencyStop")
+        self.probe._report()
+        self.assertEqual(self.probe.sent[-1][1]["emergencyStops"], ())
+        self.probe.hear("emergency-stop", Message("EmergencyStop", active=True, operator="me", reason="r", stopId="me 1"))
+        self.assertTrue(self.probe.emergency.active)
+        self.probe._report()
+        self.assertEqual(self.probe.sent[-1][1]["emergencyStops"], ("me 1",))
+        self.probe.hear("emergency-stop", Message(
+            "EmergencyStop", systemId="cessna", active=False, operator="me", reason="", lifts=("me 1",)))
+        self.assertFalse(self.probe.emergency.active)
 
     def test_a_change_is_made_or_refused_with_the_reason(self):
         answer = self.answer("configuration", Message(

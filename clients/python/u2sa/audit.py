@@ -35,7 +35,7 @@ class AuditLog:
         self._standing: List[Change] = []
         self.revision = 0
         if self._path is not None and self._path.exists():
-            for line in self._path.read_text(encoding="utf-8", errors="replace").splitlines():
+            for line in self._path.read_text(encoding="utf-8", errors="replace").split("\n"):
                 self._remember(line)
 
     @property
@@ -84,7 +84,7 @@ class AuditLog:
             {"variable": name, "old": before, "new": now, "oldText": before, "newText": now}
             for name, before, now in values]
         torn = self._path.exists() and not self._path.read_bytes().endswith(b"\n") and self._path.stat().st_size > 0
-        with open(self._path, "a", encoding="utf-8") as log:
+        with open(self._path, "a", encoding="utf-8", errors="backslashreplace") as log:
             log.write(("\n" if torn else "") + json.dumps(entry, ensure_ascii=False, separators=(",", ":")) + "\n")
             log.flush()
             os.fsync(log.fileno())

@@ -17,7 +17,8 @@ from .message import Message
 Value = Union[str, float, int, bool]
 _DECIMAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _MOST_CHARACTERS = 1_000_000
-_WHOLE = re.compile(r"[+-]?[0-9]+")
+_WHOLE = re.compile(r"[+-]?[0-9]{1,20}")
+_NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TYPES = {"string": str, "double": float, "int": int, "boolean": bool}
 
 
@@ -45,6 +46,9 @@ class Variable:
     def parsed(self, text: str) -> Value:
         """The value that the text stands for, in this variable's unit. :raises BadConfiguration: if it may not have it"""
         value: Value = text
+        unfit = _NOT_IN_XML.search(text)
+        if unfit:
+            raise BadConfiguration(f"the character U+{ord(unfit.group()):04X} cannot stand in an XML file")
         if self.type == "double":
             if not _DECIMAL.fullmatch(text.strip()) or not math.isfinite(float(text)):
                 raise BadConfiguration(f'"{text}" is not a number')

@@ -22,7 +22,7 @@ class Health:
         self.in_a_row = 0
 
     def count(self, what: str, more: int = 1) -> None:
-        """Adds to dropped, refused, overruns, exceptions, published, expired or missed."""
+        """Adds to dropped, replaced, refused, overruns, exceptions, published, expired or missed."""
         with self._lock:
             self._counts[what] += more
 

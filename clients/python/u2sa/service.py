@@ -2,9 +2,9 @@
 from __future__ import annotations
 
 import logging
+import math
 import pathlib
 import platform
-import queue
 import signal
 import threading
 import time
@@ -14,7 +14,9 @@ from . import tables
 from .codec import decode
 from .configuration import Configuration, Value, Variable
 from .contract import Contract
+from .emergency import EmergencyLatch
 from .health import Health
+from .inbox import Inbox
 from .link import Broker, Link
 from .message import Message
 from .schema import STANDARD, Malformed, Schema
@@ -69,14 +71,15 @@ class Service:
         self.system_id = check_system_id(system_id)
         self.configuration = Configuration((*variables, *COMMON_VARIABLES), file, name)
         self.health = Health()
+        #: The emergency stops that hold, for services that subscribe to emergency-stop; health reports tell them.
+        self.emergency = EmergencyLatch(system_id)
         self.log = logging.getLogger(f"u2sa.{name}")
         self.status = "CREATED"
         self.publishers: Dict[str, str] = {}
         self.subscribers: Dict[str, str] = {}
         self.__schema = schema
         self.__created = time.monotonic()
-        self.__inbox: "queue.Queue[Optional[Tuple[str, Message]]]" = queue.Queue(
-            int(self.configuration.number("INBOX CAPACITY")))
+        self.__inbox = Inbox(int(self.configuration.number("INBOX CAPACITY")))
         self.__stopping = threading.Event()
         self.__reported = time.monotonic()
         self.__told: Optional[float] = None  # when data were published last
@@ -214,10 +217,7 @@ class Service:
 
     def _take(self, within_s: float) -> None:
         """Handles the next message, if one comes in time. A stop is noticed at the next health report at the latest."""
-        try:
-            item = self.__inbox.get(timeout=max(within_s, 0.0005))
-        except queue.Empty:
-            return
+        item = self.__inbox.take(max(within_s, 0.0005))
         if item is not None:
             channel, message = item
             self._guarded(lambda: self._handle(channel, message))
@@ -226,7 +226,15 @@ class Service:
         if channel in Contract.CHANNELS:
             self.__contract.answer(channel, message)
         if message.is_a(self.subscribers.get(channel, "")):
+            if channel == "emergency-stop":
+                self._latch(message)
             self.callback(channel, message)
+
+    def _latch(self, message: Message) -> None:
+        before = self.emergency.stops
+        self.emergency.take(message)
+        if self.emergency.stops != before:
+            self.__reported = -math.inf  # tells at once: whoever stops the vehicle waits for it
 
     def _guarded(self, code: Callable[[], None]) -> None:
         failure = self.health.run(code)
@@ -254,14 +262,13 @@ class Service:
         self._count_missed(topic, message)
         if where.channel == "stop" and self.__contract.is_order_to_stop(message):
             self.stop()
-            self._wake()
+            self.__inbox.wake()
             return
         if not self.__contract.concerns(where.channel, message) and not message.is_a(self.subscribers.get(where.channel, "")):
             return
-        try:
-            self.__inbox.put_nowait((where.channel, message))
-        except queue.Full:
-            self.health.count("dropped")
+        outcome = self.__inbox.put(where.channel, message)
+        if outcome:
+            self.health.count(outcome)
 
     def _count_missed(self, topic: str, message: Message) -> None:
         """Numbers between a sender's last message on a topic and this one were lost on the way."""
@@ -276,19 +283,15 @@ class Service:
         while len(self.__newest) > _SENDERS:
             del self.__newest[next(iter(self.__newest))]
 
-    def _wake(self) -> None:
-        try:
-            self.__inbox.put_nowait(None)
-        except queue.Full:
-            return  # then the service's thread has something to take anyway
-
     def _report(self) -> None:
         self.__reported = time.monotonic()
-        self.send("health", self._described(self.health.report(self.name, self.status, self.__inbox.qsize())))
+        self.send("health", self._described(self.health.report(self.name, self.status, self.__inbox.depth())))
 
     def _described(self, report: Message) -> Message:
         report["instance"] = self.link.instance
         report["interval"] = self.configuration.number("HEALTH INTERVAL")
+        if "emergency-stop" in self.subscribers:
+            report["emergencyStops"] = self.emergency.stops
         if self.__told is not None:
             report["dataAge"] = time.monotonic() - self.__told
         return report
@@ -299,7 +302,7 @@ class Service:
         while not self.__stopping.wait(interval):
             interval = self.configuration.number("HEALTH INTERVAL")
             if time.monotonic() - self.__reported > _SILENT_INTERVALS * interval:
-                report = self._described(self.health.report(self.name, self.status, self.__inbox.qsize()))
+                report = self._described(self.health.report(self.name, self.status, self.__inbox.depth()))
                 report["threadAlive"] = self.__thread.is_alive()
                 report["callbackRunning"] = self.health.running_s()
                 self.send("health", report)

@@ -76,7 +76,10 @@ class ServiceInboxLimitsTest {
   /** A message of many bytes from another process. */
   private static U2SAData received(String sensor, int bytes) throws MalformedMessageException {
     U2SAData message =
-        new CameraImage().sensorName(sensor).format("jpeg").data(ByteString.copyOf(new byte[bytes]));
+        new CameraImage()
+            .sensorName(sensor)
+            .format("jpeg")
+            .data(ByteString.copyOf(new byte[bytes]));
     return new MessageCodec(StandardTypes.registry())
         .decode(message.typeChain(), message.serialize());
   }
