@@ -29,6 +29,7 @@ final class ServiceProcesses implements AutoCloseable {
   private final Map<String, Integer> failed = new LinkedHashMap<>(); // exit codes; guarded by this
   private volatile ObjIntConsumer<String> onFailure = (entry, exitCode) -> {};
   private boolean refused; // a first start failed on bad input; guarded by this
+  private int handling; // ends and restarts in progress, so that more may start; guarded by this
   private volatile boolean closing;
 
   /**
@@ -83,13 +84,23 @@ final class ServiceProcesses implements AutoCloseable {
       if (badly) {
         failed.put(entry, code);
         refused |= !again && code == ExitCode.BAD_INPUT;
+        handling++;
       }
       notifyAll();
     }
     if (badly) {
-      console.accept("Service " + entry + " ended with exit code " + code + ".");
-      onFailure.accept(entry, code);
+      try {
+        console.accept("Service " + entry + " ended with exit code " + code + ".");
+        onFailure.accept(entry, code);
+      } finally {
+        handled();
+      }
     }
+  }
+
+  private synchronized void handled() {
+    handling--;
+    notifyAll();
   }
 
   /** Whether the service's process is alive. */
@@ -108,15 +119,20 @@ final class ServiceProcesses implements AutoCloseable {
     Process old;
     synchronized (this) {
       old = processes.remove(entry); // so that its end is not reported
+      handling++;
     }
-    if (old != null && old.isAlive()) {
-      old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS);
+    try {
+      if (old != null && old.isAlive()) {
+        old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS);
+      }
+      boolean started = start(entry, true);
+      if (started) {
+        console.accept("Service " + entry + " was restarted.");
+      }
+      return started;
+    } finally {
+      handled();
     }
-    boolean started = start(entry, true);
-    if (started) {
-      console.accept("Service " + entry + " was restarted.");
-    }
-    return started;
   }
 
   String names() {
@@ -124,11 +140,12 @@ final class ServiceProcesses implements AutoCloseable {
   }
 
   /**
-   * Waits until no process is left, or until one rejects its input on its first start, so that the
-   * system was never complete. Returns the exit codes of the failed processes.
+   * Waits until no process is left and none is being restarted, or until one rejects its input on
+   * its first start, so that the system was never complete. Returns the exit codes of the failed
+   * processes.
    */
   synchronized Map<String, Integer> awaitEnd() throws InterruptedException {
-    while (!refused && processes.values().stream().anyMatch(Process::isAlive)) {
+    while (!refused && (handling > 0 || processes.values().stream().anyMatch(Process::isAlive))) {
       wait();
     }
     return new LinkedHashMap<>(failed);

@@ -120,6 +120,28 @@ class SeparateProcessesTest {
     }
   }
 
+  @Test
+  void separate_onlyServiceKilled_systemGoesOnWithTheNext() throws Exception {
+    Process supervisor = run(system(Lidar.class)).start();
+    try {
+      awaitLine(supervisor, "System boat runs: Lidar");
+      supervisor.descendants().findFirst().orElseThrow().destroyForcibly();
+
+      List<String> restarted = new ArrayList<>();
+      awaitLine(
+          supervisor,
+          line -> {
+            if (line.equals("Service Lidar was restarted.")) {
+              restarted.add(line);
+            }
+            return !restarted.isEmpty() && line.startsWith("System boat runs: Lidar");
+          });
+    } finally {
+      supervisor.destroy(); // ends its services first
+      supervisor.waitFor();
+    }
+  }
+
   private static void awaitLine(Process process, String begin) throws Exception {
     awaitLine(process, line -> line.startsWith(begin));
   }
