@@ -62,6 +62,13 @@ class ConfigurationTest(unittest.TestCase):
                 again.undo("anna")
         self.assertEqual(Configuration(texts, self.file).revision, 6)
 
+    def test_comments_outside_the_root_stay(self):
+        self.file.write_text(TEXT.replace("<configuration>", "<!-- wiring -->\n<configuration>") + "<!-- end -->\n", encoding="utf-8")
+        Configuration(VARIABLES, self.file).change({"COUNT": "4"}, "anna")
+        after = self.file.read_text(encoding="utf-8")
+        self.assertIn("<!-- wiring -->", after)
+        self.assertIn("<!-- end -->", after)
+
     def test_who_saw_another_revision_changes_nothing(self):
         self.configuration.change({"COUNT": "4"}, "anna", seen=0)
         with self.assertRaises(BadConfiguration) as caught:

@@ -18,6 +18,9 @@ Value = Union[str, float, int, bool]
 _DECIMAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _MOST_CHARACTERS = 1_000_000
 _WHOLE = re.compile(r"[+-]?[0-9]{1,20}")
+_OUTSIDE = r"((?:\s|<!--.*?-->)*)"  # comments before and behind the root, which ElementTree does not keep
+_BEFORE = re.compile(r"(?:<\?xml.*?\?>)?" + _OUTSIDE, re.DOTALL)
+_BEHIND = re.compile(r"</configuration\s*>" + _OUTSIDE + r"\Z", re.DOTALL)
 _NOT_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _TYPES = {"string": str, "double": float, "int": int, "boolean": bool}
 
@@ -235,8 +238,11 @@ def _rewritten(file: pathlib.Path, texts: Mapping[str, str], variables: Mapping[
             element = ElementTree.SubElement(root, "variable", name=name, type=variables[name].type)
             element.tail = "\n"
         element.set("value", text)
-    xml: bytes = ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
-    return xml + b"\n"
+    text = file.read_text(encoding="utf-8")
+    before, behind = _BEFORE.match(text), _BEHIND.search(text)
+    xml: str = ElementTree.tostring(root, encoding="unicode")
+    return ('<?xml version="1.0" encoding="UTF-8"?>' + ((before.group(1) if before else "") or "\n") + xml
+            + ((behind.group(1) if behind else "") or "\n")).encode()
 
 
 def _replace(file: pathlib.Path, content: bytes) -> None:

@@ -8,7 +8,7 @@ import ssl
 import threading
 import uuid
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Optional, Set, Tuple
+from typing import Any, Callable, Dict, List, Optional, Set, Tuple
 
 import paho.mqtt.client as mqtt
 
@@ -83,6 +83,8 @@ class Link:
         self._received = received
         self._trouble = trouble
         self._filters: Set[str] = set()
+        self._asked: Dict[int, str] = {}  # filter by packet identifier, until the broker answers
+        self._refused: Set[str] = set()  # filters that the broker did not grant
         self._numbers: Dict[str, int] = {}  # of the last message by topic
         self._retained = Retained()
         self._lock = threading.Lock()
@@ -116,6 +118,7 @@ class Link:
         client.on_connect = self._connected
         client.on_disconnect = self._disconnected
         client.on_message = self._message
+        client.on_subscribe = self._subscribed
         return client
 
     def open(self, within_s: float = 5.0) -> None:
@@ -135,7 +138,27 @@ class Link:
         """Asks for the topics of a filter, now and after each reconnection."""
         with self._lock:
             self._filters.add(topic_filter)
-        self._client.subscribe(topic_filter, 1)
+            self._ask(self._client, topic_filter)
+
+    def _ask(self, client: Any, topic_filter: str) -> None:
+        """Called with the lock, so that the answer does not come before its question is known."""
+        self._asked[client.subscribe(topic_filter, 1)[1]] = topic_filter
+
+    def _subscribed(self, _client: Any, _data: Any, packet: int, codes: Any, *_rest: Any) -> None:
+        with self._lock:
+            topic_filter = self._asked.pop(packet, None)
+            if topic_filter is None:
+                return
+            is_refused = any(getattr(code, "value", code) >= 0x80 for code in codes)
+            is_news = is_refused and topic_filter not in self._refused
+            (self._refused.add if is_refused else self._refused.discard)(topic_filter)
+        if is_news:
+            self._trouble(f"the broker refuses the subscription to {topic_filter}; it is asked again at the next connection")
+
+    def refused_channels(self) -> List[str]:
+        """Channels that the broker does not let us hear."""
+        with self._lock:
+            return sorted({topic_filter.split("/")[2] for topic_filter in self._refused})
 
     def publish(self, channel: str, message: Message) -> bool:
         """Hands a message over; False if it was not taken, such as while the connection is lost."""
@@ -171,9 +194,9 @@ class Link:
             self._trouble(f"the broker refused: {self._refusal}")
         else:
             with self._lock:
-                filters = sorted(self._filters)
-            for topic_filter in filters:
-                client.subscribe(topic_filter, 1)
+                self._asked.clear()
+                for topic_filter in sorted(self._filters):
+                    self._ask(client, topic_filter)
             if again:
                 self._retained.restore(client)
                 self._trouble("connection restored")
@@ -186,7 +209,20 @@ class Link:
         except Exception as e:  # it would end paho's thread, and with it the connection
             self._trouble(f"receiving a message on {packet.topic} failed: {type(e).__name__}: {e}")
 
-    def _disconnected(self, _client: Any, _data: Any, *details: Any) -> None:
+    def _disconnected(self, client: Any, _data: Any, *details: Any) -> None:
+        self._retained.unconfirmed(self._discarded(client))
         if not self._closing:
             code = details[-2] if len(details) > 1 else details[0]
             self._trouble(f"connection lost: {code}")
+
+    @staticmethod
+    def _discarded(client: Any) -> List[str]:
+        """Drops what was sent and not acknowledged, which paho would send again however old it is then.
+
+        :returns: the topics of the retained messages among it
+        """
+        with client._out_message_mutex:
+            topics = [message.topic for message in client._out_messages.values() if message.retain]
+            client._out_messages.clear()
+            client._inflight_messages = 0
+        return topics

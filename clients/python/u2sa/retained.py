@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import threading
-from typing import Any, Dict, Set
+from typing import Any, Dict, List, Set
 
 _ANSWER_WITHIN_S = 1.0
 
@@ -25,6 +25,11 @@ class Retained:
             if not connected:
                 self._unsent.add(topic)
 
+    def unconfirmed(self, topics: List[str]) -> None:
+        """Takes note that the broker may not have got the last message of these topics."""
+        with self._lock:
+            self._unsent.update(topic for topic in topics if topic in self._last)
+
     def arrived(self, topic: str) -> None:
         """Takes note that the broker holds a message; what somebody else published meanwhile is left alone."""
         with self._lock:
@@ -42,7 +47,7 @@ class Retained:
             timer.daemon = True
             timer.start()
 
-    def _publish(self, client: Any, topics: "list[str]") -> None:
+    def _publish(self, client: Any, topics: List[str]) -> None:
         for topic in topics:
             client.unsubscribe(topic)
         with self._lock:  # what is published meanwhile comes behind

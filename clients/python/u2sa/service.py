@@ -292,6 +292,7 @@ class Service:
         report["interval"] = self.configuration.number("HEALTH INTERVAL")
         if "emergency-stop" in self.subscribers:
             report["emergencyStops"] = self.emergency.stops
+        report["refusedSubscriptions"] = ", ".join(self.link.refused_channels())
         if self.__told is not None:
             report["dataAge"] = time.monotonic() - self.__told
         return report

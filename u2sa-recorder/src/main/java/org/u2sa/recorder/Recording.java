@@ -345,7 +345,9 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    forgetExit();
+    if (!thread.isAlive()) { // otherwise the hook waits for the rest
+      forgetExit();
+    }
   }
 
   private void forgetExit() {
