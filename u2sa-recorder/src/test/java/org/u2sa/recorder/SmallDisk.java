@@ -16,7 +16,7 @@ public final class SmallDisk implements RecordingFiles.Disk {
   volatile int forced; // how often
   volatile int failuresToCome; // unexpected ones, of whatever is asked of the disk
 
-  /** With room for so many bytes. */
+  /** With room for a number of bytes. */
   public SmallDisk(long room) {
     this.room = room;
   }

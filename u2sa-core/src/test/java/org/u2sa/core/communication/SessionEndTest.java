@@ -54,7 +54,7 @@ class SessionEndTest {
     assertThat(first.log).anyMatch(line -> line.startsWith(start));
   }
 
-  /** {"x": so many bytes} */
+  /** {"x": this number of bytes} */
   private static byte[] map(int bytes) {
     byte[] cbor = new byte[6 + bytes];
     cbor[0] = (byte) 0xa1;

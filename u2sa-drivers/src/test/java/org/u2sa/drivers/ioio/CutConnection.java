@@ -9,8 +9,8 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * Another connection whose first attempt breaks after so many bytes in one direction, or has one
- * byte changed.
+ * Another connection whose first attempt breaks after a number of bytes in one direction, or has
+ * one byte changed.
  */
 final class CutConnection implements BoardConnection {
   private static final int CHANGE = 0x55;

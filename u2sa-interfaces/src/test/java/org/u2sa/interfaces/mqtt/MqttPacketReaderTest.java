@@ -38,7 +38,7 @@ class MqttPacketReaderTest {
     }
   }
 
-  /** A network that brings so many bytes at a time, then ends. */
+  /** A network that brings a number of bytes at a time, then ends. */
   private static final class Wire implements ReadableByteChannel {
     private final ByteBuffer bytes;
     private final int atATime;
