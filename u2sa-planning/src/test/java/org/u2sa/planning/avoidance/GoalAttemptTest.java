@@ -105,7 +105,7 @@ class GoalAttemptTest {
     assertThat(bench.said).containsExactly("stuck: frees itself, attempt 1 of 2");
     int planned = bench.requests.size();
 
-    ArcChoice back = step(stuckS + 0.1);
+    ArcChoice back = step(1.3 * stuckS);
     assertThat(back.backwards()).isTrue();
     assertThat(bench.requests).hasSize(planned);
 
