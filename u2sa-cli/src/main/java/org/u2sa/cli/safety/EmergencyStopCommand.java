@@ -85,6 +85,13 @@ public final class EmergencyStopCommand implements Callable<Integer> {
                 : notSent(system, failure);
         worst = Math.max(worst, code);
       }
+      if (order.leftSome()) {
+        out()
+            .printf(
+                "More than %d systems were heard; those not listed were NOT STOPPED: --system chooses one%n",
+                StopOrder.MAX_SYSTEMS);
+        worst = Math.max(worst, ExitCode.FAILED);
+      }
       return worst;
     }
   }

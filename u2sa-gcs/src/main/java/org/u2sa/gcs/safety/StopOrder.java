@@ -22,7 +22,8 @@ public final class StopOrder {
   /** The Safety Manager's arming state is retained, so it arrives at once if there is one. */
   private static final double RETAINED_WITHIN_S = 0.1;
 
-  private static final int MAX_SYSTEMS = 64; // invented ones must not fill the memory
+  /** Systems that one order stops. */
+  public static final int MAX_SYSTEMS = 64; // invented ones must not fill the memory
 
   private final RemoteLink link;
   private final Clock.Waiter waiter;
@@ -30,6 +31,7 @@ public final class StopOrder {
   private final String reason;
   private final String stopId;
   private final Map<String, String> sent = new TreeMap<>(); // failure, or ""; guarded by this
+  private boolean leftSome; // guarded by this
   private final SortedMap<String, StopConfirmation> vehicles = new TreeMap<>();
 
   /**
@@ -49,7 +51,11 @@ public final class StopOrder {
   /** Sends the stop to a system, once. */
   public void send(String systemId) {
     synchronized (this) {
-      if (sent.size() >= MAX_SYSTEMS || sent.containsKey(systemId)) {
+      if (sent.containsKey(systemId)) {
+        return;
+      }
+      if (sent.size() >= MAX_SYSTEMS) {
+        leftSome = true;
         return;
       }
       sent.put(systemId, published(systemId));
@@ -125,6 +131,11 @@ public final class StopOrder {
   /** The condition that a service holds this stop. */
   public StopConfirmation.Outcome holds() {
     return held -> held.contains(stopId);
+  }
+
+  /** Whether a system was heard beyond {@link #MAX_SYSTEMS}, to which the stop was not sent. */
+  public synchronized boolean leftSome() {
+    return leftSome;
   }
 
   /** Reason why the stop was not sent to a system; empty if it was. */

@@ -160,5 +160,6 @@ class StopOrderTest {
     IntStream.range(0, 1_000).forEach(n -> order.send("system" + n));
 
     assertThat(broker.events).hasSize(64);
+    assertThat(order.leftSome()).isTrue();
   }
 }
