@@ -38,13 +38,13 @@ public final class AirspeedSensor extends DeviceSensor<PitotTube.Impact> {
               min = -1000,
               max = 1000,
               ifAbsent = 0,
-              text = "Pressure that the sensor shows in still air; subtracted.")
+              text = "Reading in still air, which is subtracted.")
           double zeroPressure,
       @Variable(
               min = 0.5,
               max = 2,
               ifAbsent = 1,
-              text = "Factor of the pressure difference, for the error of the tube's position.")
+              text = "Factor on the pressure difference that corrects the tube's position error.")
           double pressureFactor,
       @Variable(
               unit = "Pa",

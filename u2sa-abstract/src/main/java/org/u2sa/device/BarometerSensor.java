@@ -37,7 +37,7 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
               min = 85_000,
               max = 110_000,
               ifAbsent = PressureAltitude.SEA_LEVEL_PA,
-              text = "Pressure at sea level today: 101325 is the standard atmosphere's.")
+              text = "Current sea-level pressure; 101325 is the standard atmosphere's.")
           double qnh,
       @Variable(
               unit = "m",
@@ -45,7 +45,7 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
               max = 1000,
               ifAbsent = 100,
               text =
-                  "Standard deviation of the altitude. Weather moves it by 100 m while QNH is not today's.")
+                  "Standard deviation of the altitude; with an outdated QNH, weather causes errors of up to 100 m.")
           double altitudeSigma) {}
 
   private final Settings<Tuning> tuning = settings(Tuning.class);
@@ -66,7 +66,7 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
     if (!(pressure.pascals() >= MIN_PA && pressure.pascals() <= MAX_PA)) {
       if (Long.bitCount(++refused) == 1) { // 1, 2, 4, 8…: limits the log
         trouble(
-            ("the barometer says " + pressure.pascals() + " Pa, which is outside ")
+            ("the barometer reports " + pressure.pascals() + " Pa, which is outside ")
                 + (MIN_PA + "…" + MAX_PA + " Pa (" + refused + " times so far)"));
       }
       return Stream.empty();

@@ -30,14 +30,14 @@ public final class CompassSensor extends DeviceSensor<Heading> {
               max = 5,
               ifAbsent = 0,
               text =
-                  "Time from the moment that a heading is of to its arrival, from the data sheet; states get that moment's timestamp.")
+                  "Latency from measurement to arrival of a heading, from the data sheet; states are timestamped with the time of measurement.")
           double delay,
       @Variable(
               unit = "rad",
               min = -Math.PI,
               max = Math.PI,
               ifAbsent = 0,
-              text = "Direction of the compass's front, clockwise from the vehicle's.")
+              text = "Yaw of the compass on the vehicle, clockwise.")
           double mountingAngle,
       @Variable(
               unit = "rad",

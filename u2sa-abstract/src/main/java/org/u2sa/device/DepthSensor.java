@@ -42,21 +42,21 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
               min = 900,
               max = 1300,
               ifAbsent = 1025,
-              text = "Density of the water: 1025 for the sea, 998 for a pool.")
+              text = "Water density: 1025 in the sea, 998 in a pool.")
           double waterDensity,
       @Variable(
               unit = "Pa",
               min = 0,
               max = 110_000,
               ifAbsent = PressureAltitude.SEA_LEVEL_PA,
-              text = "Pressure of the air at the surface; 0 for a gauge that measures against it.")
+              text = "Air pressure at the surface; 0 for a sensor of gauge pressure.")
           double surfacePressure,
       @Variable(
               unit = "m",
               min = -500,
               max = 9000,
               ifAbsent = 0,
-              text = "GLOBAL: altitude of the water's surface above mean sea level.")
+              text = "GLOBAL: altitude of the water surface above mean sea level.")
           double waterLevel,
       @Variable(
               name = "MOUNTED Z",
@@ -64,14 +64,15 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
               min = -100,
               max = 100,
               ifAbsent = 0,
-              text = "Place of the gauge on the vehicle, down.")
+              text = "Position of the sensor on the vehicle, down.")
           double mountedZ,
       @Variable(
               unit = "m",
               min = 0.001,
               max = 100,
               ifAbsent = 0.1,
-              text = "Standard deviation of the depth: 10 hPa of weather are 0.1 m.")
+              text =
+                  "Standard deviation of the depth; a change of 10 hPa in air pressure shifts it by 0.1 m.")
           double depthSigma,
       @Variable(
               ifAbsentText = "GLOBAL",

@@ -77,10 +77,7 @@ public final class DeviceWatch {
     if (isSilent && wasHeard) {
       wasHeard = false;
       service.trouble(
-          device
-              + " has sent nothing readable for more than "
-              + Clock.seconds(silentMicros)
-              + " s");
+          device + " has sent no valid data for more than " + Clock.seconds(silentMicros) + " s");
     }
   }
 
@@ -115,7 +112,7 @@ public final class DeviceWatch {
     if (Long.highestOneBit(total) > Long.highestOneBit(malformed)) {
       service.trouble(
           device
-              + " sent unreadable data ("
+              + " sent invalid data ("
               + total
               + " times so far)"
               + (why.isEmpty() ? "" : ", last: " + why));

@@ -29,7 +29,7 @@ public final class GpsSensor extends DeviceSensor<GpsFix> {
               max = 5,
               ifAbsent = 0,
               text =
-                  "Time from the moment that a fix is of to its arrival, from the data sheet; states get that moment's timestamp.")
+                  "Latency from measurement to arrival of a fix, from the data sheet; states are timestamped with the time of measurement.")
           double delay) {}
 
   private final FixMapping fixes =

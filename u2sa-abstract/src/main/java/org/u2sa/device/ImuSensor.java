@@ -48,7 +48,7 @@ public final class ImuSensor extends DeviceSensor<Orientation> {
       @Variable(
               ifAbsentText = "true",
               text =
-                  "Whether angular rates and specific force are published, too, if the IMU says both.")
+                  "Whether angular rates and specific forces are published, too, if the IMU measures both.")
           boolean publishInertial,
       @Variable(
               unit = "rad/s",

@@ -34,14 +34,14 @@ public final class LidarSensor extends DeviceSensor<LaserScanner.Scan> {
               min = 0,
               max = 100,
               ifAbsent = 0.1,
-              text = "Nearer echoes are of the vehicle itself: least minRange of the scans.")
+              text = "Nearer echoes are from the vehicle itself: minimum of the scans' minRange.")
           double nearest,
       @Variable(
               unit = "m",
               min = 0.1,
               max = 1000,
               ifAbsent = 100,
-              text = "Farther echoes do not count: largest maxRange of the scans.")
+              text = "Farther echoes are ignored: maximum of the scans' maxRange.")
           double farthest) {}
 
   private final MountingPose mounted = settings(MountingPose.class).get();

@@ -16,7 +16,7 @@ public record MountingPose(
             min = -100,
             max = 100,
             ifAbsent = 0,
-            text = "Place of the sensor on the vehicle, forward.")
+            text = "Position of the sensor on the vehicle, forward.")
         double x,
     @Variable(
             name = "MOUNTED Y",
@@ -24,7 +24,7 @@ public record MountingPose(
             min = -100,
             max = 100,
             ifAbsent = 0,
-            text = "Place of the sensor on the vehicle, to the left.")
+            text = "Position of the sensor on the vehicle, to the left.")
         double y,
     @Variable(
             name = "MOUNTED Z",
@@ -32,7 +32,7 @@ public record MountingPose(
             min = -100,
             max = 100,
             ifAbsent = 0,
-            text = "Place of the sensor on the vehicle, down.")
+            text = "Position of the sensor on the vehicle, down.")
         double z,
     @Variable(
             name = "MOUNTED ROLL",

@@ -30,14 +30,14 @@ public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
               min = 1,
               max = 255,
               ifAbsent = 100,
-              text = "Least strength of an echo that counts as an object; 255 is full scale.")
+              text = "Minimum strength of an echo that counts as an object; 255 is full scale.")
           int threshold,
       @Variable(
               unit = "m",
               min = 0,
               max = 100,
               ifAbsent = 0.75,
-              text = "Nearer echoes are of the transducer itself: minRange of the scans.")
+              text = "Nearer echoes are from the transducer itself: minRange of the scans.")
           double nearest,
       @Variable(min = 1, max = 1000, ifAbsent = 8, text = "Pings in each published scan.")
           int pingsPerScan) {}

@@ -16,9 +16,9 @@ record ThrusterVariables(
             min = -100,
             max = 0,
             ifAbsent = -100,
-            text = "Strongest command backwards; 0 for a propeller that turns one way.")
+            text = "Maximum reverse command; 0 for a propeller that turns one way.")
         double minimum,
-    @Variable(unit = "%", min = 1, max = 100, ifAbsent = 100, text = "Strongest command forward.")
+    @Variable(unit = "%", min = 1, max = 100, ifAbsent = 100, text = "Maximum forward command.")
         double maximum,
     @Variable(
             unit = "%",
@@ -32,7 +32,7 @@ record ThrusterVariables(
             min = 1,
             max = 100_000,
             ifAbsent = 400,
-            text = "Fastest change of a command; stops are not limited.")
+            text = "Maximum rate of change of a command; stops are not limited.")
         double slewLimit,
     @Variable(
             unit = "N",
@@ -46,7 +46,7 @@ record ThrusterVariables(
             min = 0,
             max = 1.0e6,
             ifAbsent = 0,
-            text = "Thrust backwards at -100 %, for the announcement; 0: as FULL THRUST.")
+            text = "Reverse thrust at -100 %, for the announcement; 0: as FULL THRUST.")
         double reverseThrust,
     @Variable(
             unit = "s",

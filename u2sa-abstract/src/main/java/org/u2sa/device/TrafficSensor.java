@@ -41,21 +41,21 @@ public final class TrafficSensor extends DeviceSensor<TrafficReceiver.Traffic> {
               min = 1,
               max = 100_000,
               ifAbsent = 150,
-              text = "Distance to be kept from other traffic: the radius of the ball.")
+              text = "Distance to keep from other traffic: radius of the published sphere.")
           double separation,
       @Variable(
               unit = "s",
               min = 0.1,
               max = 600,
               ifAbsent = 30,
-              text = "How long the velocity of a target may be relied on.")
+              text = "Time for which a target's velocity remains valid.")
           double horizon,
       @Variable(
               unit = "m",
               min = 0.1,
               max = 10_000,
               ifAbsent = 30,
-              text = "Standard deviation of a position, where the target does not say one.")
+              text = "Standard deviation of a position, where the target reports none.")
           double positionSigma,
       @Variable(
               unit = "m",
@@ -63,7 +63,7 @@ public final class TrafficSensor extends DeviceSensor<TrafficReceiver.Traffic> {
               max = 10_000,
               ifAbsent = 30,
               text =
-                  "Standard deviation of an altitude; weather moves pressure altitudes by 100 m while QNH is not today's.")
+                  "Standard deviation of an altitude; with an outdated QNH, weather causes errors of up to 100 m in pressure altitudes.")
           double altitudeSigma,
       @Variable(
               unit = "m/s",
@@ -77,12 +77,11 @@ public final class TrafficSensor extends DeviceSensor<TrafficReceiver.Traffic> {
               min = 85_000,
               max = 110_000,
               ifAbsent = PressureAltitude.SEA_LEVEL_PA,
-              text = "Pressure at sea level today, for targets that say pressure altitudes.")
+              text = "Current sea-level pressure, for targets that report pressure altitudes.")
           double qnh,
       @Variable(
               ifAbsentText = "",
-              text =
-                  "Id of the vehicle's own transponder, which is no traffic; empty: it has none.")
+              text = "ID of the vehicle's own transponder, which is not traffic; empty: none.")
           String ownId) {}
 
   private final Settings<Tuning> tuning = settings(Tuning.class);

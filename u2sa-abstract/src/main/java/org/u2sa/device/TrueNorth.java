@@ -31,7 +31,7 @@ public final class TrueNorth {
       @Variable(
               ifAbsentText = "MODEL",
               text =
-                  "MODEL: World Magnetic Model at the vehicle's position, no heading before that is known; FIXED: DECLINATION.")
+                  "MODEL: World Magnetic Model at the vehicle's position, no heading until that is known; FIXED: DECLINATION.")
           North north,
       @Variable(
               unit = "rad",

@@ -79,7 +79,7 @@ class DeviceSensorTest {
     assertThat(kit.log(name)).noneMatch(line -> line.contains("WARN"));
     kit.advance(0.2);
     String silent =
-        ("the " + kind.device + " has sent nothing readable for more than ")
+        ("the " + kind.device + " has sent no valid data for more than ")
             + (kind.silentAfterS + " s");
     assertThat(kit.log(name)).anyMatch(line -> line.contains("WARN") && line.contains(silent));
   }

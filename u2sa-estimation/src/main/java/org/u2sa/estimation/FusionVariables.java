@@ -65,14 +65,14 @@ record FusionVariables(
             min = 0,
             ifAbsent = 0.2,
             text =
-                "Time between statements that the vehicle does not slip sideways; 0: none, for vehicles that move in all directions.")
+                "Interval of the constraint that the vehicle does not slip sideways; 0: none, for vehicles that move in all directions.")
         double constraintInterval,
     @Variable(
             unit = "rad/s",
             min = 0,
             minExcluded = true,
             ifAbsent = 0.02,
-            text = "Bias of gyroscopes at the start, 1 sigma.")
+            text = "Initial bias of gyroscopes, 1 sigma.")
         double gyroBiasSigma,
     @Variable(
             min = 0,
@@ -84,7 +84,7 @@ record FusionVariables(
             min = 0,
             minExcluded = true,
             ifAbsent = 0.2,
-            text = "Bias of accelerometers at the start, 1 sigma.")
+            text = "Initial bias of accelerometers, 1 sigma.")
         double accelerometerBiasSigma,
     @Variable(
             min = 0,
@@ -96,14 +96,14 @@ record FusionVariables(
             min = 0,
             minExcluded = true,
             ifAbsent = 5,
-            text = "Wind or current when its estimation begins, 1 sigma of each component.")
+            text = "Initial wind or current, 1 sigma of each component.")
         double flowSigma,
     @Variable(
             min = -1,
             max = 0.5,
             ifAbsent = -1,
             text =
-                "Error of speeds along the vehicle as a share of them, 1 sigma, which the filter estimates; 0: none; -1: 0.03 for GROUND, otherwise none.")
+                "Scale error of speeds along the vehicle, 1 sigma, which the filter estimates; 0: none; -1: 0.03 for GROUND, otherwise none.")
         double wheelScaleSigma,
     @Variable(
             min = 2,
@@ -144,14 +144,14 @@ record FusionVariables(
             min = -180,
             max = 180,
             ifAbsent = 0,
-            text = "Longitude of the surveyed place where the vehicle is put before each start.")
+            text = "Longitude of the surveyed place where each run starts.")
         double startX,
     @Variable(
             unit = "deg",
             min = -90,
             max = 90,
             ifAbsent = 0,
-            text = "Latitude of the surveyed place where the vehicle is put before each start.")
+            text = "Latitude of the surveyed place where each run starts.")
         double startY,
     @Variable(
             unit = "m",
@@ -159,14 +159,14 @@ record FusionVariables(
             max = 1000,
             ifAbsent = 0,
             text =
-                "How well it is put there, 1 sigma; 0: nobody knows where it starts. A receiver that contradicts the place by more than the gate is believed instead.")
+                "Accuracy of START X and START Y, 1 sigma; 0: the starting place is unknown. A receiver that contradicts the place by more than the gate is believed instead.")
         double startSigma,
     @Variable(
             unit = "deg",
             min = -360,
             max = 360,
             ifAbsent = 0,
-            text = "Heading in which the vehicle is put there, clockwise from true north.")
+            text = "Heading at the start, clockwise from true north.")
         double startPsi,
     @Variable(
             unit = "deg",
@@ -174,12 +174,12 @@ record FusionVariables(
             max = 90,
             ifAbsent = 0,
             text =
-                "How well that is known, 1 sigma; 0: not at all, and without a compass the first way tells it.")
+                "Accuracy of START PSI, 1 sigma; 0: it is unknown and, without a compass, found from the first motion.")
         double startPsiSigma,
     @Variable(
             ifAbsentText = "",
             text =
-                "Places of sensors that do not sit at the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, as MOUNTED X, Y, Z of other sensors.")
+                "Positions of sensors that are not at the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, as MOUNTED X, Y, Z of other sensors.")
         String leverArms,
     @Variable(
             unit = "s",
@@ -199,42 +199,42 @@ record FusionVariables(
             min = 0,
             minExcluded = true,
             ifAbsent = 3,
-            text = "Sigma of positions that come without one.")
+            text = "Sigma of positions reported without one.")
         double positionSigma,
     @Variable(
             unit = "m/s",
             min = 0,
             minExcluded = true,
             ifAbsent = 0.3,
-            text = "Sigma of velocities that come without one.")
+            text = "Sigma of velocities reported without one.")
         double velocitySigma,
     @Variable(
             unit = "rad",
             min = 0,
             minExcluded = true,
             ifAbsent = 0.05,
-            text = "Sigma of roll, pitch and heading that come without one.")
+            text = "Sigma of roll, pitch and heading reported without one.")
         double attitudeSigma,
     @Variable(
             unit = "rad/s",
             min = 0,
             minExcluded = true,
             ifAbsent = 0.015,
-            text = "Sigma of angular rates that come without one.")
+            text = "Sigma of angular rates reported without one.")
         double rateSigma,
     @Variable(
             unit = "m/s^2",
             min = 0,
             minExcluded = true,
             ifAbsent = 0.35,
-            text = "Sigma of specific forces that come without one.")
+            text = "Sigma of specific forces reported without one.")
         double forceSigma,
     @Variable(
             unit = "m/s",
             min = 0,
             minExcluded = true,
             ifAbsent = 1,
-            text = "Sigma of speeds through air or water that come without one.")
+            text = "Sigma of speeds through air or water reported without one.")
         double fluidSigma) {
   FusionVariables {
     try {

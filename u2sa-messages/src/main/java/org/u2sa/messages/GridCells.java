@@ -105,7 +105,7 @@ final class GridCells {
       }
       return cells;
     } catch (DataFormatException | IllegalArgumentException e) {
-      throw broken("are no Base64 of zlib data", e);
+      throw broken("are not zlib data in Base64", e);
     } finally {
       inflater.end();
     }

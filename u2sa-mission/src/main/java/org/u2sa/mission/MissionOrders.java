@@ -97,7 +97,7 @@ final class MissionOrders {
     }
     boolean already = progress.isPaused();
     progress.pause(true);
-    String where = (already ? "paused already at " : "paused at ") + currentOf(progress.mission());
+    String where = (already ? "already paused at " : "paused at ") + currentOf(progress.mission());
     return progress.isLeft()
         ? where + "; the failsafe " + progress.pursuedFor() + " is pursued first"
         : where;

@@ -42,16 +42,16 @@ final class Resumable {
       manager.log(LogLevelEnum.WARN, e.getMessage() + ": starting the mission from its first goal");
     }
     if (rule == Resumption.ALWAYS) {
-      found.ifPresent(before -> manager.log("resuming the mission of the process before"));
+      found.ifPresent(before -> manager.log("resuming the mission of the previous process"));
       return taken();
     }
     found.ifPresent(
         before ->
             manager.log(
                 LogLevelEnum.WARN,
-                "the process before ended at goal "
+                "the previous process ended at goal "
                     + before.mission().currentNames()
-                    + ": the order resume goes on there"));
+                    + ": the order resume continues there"));
     return Optional.empty();
   }
 
@@ -76,7 +76,7 @@ final class Resumable {
       return SavedMission.digest(mission).equals(foundDigest);
     } catch (IOException e) {
       manager.log(
-          LogLevelEnum.WARN, e + ": the order resume no longer goes on at " + where().orElse(""));
+          LogLevelEnum.WARN, e + ": the order resume no longer continues at " + where().orElse(""));
       return false;
     }
   }

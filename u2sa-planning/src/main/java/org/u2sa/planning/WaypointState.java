@@ -203,7 +203,7 @@ final class WaypointState implements PlannerState {
     reached = false;
     avoidance.begin();
     return new Plan(
-        List.of(point), Plan.Progress.UNDER_WAY, "passed without its heading: comes again");
+        List.of(point), Plan.Progress.UNDER_WAY, "passed without its heading: trying again");
   }
 
   /** Plans the next step on a route around obstacles. */
@@ -296,7 +296,7 @@ final class WaypointState implements PlannerState {
     attempts++;
     nearestM = Double.POSITIVE_INFINITY;
     guidance.begin(Optional.empty());
-    return new Plan(points, Plan.Progress.UNDER_WAY, remark + ": turns round for another");
+    return new Plan(points, Plan.Progress.UNDER_WAY, remark + ": turning round for another");
   }
 
   private String passing(Waypoint waypoint, double downM) {

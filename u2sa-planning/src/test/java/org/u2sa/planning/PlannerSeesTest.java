@@ -270,7 +270,7 @@ class PlannerSeesTest extends PlannedVehicle {
     drive(1, 0, 0, Math.PI / 2.0);
 
     assertThat(path().status()).isEqualTo(PathStatus.WAITING);
-    assertThat(path().reason()).hasValue("a way to the goal is sought");
+    assertThat(path().reason()).hasValue("searching for a route to the goal");
     assertThat(kit.latest(Channels.NAVIGATION).orElseThrow().speed()).hasValue(0.0);
     drive(190, 0, 0, Math.PI / 2.0);
     assertThat(kit.published(Channels.NAVIGATION)).hasSize(191);

@@ -54,7 +54,7 @@ final class DiskSync implements AutoCloseable {
     } catch (ClosedChannelException e) {
       return; // closed in the meantime: the system flushes it
     } catch (IOException | RuntimeException e) { // the next sync may succeed
-      String what = "the disk does not keep what is recorded: " + e.getMessage();
+      String what = "the recording cannot be synced to the disk: " + e.getMessage();
       if (!what.equals(said)) { // otherwise four times a second
         said = what;
         trouble.accept(what);

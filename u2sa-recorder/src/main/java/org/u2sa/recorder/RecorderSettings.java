@@ -18,25 +18,25 @@ record RecorderSettings(
             min = 0,
             max = 1_000_000,
             ifAbsent = 0,
-            text = "Size at which the next file is begun, in megabytes (10^6 bytes); 0: never.")
+            text = "Size at which the next file is started, in megabytes (10^6 bytes); 0: never.")
         double splitMegabytes,
     @Variable(
             unit = "s",
             min = 0,
             max = 1_000_000,
             ifAbsent = 0,
-            text = "Time after which the next file is begun; 0: never.")
+            text = "Time after which the next file is started; 0: never.")
         double splitTime,
     @Variable(
             min = 0,
             max = 100_000,
             ifAbsent = 0,
-            text = "Number of files to keep: of more, the oldest is deleted; 0: all are kept.")
+            text = "Number of files to keep: beyond it, the oldest is deleted; 0: all are kept.")
         int keep,
     @Variable(
             ifAbsentText = "true",
             text =
-                "Whether it is recorded, too, when which service handled what, so that services can be executed again.")
+                "Whether executions are recorded, too: when which service handled what, so that services can be executed again.")
         boolean executions,
     @Variable(
             min = 16,

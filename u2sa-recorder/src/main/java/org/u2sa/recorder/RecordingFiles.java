@@ -114,7 +114,7 @@ final class RecordingFiles {
         && nanos - failedNanos >= WORKS_AFTER_NANOS) {
       failures.clear();
       trouble.accept(
-          "recording into " + file() + ": goes on; what came in between is not recorded");
+          "recording into " + file() + ": recording again; messages in between are lost");
     }
     return writer;
   }
@@ -291,7 +291,7 @@ final class RecordingFiles {
             ? e.getClass().getSimpleName() + " " + e.getMessage() // message is only the name
             : String.valueOf(e.getMessage());
     if (failures.size() < MAX_SAID && failures.add(what)) { // must not flood the log
-      trouble.accept("recording into " + file() + ": " + what + "; tried again until it works");
+      trouble.accept("recording into " + file() + ": " + what + "; retrying until it works");
     }
   }
 

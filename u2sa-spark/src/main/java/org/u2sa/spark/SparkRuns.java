@@ -145,7 +145,7 @@ final class SparkRuns implements RunBackend {
             + why
             + "; what it said is in "
             + directory.resolve(LOG)
-            + ". The same command goes on with the runs that are left");
+            + ". The same command continues with the remaining runs");
   }
 
   private boolean isStopped() {

@@ -30,7 +30,7 @@ final class ReactiveModeller implements Modeller {
               min = 0.01,
               max = 3600,
               ifAbsent = 1,
-              text = "REACTIVE: time after which what a sensor saw last is dropped.")
+              text = "REACTIVE: time after which a sensor's latest sighting is dropped.")
           double memory,
       @Variable(
               ifAbsentText = "true",

@@ -170,7 +170,7 @@ public final class WorldModeler extends PeriodicService {
   }
 
   private void enter(MapFrame next) {
-    log("the map goes on in " + next.frame() + ", before in " + frame.frame());
+    log("the map continues in " + next.frame() + ", before in " + frame.frame());
     frame = next;
     Sighting last = new Sighting(clock().micros(), next, poses.newest());
     modellers.working().values().forEach(modeller -> modeller.enter(next, last));

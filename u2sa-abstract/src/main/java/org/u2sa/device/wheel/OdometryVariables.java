@@ -35,7 +35,7 @@ public record OdometryVariables(
             min = 0.1,
             max = 1000,
             ifAbsent = 15,
-            text = "Fastest plausible speed: counts that imply a higher one are dropped.")
+            text = "Maximum plausible speed: counts that imply more are dropped.")
         double fastest) {
   /** The odometry that the variables describe. */
   public WheelOdometry odometry() {

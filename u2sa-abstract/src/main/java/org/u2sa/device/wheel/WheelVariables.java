@@ -18,7 +18,7 @@ public record WheelVariables(
         String rightActuator,
     @Variable(
             ifAbsentText = "false",
-            text = "Whether the left wheel is at the controller's second channel.")
+            text = "Whether the left wheel is on the controller's second channel.")
         boolean leftIsSecond,
     @Variable(
             ifAbsentText = "false",
@@ -40,7 +40,7 @@ public record WheelVariables(
             min = 1,
             max = 100_000,
             ifAbsent = 400,
-            text = "Fastest change of a command; stops are not limited.")
+            text = "Maximum rate of change of a command; stops are not limited.")
         double slewLimit,
     @Variable(unit = "Hz", min = 0.1, max = 50, ifAbsent = 10, text = "Rate of published speeds.")
         double stateRate) {

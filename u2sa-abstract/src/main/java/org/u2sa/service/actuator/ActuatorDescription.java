@@ -21,8 +21,7 @@ public record ActuatorDescription(
             min = 0.1,
             max = 10,
             ifAbsent = 1,
-            text =
-                "Power of the share of full command with which the effect grows; propellers have about 2.")
+            text = "Exponent with which the effect grows with the command; about 2 for propellers.")
         double effectExponent,
     @Variable(
             unit = "m/s",
@@ -44,7 +43,7 @@ public record ActuatorDescription(
             min = 0,
             max = 1.0e6,
             ifAbsent = 0,
-            text = "Fastest change to announce; 0: at once.")
+            text = "Maximum rate of change to announce; 0: immediate.")
         double rateLimit,
     @Variable(
             unit = "s",

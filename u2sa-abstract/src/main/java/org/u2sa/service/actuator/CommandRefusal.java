@@ -13,7 +13,7 @@ public enum CommandRefusal {
   /** Not a percentage. */
   NOT_A_PERCENTAGE("not a percentage"),
   /** Of a type the actuator did not announce. */
-  NOT_TAKEN("of a kind that the actuator does not take"),
+  NOT_TAKEN("of a type that the actuator does not accept"),
   /** Not a number, or outside the announced range. */
   OUT_OF_RANGE("out of range"),
   /** Expired in transit. */

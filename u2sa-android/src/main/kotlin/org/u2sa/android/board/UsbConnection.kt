@@ -20,9 +20,9 @@ internal class UsbConnection(private val usb: UsbManager, link: BoardLink) : Pho
     @Volatile private var descriptor: ParcelFileDescriptor? = null
 
     override fun connect(): Streams {
-        val accessory = usb.accessoryList?.firstOrNull(::isBoard) ?: throw IOException("no IOIO is at the USB port")
+        val accessory = usb.accessoryList?.firstOrNull(::isBoard) ?: throw IOException("no IOIO at the USB port")
         if (!usb.hasPermission(accessory)) {
-            throw IOException("the permission to use the IOIO at the USB port was not given: unplug it and plug it in again")
+            throw IOException("permission to use the IOIO at the USB port was denied: unplug it and plug it in again")
         }
         val made = usb.openAccessory(accessory) ?: throw IOException("the IOIO at the USB port cannot be opened")
         descriptor = made
@@ -44,7 +44,7 @@ internal class UsbConnection(private val usb: UsbManager, link: BoardLink) : Pho
         while (true) {
             when (input.read()) { // skip bytes left from an earlier connection
                 OPENED -> return Streams(input, output, made)
-                -1 -> throw IOException("the IOIO at the USB port went away")
+                -1 -> throw IOException("the IOIO at the USB port was unplugged")
             }
         }
     }

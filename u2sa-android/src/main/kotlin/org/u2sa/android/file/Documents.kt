@@ -66,5 +66,5 @@ class Documents(private val context: Context) {
 
     /** Opens a document. */
     fun open(document: Uri) = context.contentResolver.openInputStream(document)
-        ?: throw FileNotFoundException("$document: its application does not give it")
+        ?: throw FileNotFoundException("$document: its application did not provide it")
 }

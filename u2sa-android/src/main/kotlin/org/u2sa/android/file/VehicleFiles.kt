@@ -60,11 +60,11 @@ class VehicleFiles(private val root: File) {
         try {
             copyAll(files, next)
             if (systemFilesIn(next).isEmpty()) {
-                throw BadInputException("$name: holds no file system*.xml that lists a system's services")
+                throw BadInputException("$name: contains no system*.xml, which lists a system's services")
             }
             folder.deleteRecursively()
             if (!next.renameTo(folder)) {
-                throw BadInputException("$name: cannot be moved to its place")
+                throw BadInputException("$name: cannot be moved into place")
             }
         } finally {
             next.deleteRecursively()
@@ -106,7 +106,7 @@ class VehicleFiles(private val root: File) {
             copy(Source(plain, open), next)
             Mission.load(next.toPath())
             if (!next.renameTo(File(missions, plain))) {
-                throw BadInputException("$name: cannot be moved to its place")
+                throw BadInputException("$name: cannot be moved into place")
             }
         } finally {
             next.delete()
@@ -157,7 +157,7 @@ class VehicleFiles(private val root: File) {
     private fun inside(folder: File, path: String): File {
         val file = File(folder, path)
         if (!file.canonicalPath.startsWith(folder.canonicalPath + File.separator)) {
-            throw BadInputException("\"$path\" leads out of the application's folder")
+            throw BadInputException("\"$path\" points outside the application's folder")
         }
         return file
     }

@@ -67,7 +67,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
         }
         when {
             context.checkSelfPermission(Manifest.permission.CAMERA) != PackageManager.PERMISSION_GRANTED ->
-                trouble = "the permission for the camera was not given"
+                trouble = "camera permission was denied"
             back == null -> trouble = "the phone has no camera on its back"
             else -> manager.openCamera(back, opening, handler)
         }
@@ -86,7 +86,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
                 }
 
                 override fun onConfigureFailed(session: CameraCaptureSession) {
-                    trouble = "the camera gives no pictures of $WIDTH by $HEIGHT"
+                    trouble = "the camera does not support pictures of $WIDTH by $HEIGHT"
                 }
             },
             handler,

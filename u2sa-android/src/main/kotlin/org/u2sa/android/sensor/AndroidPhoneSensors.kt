@@ -72,7 +72,7 @@ class AndroidPhoneSensors(private val context: Context, private val clock: Clock
     private fun listenToGps() {
         val allowed = context.checkSelfPermission(Manifest.permission.ACCESS_FINE_LOCATION)
         trouble = when {
-            allowed != PackageManager.PERMISSION_GRANTED -> "the permission for the location was not given"
+            allowed != PackageManager.PERMISSION_GRANTED -> "location permission was denied"
             LocationManager.GPS_PROVIDER !in locationManager.allProviders -> "the phone has no GPS"
             else -> {
                 locationManager.requestLocationUpdates(

@@ -23,7 +23,7 @@ private class PhoneTuning(
     @Variable(
         name = "MOUNTING",
         ifAbsentText = "FLAT",
-        text = "How the phone is fixed: FLAT on its back, top edge forward; UPRIGHT or SIDEWAYS with its camera forward.",
+        text = "How the phone is mounted: FLAT on its back, top edge forward; UPRIGHT or SIDEWAYS with its camera forward.",
     ) val mounting: Mounting,
     @Variable(
         name = "FIX TIMEOUT", unit = "s", min = 0.1, max = 60.0, ifAbsent = 2.5,
@@ -35,7 +35,7 @@ private class PhoneTuning(
     ) val attitudeTimeout: Double,
     @Variable(
         name = "HEADING SIGMA", unit = "rad", min = 0.0, minExcluded = true, ifAbsent = 0.17,
-        text = "Standard deviation of the heading where the phone does not say one.",
+        text = "Standard deviation of the heading where the phone reports none.",
     ) val headingSigma: Double,
 )
 
@@ -91,7 +91,7 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     private fun report(trouble: String) {
         if (trouble != said) {
             said = trouble
-            log(if (trouble.isEmpty()) LogLevelEnum.INFO else LogLevelEnum.WARN, trouble.ifEmpty { "all sensors deliver" })
+            log(if (trouble.isEmpty()) LogLevelEnum.INFO else LogLevelEnum.WARN, trouble.ifEmpty { "all sensors work" })
         }
     }
 

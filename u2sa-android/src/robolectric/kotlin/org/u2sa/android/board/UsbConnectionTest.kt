@@ -17,7 +17,7 @@ class UsbConnectionTest {
     @Test
     fun waitForConnect_nothingPluggedIn_saysSo() {
         assertThatThrownBy { link.newConnection().waitForConnect() }.isInstanceOf(ConnectionLostException::class.java)
-        assertThat(link.trouble).isEqualTo("no IOIO is at the USB port")
+        assertThat(link.trouble).isEqualTo("no IOIO at the USB port")
         assertThat(link.newConnection().canClose()).isFalse()
     }
 }

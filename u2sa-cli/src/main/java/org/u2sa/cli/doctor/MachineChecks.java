@@ -51,7 +51,7 @@ final class MachineChecks {
             heap / MIB,
             Runtime.getRuntime().availableProcessors());
     return heap < MIN_HEAP
-        ? Finding.warning("memory", found, "give Java more: U2SA_JAVA_OPTS=-Xmx256m")
+        ? Finding.warning("memory", found, "enlarge the heap: U2SA_JAVA_OPTS=-Xmx256m")
         : Finding.ok("memory", found);
   }
 
@@ -88,7 +88,7 @@ final class MachineChecks {
       return Finding.warning(
           subject,
           e.getMessage(),
-          "end the program that has it (ss -ltnp), or choose another: --port, COMMUNICATION MANAGER PORT");
+          "stop the program that uses it (ss -ltnp), or choose another port: --port, COMMUNICATION MANAGER PORT");
     }
   }
 
@@ -114,7 +114,7 @@ final class MachineChecks {
         ? Finding.warning(
             "clock",
             found,
-            "end other programs, or give this one priority: control in real time suffers")
+            "stop other programs, or raise this one's priority: real-time control suffers")
         : Finding.ok("clock", found);
   }
 
@@ -135,7 +135,7 @@ final class MachineChecks {
       return Finding.optional(
           "serial ports",
           "none",
-          "connect the board, or pass it to this machine; a demo needs none");
+          "connect the board, or pass it through to this machine; demos need none");
     }
     List<Path> closed =
         ports.stream()
@@ -145,7 +145,7 @@ final class MachineChecks {
         ? Finding.ok("serial ports", words(ports))
         : Finding.warning(
             "serial ports",
-            "no right to open " + words(closed),
+            "no permission to open " + words(closed),
             "sudo usermod -aG dialout \"$USER\", then log in again");
   }
 

@@ -68,7 +68,7 @@ final class ToolChecks {
     if (file.isEmpty()) {
       return Finding.optional(subject, "no " + program + " on the PATH", advice);
     }
-    String version = programs.firstLine(file.get(), argument).orElse("says no version");
+    String version = programs.firstLine(file.get(), argument).orElse("reports no version");
     return Finding.ok(subject, file.get() + ", " + version);
   }
 

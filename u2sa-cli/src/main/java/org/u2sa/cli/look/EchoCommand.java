@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa echo 'PathPlanner:LOOK AHEAD'           a variable, and each change of it",
       "",
       "A field is psi, ranges[3], ranges[-1], point.x, goals[0].uid or objects.size. A condition is FIELD OPERATOR VALUE with one of "
-          + "= != < <= > >= ~ (contains, in either case); a number may have a unit. All conditions must hold; where a field is absent, only != does.",
+          + "= != < <= > >= ~ (contains, ignoring case); a number may have a unit. All conditions must hold; for an absent field only != holds.",
       "",
       "Exit code 1: nothing was heard within --timeout (with --once or --count) or --for."
     })

@@ -75,7 +75,7 @@ public final class LogCommand implements Callable<Integer> {
 
   @Option(
       names = {"-f", "--follow"},
-      description = "Go on with what is written, until Ctrl-C.")
+      description = "Keep printing new lines until Ctrl-C.")
   private boolean follow;
 
   @Option(names = "--json", description = "Print JSON, one object a line.")

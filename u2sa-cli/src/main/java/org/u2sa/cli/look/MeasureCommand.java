@@ -57,7 +57,7 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
         "  ./u2sa delay state",
         "  ./u2sa delay sensed-state state navigation actuation --for 10",
         "",
-        "A timestamp says when what the message tells was measured: the delay includes the work of its service. Both hosts' clocks must "
+        "A timestamp is the time of measurement, so the delay includes processing by the service. Both hosts' clocks must "
             + "agree. Messages of a run in simulated time have no such delay; the table says so. LAST: how long ago the last message "
             + "came. Exit code 1: nothing was heard."
       })
@@ -72,12 +72,12 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
   @Command(
       name = "bw",
       description = {
-        "Measure the bytes that messages take, for each source of a channel.",
+        "Measure the bandwidth of each source of a channel.",
         "",
         "  ./u2sa bw                           all standard channels, until Ctrl-C",
         "  ./u2sa bw scans grid --for 5",
         "",
-        "Bytes are those of the encoded messages; topics and MQTT's own are left out. BANDWIDTH is the mean since the command began; "
+        "Bytes are those of the encoded messages; topics and the overhead of MQTT are not counted. BANDWIDTH is the mean since the command began; "
             + "LAST: how long ago the last message came. Exit code 1: nothing was heard."
       })
   public static final class Bandwidth extends MeasureCommand {

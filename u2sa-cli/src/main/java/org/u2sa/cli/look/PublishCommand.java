@@ -46,10 +46,9 @@ import picocli.CommandLine.Spec;
       "  ./u2sa publish state @state.json --rate 10 --count 50",
       "  ./u2sa echo state --once --json | jq .fields | ./u2sa publish state - --system copy",
       "",
-      "A number is in its field's unit, or a text with another: \"90 deg\". systemId and timestamp are filled in where absent. The "
-          + "broker's access rules hold (docs/security.md): the command hears whether the message came through, and says so if not.",
+      "A number is in its field's unit, or a text with another: \"90 deg\". systemId and timestamp are filled in where absent. The broker's access rules apply (docs/security.md): the command checks whether the message was delivered, and says so if not.",
       "",
-      "Exit code 0: it came through; 1: it did not, or that could not be heard; 2: the message is wrong, and nothing was published."
+      "Exit code 0: it was delivered; 1: it was not, or this could not be checked; 2: the message is invalid, and nothing was published."
     })
 public final class PublishCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
@@ -266,7 +265,7 @@ public final class PublishCommand implements Callable<Integer> {
                 standard ? "" : " or to hear the channel")
             : "published on \""
                 + channel
-                + "\"; whether it came through is not known: the user may not hear that channel");
+                + "\"; whether it was delivered is unknown: the user may not hear that channel");
   }
 
   private ParameterException wrong(String what) {

@@ -42,8 +42,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa view recording.mcap --rate 4 --loop",
       "",
       "Then open a Foxglove WebSocket connection to ws://localhost:8765. Viewers get each message as JSON, and the views that a recording "
-          + "has (docs/recording.md). They can only look: nothing that they send reaches a service. A viewer that reads too slowly "
-          + "misses messages, counted; it holds nobody up."
+          + "has (docs/recording.md). They are read-only: nothing they send reaches a service. A viewer that reads too slowly loses messages, which are counted; it delays nobody."
     })
 public final class ViewCommand implements Callable<Integer> {
   private static final long LOOK_MS = 100;
@@ -59,7 +58,7 @@ public final class ViewCommand implements Callable<Integer> {
       description = "A recording (MCAP). Default: the running system.")
   private Path file;
 
-  @Option(names = "--connect", description = "Show the running system; so it is without FILE.")
+  @Option(names = "--connect", description = "Show the running system; the default without FILE.")
   private boolean connect;
 
   @Option(
@@ -74,14 +73,14 @@ public final class ViewCommand implements Callable<Integer> {
       paramLabel = "ADDRESS",
       defaultValue = "127.0.0.1",
       description =
-          "Address to listen on; 0.0.0.0 lets everybody on the network look, unencrypted. Default: ${DEFAULT-VALUE}.")
+          "Address to listen on; 0.0.0.0 lets everybody on the network view, unencrypted. Default: ${DEFAULT-VALUE}.")
   private String bind;
 
   @Option(
       names = "--origin",
       paramLabel = "ORIGIN",
       description =
-          "Web page whose viewer may connect too, such as https://viewer.example; repeatable, '*' for all. Without it: pages of this host, Foxglove's, and programs that are no web pages.")
+          "Web page whose viewer may connect, too, such as https://viewer.example; repeatable, '*' for all. Always allowed: pages of this host, Foxglove's, and programs other than browsers.")
   private Set<String> origins = Set.of();
 
   @Option(

@@ -14,9 +14,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "goto",
     description = {
-      "Pursue a goal now; the mission goes on from there.",
+      "Pursue a goal now; the mission continues from there.",
       "",
-      "resume goes back to where the mission was."
+      "resume returns to where the mission was."
     })
 final class GoToCommand implements Callable<Integer> {
   @Spec private CommandSpec command;

@@ -19,7 +19,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Insert the goals of a mission file.",
       "",
-      "What followed the goal before follows them. Names must be new; a next may name goals of the mission."
+      "What followed that goal follows them. Names must be new; a next may name goals of the mission."
     })
 final class InsertCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
@@ -38,9 +38,7 @@ final class InsertCommand implements Callable<Integer> {
         description = "The goal that they follow. Default: the current one.")
     private String after;
 
-    @Option(
-        names = "--now",
-        description = "Pursue them at once, and what is current now after them.")
+    @Option(names = "--now", description = "Pursue them at once; the current goal follows them.")
     private boolean now;
   }
 

@@ -8,7 +8,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "mission",
     description = {
-      "Show the mission of a running system, and change it on the way.",
+      "Show the mission of a running system, and change it under way.",
       "",
       "  ./u2sa mission show",
       "  ./u2sa mission goto dock",

@@ -28,9 +28,9 @@ final class MissionTable {
             action ->
                 lines.add(terminal.bad("Failsafe " + action + " is pursued; the mission waits.")));
     if (report.paused()) {
-      lines.add("The mission is paused; resume goes on with it.");
+      lines.add("The mission is paused; resume continues it.");
     }
-    report.resumable().ifPresent(where -> lines.add("resume goes back to " + where + "."));
+    report.resumable().ifPresent(where -> lines.add("resume returns to " + where + "."));
     lines.add("");
     TextTable table =
         new TextTable(

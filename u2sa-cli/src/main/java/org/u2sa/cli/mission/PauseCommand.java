@@ -13,9 +13,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "pause",
     description = {
-      "Pause the mission: the vehicle stands, or circles if it cannot stand. Time limits stand too.",
+      "Pause the mission: the vehicle stops, or circles if it cannot stop. Time limits are paused, too.",
       "",
-      "resume goes on with the same goal; goto and insert --now end the pause as well."
+      "resume continues with the same goal; goto and insert --now end the pause as well."
     })
 final class PauseCommand implements Callable<Integer> {
   @Spec private CommandSpec command;

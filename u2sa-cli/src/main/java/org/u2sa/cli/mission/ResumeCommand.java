@@ -13,10 +13,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "resume",
     description = {
-      "Go on with a paused mission.",
+      "Continue a paused mission.",
       "",
-      "If it is not paused: go back to where the mission was left, before goto or, with the variable RESUME = ORDERED, "
-          + "by the process before."
+      "If it is not paused: return to where the mission was left, before goto or, with the variable RESUME = ORDERED, by the previous process."
     })
 final class ResumeCommand implements Callable<Integer> {
   @Spec private CommandSpec command;

@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "show",
     description = {
-      "Show the goals of the mission: what came of each, when, how far away it is, what follows."
+      "Show the goals of the mission: the result of each, when, its distance, and what follows."
     })
 final class ShowMissionCommand implements Callable<Integer> {
   /** Time to wait for a state; several publishing periods [s]. */

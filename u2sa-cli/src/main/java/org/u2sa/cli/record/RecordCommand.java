@@ -26,8 +26,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Record all messages of a running system until Ctrl-C.",
       "",
-      "Joins the system by MQTT as a service named Recorder. Messages are written to the file four times a second: a crash "
-          + "loses no more. ./u2sa recover makes a whole file of one that broke off."
+      "Joins the system by MQTT as a service named Recorder. Messages are written to the file four times a second, so a crash loses at most a quarter of a second. ./u2sa recover repairs a truncated file."
     })
 public final class RecordCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
@@ -39,7 +38,7 @@ public final class RecordCommand implements Callable<Integer> {
       paramLabel = "FILE",
       defaultValue = "recording.mcap",
       description =
-          "Where to; a number is appended to the name if the file exists. Default: ${DEFAULT-VALUE}.")
+          "Output file; a number is appended to the name if it exists. Default: ${DEFAULT-VALUE}.")
   private Path out;
 
   @Option(

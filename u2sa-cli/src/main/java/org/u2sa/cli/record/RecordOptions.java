@@ -42,7 +42,7 @@ public final class RecordOptions {
   @Option(
       names = "--split",
       paramLabel = "SIZE|TIME",
-      description = "Begin another file at this size or time, for example 500MB or 10min.")
+      description = "Start another file at this size or duration, for example 500MB or 10min.")
   private void split(String text) {
     Matcher matcher = SPLIT.matcher(text);
     if (!matcher.matches() || Double.parseDouble(matcher.group(1)) == 0.0) {

@@ -20,12 +20,11 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "recover",
     description = {
-      "Make a whole recording of one that breaks off or is damaged.",
+      "Repair a truncated or damaged recording.",
       "",
       "  ./u2sa recover out/drive/recording.mcap",
       "",
-      "Copies every message, attachment and metadata record that can be read, also of a chunk of which only a part is there. "
-          + "A chunk whose checksum is wrong is left out. The broken file is not changed."
+      "Copies every readable message, attachment and metadata record, including those of a truncated chunk. A chunk with a wrong checksum is left out. The damaged file is not changed."
     })
 public final class RecoverCommand implements Callable<Integer> {
   private static final String SUFFIX = ".mcap";
@@ -38,10 +37,10 @@ public final class RecoverCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--out"},
       paramLabel = "FILE",
-      description = "The whole recording. Default: FILE with \"-recovered\" in its name.")
+      description = "The repaired recording. Default: FILE with \"-recovered\" in its name.")
   private Path out;
 
-  @Option(names = "--json", description = "Say what was recovered as JSON.")
+  @Option(names = "--json", description = "Print what was recovered as JSON.")
   private boolean json;
 
   @Override
@@ -71,7 +70,7 @@ public final class RecoverCommand implements Callable<Integer> {
         result
             .trouble()
             .map(trouble -> file + ": " + trouble)
-            .orElse(file + " is whole; nothing was wrong with it"));
+            .orElse(file + " is complete and undamaged"));
     if (result.damagedChunks() > 0) {
       printer.println(result.damagedChunks() + " damaged chunks left out");
     }

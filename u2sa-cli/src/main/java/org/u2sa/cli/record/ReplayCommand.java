@@ -31,7 +31,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "replay",
     description = {
-      "Publish the messages of a recording again, at a broker that runs. With --rerun, execute services again instead.",
+      "Publish the messages of a recording again, to a running broker. With --rerun, execute services again instead.",
       "",
       "Messages are published as they were recorded, timestamps included, under the recorded system's ID unless --system names "
           + "another. Services that run under that ID will obey recorded commands.",
@@ -41,8 +41,7 @@ import picocli.CommandLine.Spec;
       "At a terminal: space pauses, s plays the next message and pauses, left and right go 5 s back and forward, up and down "
           + "double and halve the rate, q ends.",
       "",
-      "With --rerun no broker is needed: each service is made as it was, given what it was given at the recorded times, and what it "
-          + "publishes is compared with the recording, to the byte. Exit code 1: something differs. Rerun only recordings that you "
+      "With --rerun no broker is needed: each service is recreated and given its recorded input at the recorded times, and its output is compared with the recording, byte by byte. Exit code 1: something differs. Rerun only recordings that you "
           + "trust: the service classes that they name are executed."
     })
 public final class ReplayCommand implements Callable<Integer> {

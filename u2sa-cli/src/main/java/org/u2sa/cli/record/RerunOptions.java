@@ -39,14 +39,14 @@ final class RerunOptions {
       paramLabel = "SERVICE",
       split = ",",
       description =
-          "Execute these services again on what they were given in the recording, and compare what they publish; all: those that can be.")
+          "Execute these services again on their recorded input, and compare their output; all: every service for which this is possible.")
   private List<String> services = List.of();
 
   @Option(
       names = "--against",
       paramLabel = "CHANGE",
       description = {
-        "With --rerun: change the service first, and say by how much its messages then differ. CHANGE is "
+        "With --rerun: change the service first, and report by how much its messages then differ. CHANGE is "
             + "SERVICE:VARIABLE=VALUE, SERVICE=CLASS, or a system or configuration file. May be repeated."
       })
   private List<String> changes = List.of();
@@ -127,8 +127,7 @@ final class RerunOptions {
     if (all.isEmpty()) {
       throw new BadInputException(
           file
-              + ": holds no executions of services, only their messages. They are kept when the recorder runs in the services' own"
-              + " process (--record, or a Recorder as the first service of the system file), records messages as they are, and is not"
+              + ": contains no executions of services, only their messages. Executions are recorded when the recorder runs in the services' own process (--record, or a Recorder as the first service of the system file), records messages as they are, and is not"
               + " of an earlier version");
     }
     Map<String, ExecutionStart> chosen = new LinkedHashMap<>();

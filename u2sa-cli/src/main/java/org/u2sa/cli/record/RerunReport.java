@@ -127,7 +127,7 @@ final class RerunReport {
     }
     return String.format(
         Locale.ROOT,
-        "%s: %d of %d messages are the same, health reports left out; %.1f s executed in %.1f s, %.0f times as fast as recorded",
+        "%s: %d of %d messages are identical, not counting health reports; %.1f s executed in %.1f s, %.0f times as fast as recorded",
         isIdentical() ? "Identical" : "Not identical",
         same,
         recorded,

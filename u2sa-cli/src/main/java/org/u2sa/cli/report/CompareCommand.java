@@ -22,11 +22,11 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "compare",
     description = {
-      "Write one HTML page about several recorded runs: a table, and charts laid over each other.",
+      "Write one HTML page about several recorded runs: a table, and overlaid charts.",
       "",
       "  ./u2sa compare out/a/recording.mcap out/b/recording.mcap",
       "",
-      "Each run's time counts from its first message. A track.csv beside a recording is its truth."
+      "Times count from each run's first message. A track.csv beside a recording is its ground truth."
     })
 public final class CompareCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
@@ -38,7 +38,7 @@ public final class CompareCommand implements Callable<Integer> {
       names = {"-o", "--out"},
       paramLabel = "FILE",
       defaultValue = "compare.html",
-      description = "Where to. Default: ${DEFAULT-VALUE}.")
+      description = "Output file. Default: ${DEFAULT-VALUE}.")
   private Path out;
 
   @Option(names = "--json", description = "Print what the page shows as JSON; write no page.")

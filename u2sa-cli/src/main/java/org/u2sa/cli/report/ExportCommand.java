@@ -35,7 +35,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "export",
     description = {
-      "Write a recording as CSV, KML, GPX or GeoJSON, or for viewers that know no CBOR.",
+      "Export a recording as CSV, KML, GPX or GeoJSON, or for viewers without CBOR.",
       "",
       "  ./u2sa export recording.mcap --format csv --channel state,actuation --out tables",
       "  ./u2sa export recording.mcap --format kml",
@@ -86,11 +86,12 @@ public final class ExportCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--out"},
       paramLabel = "PATH",
-      description =
-          "Where to: a file; of csv, a folder. Default: beside the recording, with its name.")
+      description = "Output file; for csv, a folder. Default: beside the recording, with its name.")
   private Path out;
 
-  @Option(names = "--json", description = "Say what was written as JSON, an object a file.")
+  @Option(
+      names = "--json",
+      description = "Print what was written as JSON, one object for each file.")
   private boolean json;
 
   @Override

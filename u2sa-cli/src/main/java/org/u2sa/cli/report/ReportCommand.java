@@ -39,7 +39,7 @@ public final class ReportCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--out"},
       paramLabel = "FILE",
-      description = "Where to. Default: the recording's name with .html.")
+      description = "Output file. Default: the recording's name with .html.")
   private Path out;
 
   @Option(

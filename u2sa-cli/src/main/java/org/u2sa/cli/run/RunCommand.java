@@ -113,13 +113,13 @@ public final class RunCommand implements Callable<Integer> {
   @Option(
       names = "--supervised",
       hidden = true,
-      description = "With --only: the process that started this one starts it again if need be.")
+      description = "With --only: the process that started this one restarts it if necessary.")
   private boolean supervised;
 
   @Option(
       names = "--restart",
       hidden = true,
-      description = "With --only: the service ran before and is to go on where it was.")
+      description = "With --only: the service ran before and resumes where it was.")
   private boolean restart;
 
   @Override

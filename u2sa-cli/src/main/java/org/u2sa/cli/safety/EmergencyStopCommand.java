@@ -27,14 +27,14 @@ import picocli.CommandLine.Spec;
     description = {
       "Stop everything that moves, at once, until it is cleared.",
       "",
-      "Every actuator goes neutral and refuses all commands, also one that starts later, until estop --clear. An aircraft "
+      "Every actuator goes neutral and refuses all commands, including any that starts later, until estop --clear. An aircraft "
           + "glides, its surfaces neutral and its engine idling.",
       "",
       "Without --system the stop goes to every system at the broker that the user may command, to each as soon as it is heard. "
           + "--clear lifts the stops of one system, which --system chooses if several are heard.",
       "",
       "Exit code 0: every service that heeds stops, actuators and Safety Manager, has said that it is stopped (or, with --clear, "
-          + "that nothing stops it). Exit code 1: somebody has not, and the answer says who."
+          + "that nothing stops it). Exit code 1: one has not; the output names it."
     })
 public final class EmergencyStopCommand implements Callable<Integer> {
   /**

@@ -51,7 +51,7 @@ public final class SecurityCommand implements Runnable {
               names = "--host",
               paramLabel = "HOST",
               description =
-                  "Name or address under which clients reach the broker; several times for several. localhost and this host's name are always there.")
+                  "Name or address under which clients reach the broker; repeatable. localhost and this host's name are always included.")
           List<String> hosts)
       throws IOException, InterruptedException {
     SecurityDirectory directory = new SecurityDirectory(folder);

@@ -27,7 +27,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa graph",
       "  ./u2sa graph --broker vehicle.local --dot | dot -Tsvg > system.svg",
       "",
-      "Left out: the channels that every service uses (discovery, functionality, stop, configuration, "
+      "Omitted: the channels that every service uses (discovery, functionality, stop, configuration, "
           + "health)."
     })
 public final class GraphCommand implements Callable<Integer> {
@@ -95,7 +95,7 @@ public final class GraphCommand implements Callable<Integer> {
     PrintWriter err = command.commandLine().getErr();
     err.printf(
         Locale.ROOT,
-        "System \"%s\" did not come to rest within %.1f s: services and feeds may be missing; "
+        "System \"%s\" did not settle within %.1f s: services and feeds may be missing; "
             + "--timeout waits longer%n",
         link.systemId(),
         link.timeoutS());

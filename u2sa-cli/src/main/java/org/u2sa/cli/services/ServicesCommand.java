@@ -41,7 +41,7 @@ import picocli.CommandLine.Spec;
     description = {
       "List the services of a running system, or find them by their data.",
       "",
-      "Exit code 1: nobody answered, or nobody has the data asked for."
+      "Exit code 1: no service answered, or none has the data asked for."
     })
 public final class ServicesCommand implements Callable<Integer> {
   private static final double WATCH_EVERY_S = 1.0;

@@ -167,7 +167,7 @@ final class Destination {
   private static void writing(Path draft, Writing writing) {
     if (Files.exists(draft, LinkOption.NOFOLLOW_LINKS)) {
       throw new BadInputException(
-          draft + " exists: is another u2sa new at work, or was one killed? Then remove it");
+          draft + " exists: is another u2sa new running? If one was killed, remove it");
     }
     try {
       try {

@@ -27,8 +27,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Make a project with a service of your own, or add a service to a project.",
       "",
-      "What is made compiles, has a test and a configuration, and is yours to change. Run in the folder of a project that was made "
-          + "so, or with --into, it adds to that project. Nothing is overwritten."
+      "The result compiles, has a test and a configuration, and is yours to change. Run in the folder of such a project, or with --into, it adds to that project. Nothing is overwritten."
     })
 public final class NewCommand implements Callable<Integer> {
   private static final String HOME = "u2sa.home";
@@ -74,7 +73,7 @@ public final class NewCommand implements Callable<Integer> {
       paramLabel = "DIR|JAR",
       defaultValue = "${env:U2SA_TEMPLATES}",
       description =
-          "Your organisation's templates, which come before U2SA's own. Default: the environment's U2SA_TEMPLATES.")
+          "Your organisation's templates, which take precedence over U2SA's own. Default: the environment's U2SA_TEMPLATES.")
   private String templates;
 
   /** Build tool of a new project. */

@@ -219,10 +219,11 @@ class ReportTest {
     JsonNode heading = named(run.get("charts"), "title", "Heading error, and 2σ as estimated");
     assertThat(heading.get("lines").get(0).get("v").get(0).asDouble())
         .isCloseTo(Math.toDegrees(0.1), within(1e-3));
-    JsonNode off = named(run.get("charts"), "title", "Off the line between goals (right +)");
+    JsonNode off = named(run.get("charts"), "title", "Cross-track error between goals (right +)");
     JsonNode estimated = named(off.get("lines"), "name", "estimated").get("v");
     assertThat(estimated.get(estimated.size() - 1).asDouble()).isCloseTo(1.0, within(0.02));
-    assertThat(figure(run, "off the line, greatest")).isCloseTo(0.0, within(0.02)); // the truth's
+    assertThat(figure(run, "cross-track error, maximum"))
+        .isCloseTo(0.0, within(0.02)); // the truth's
     JsonNode latency = named(run.get("latency"), "channel", "state");
     assertThat(latency.get("p50Ms").asDouble()).isEqualTo(2.0);
   }
@@ -268,7 +269,7 @@ class ReportTest {
     assertThat(runs.findValuesAsText("name")).contains("a", "b");
     assertThat(runs.get(0).get("map").has("truth")).isTrue();
     assertThat(runs.get(1).get("map").has("truth")).isFalse();
-    assertThat(figure(runs.get(1), "off the line, greatest")).isCloseTo(1.0, within(0.02));
+    assertThat(figure(runs.get(1), "cross-track error, maximum")).isCloseTo(1.0, within(0.02));
   }
 
   @Test

@@ -51,22 +51,22 @@ public final class AllocatingControl extends ControlSystem {
       @Variable(
               ifAbsentText = "",
               text =
-                  "Axes, with spaces between, without which the vehicle is left neutral: of SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
+                  "Axes, separated by spaces, without which the actuators stay neutral: SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
           String essential,
       @Variable(
               ifAbsentText = "",
               text =
-                  "Actuators that cost more effort, as \"NAME 4, OTHER NAME 2\"; others cost 1, and the dearer one does less.")
+                  "Relative costs of actuators, as \"NAME 4, OTHER NAME 2\"; others cost 1. Costlier actuators are used less.")
           String costs,
       @Variable(
               ifAbsentText = "PERCENT",
               text =
-                  "FORCE commands actuators that take forces by newtons, others by percent; PERCENT all by percent.")
+                  "FORCE commands actuators that accept forces in newtons, others in percent; PERCENT commands all in percent.")
           CommandKind commands,
       @Variable(
               ifAbsentText = "false",
               text =
-                  "Whether an actuator that is commanded without effect, or with less than it announces, is found by the vehicle's motion and left out or counted as weak; needs true masses.")
+                  "Whether actuators with no effect, or less than they announce, are detected by the vehicle's motion and left out or counted as weak; needs true masses.")
           boolean watchesResponse,
       @Variable(
               unit = "s",
@@ -308,7 +308,7 @@ public final class AllocatingControl extends ControlSystem {
     said = words;
     remark("authority", words);
     if (words.isEmpty()) {
-      log(LogLevelEnum.INFO, "all control authority is there");
+      log(LogLevelEnum.INFO, "full control authority");
     } else {
       trouble(words);
     }

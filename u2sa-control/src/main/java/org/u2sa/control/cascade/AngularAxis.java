@@ -9,14 +9,13 @@ record AngularAxis(
             min = 0,
             max = 1000,
             ifAbsent = 0,
-            text =
-                "Weight of the axis where actuators cannot do all that is wanted; 0: the axis is not controlled.")
+            text = "Weight of the axis when actuators saturate; 0: the axis is not controlled.")
         double weight,
     @Variable(
             min = 1.0e-6,
             max = 1.0e7,
             ifAbsent = 1,
-            text = "Moment of inertia that is accelerated, with the water's [kg m²].")
+            text = "Moment of inertia, including that of the water [kg m²].")
         double inertia,
     @Variable(
             unit = "1/s",
@@ -43,7 +42,7 @@ record AngularAxis(
             min = 2,
             max = 100,
             ifAbsent = 10,
-            text = "How many times faster than the derivative time its filter is.")
+            text = "Ratio of the derivative time to the time constant of its filter.")
         double derivativeFilter,
     @Variable(unit = "1/s", min = 0, max = 20, ifAbsent = 0.8, text = "Rate per angle error.")
         double angleGain,

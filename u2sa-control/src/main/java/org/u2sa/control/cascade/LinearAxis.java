@@ -9,15 +9,14 @@ record LinearAxis(
             min = 0,
             max = 1000,
             ifAbsent = 0,
-            text =
-                "Weight of the axis where actuators cannot do all that is wanted; 0: the axis is not controlled.")
+            text = "Weight of the axis when actuators saturate; 0: the axis is not controlled.")
         double weight,
     @Variable(
             unit = "kg",
             min = 0.001,
             max = 1.0e7,
             ifAbsent = 1,
-            text = "Mass that is accelerated, with the water's added mass.")
+            text = "Mass, including the added mass of the water.")
         double mass,
     @Variable(
             unit = "1/s",
@@ -44,7 +43,7 @@ record LinearAxis(
             min = 2,
             max = 100,
             ifAbsent = 10,
-            text = "How many times faster than the derivative time its filter is.")
+            text = "Ratio of the derivative time to the time constant of its filter.")
         double derivativeFilter,
     @Variable(
             unit = "1/s",
@@ -58,7 +57,7 @@ record LinearAxis(
             min = 0,
             max = 100,
             ifAbsent = 0.5,
-            text = "Fastest motion along the axis.")
+            text = "Maximum speed along the axis.")
         double maxSpeed) {
 
   AxisTuning tuning() {

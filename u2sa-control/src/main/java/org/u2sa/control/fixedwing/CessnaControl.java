@@ -99,7 +99,7 @@ public final class CessnaControl extends ControlSystem {
       mixing = newest;
       remark("authority", newest.equals(SurfaceMixing.SOUND) ? "" : newest.words());
       if (newest.equals(SurfaceMixing.SOUND)) {
-        log("all surfaces are there");
+        log("all surfaces are available");
       } else {
         trouble(newest.words());
       }

@@ -91,7 +91,7 @@ final class GroundControl {
             .collect(Collectors.toList());
     if (lost.isEmpty() == powerless) {
       powerless = !lost.isEmpty();
-      control.log(powerless ? "lost " + String.join(", ", lost) : "all motors are there");
+      control.log(powerless ? "lost " + String.join(", ", lost) : "all motors are available");
     }
     return powerless;
   }

@@ -77,8 +77,8 @@ final class MotionWatch {
     return Optional.of(
         words
             + (rolls
-                ? "; they go on, for at rest it would roll away"
-                : "; they rest, then it tries again"));
+                ? "; they stay on, because at rest the vehicle would roll away"
+                : "; they rest before the next attempt"));
   }
 
   private void forget() {

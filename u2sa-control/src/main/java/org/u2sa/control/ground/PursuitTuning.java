@@ -92,7 +92,7 @@ record PursuitTuning(
             max = 10,
             ifAbsent = 0,
             text =
-                "Time in which the vehicle, at a constant command, takes up 63 % of its speed from rest: by that the motors are told more while speed is to change; 0: never.")
+                "Time constant of the speed at a constant command (63 % from rest), by which commands lead while the speed changes; 0: no lead.")
         double pickUpTime,
     @Variable(
             unit = "s",

@@ -24,14 +24,14 @@ final class StanleyLaw {
               min = 0,
               max = 10,
               ifAbsent = 0.3,
-              text = "Speed added in the law, so that it stays calm while slow.")
+              text = "Softening speed, which keeps the law calm while slow.")
           double softening,
       @Variable(
               unit = "s",
               min = 0,
               max = 2,
               ifAbsent = 0,
-              text = "Steering against yaw rate that the path does not ask for.")
+              text = "Steering per yaw rate in excess of the path's: damping.")
           double yawDamping) {}
 
   private StanleyLaw() {}

@@ -78,7 +78,7 @@ final class BrokerSecurity {
       log.accept(
           "WARNING: ALLOW INSECURE NETWORK: everyone who reaches "
               + bindAddress
-              + " hears and commands this vehicle");
+              + " can listen to and command this vehicle");
     } else if (settings.localCommands.equals("account")) {
       return new BrokerSecurity(null, null, LocalAccount.at(bindAddress, port, log));
     }

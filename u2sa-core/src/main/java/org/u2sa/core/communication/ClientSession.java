@@ -40,7 +40,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     OUT
   }
 
-  static final String TOO_SLOW = "client put out, it is too slow";
+  static final String TOO_SLOW = "client disconnected, it is too slow";
 
   private final ConnectionFilter filter;
   private final Outflow outflow;
@@ -134,7 +134,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     since = filter.nowMicros();
     from = ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress();
     for (ClientSession longest : filter.pending().add(this, from)) {
-      longest.putOutFor("pending connection closed for a newer one");
+      longest.putOutFor("pending connection closed in favour of a newer one");
     }
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
   }
@@ -241,7 +241,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       budget(ctx);
       if (user != null
           && !filter.users().flatMap(all -> all.named(name)).equals(Optional.of(user))) {
-        putOut(ctx, "client put out, its user was changed or removed", "");
+        putOut(ctx, "client disconnected, its user was changed or removed", "");
       }
     }
   }
@@ -307,7 +307,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     } else if (!filter.users().get().havePasswords()) {
       loginLocally(ctx, said, filter.users().get());
     } else if (said.user().isEmpty()) {
-      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, "it says no user");
+      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, "it names no user");
     } else {
       name = said.user();
       stage = Stage.CHECKED;

@@ -112,7 +112,7 @@ final class ClientSubscriptions {
         return Optional.of("a filter is too long");
       }
       if (!TopicFilter.isValid(wanted)) {
-        return Optional.of("a filter is none");
+        return Optional.of("a filter is invalid");
       }
       if (wanted.startsWith(SHARED)) { // MQTT 5 shared subscription
         return Optional.of("a filter is shared");

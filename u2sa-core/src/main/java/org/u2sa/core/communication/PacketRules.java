@@ -146,17 +146,17 @@ final class PacketRules {
       TopicPermissions.Verdict verdict, byte[] payload, boolean isWill) {
     Optional<U2SAData> message = read(verdict.topic(), payload);
     if (!(message.orElse(null) instanceof EmergencyStop stop)) {
-      return Optional.of("it is no emergency stop that can be read");
+      return Optional.of("it is not a readable emergency stop");
     }
     if (stop.active()) {
       return Optional.empty();
     }
     if (isWill) {
-      return Optional.of("a will clears no emergency stop");
+      return Optional.of("a will may not clear an emergency stop");
     }
     return user == null || user.mayClearEmergencyStop()
         ? Optional.empty()
-        : Optional.of("only an operator clears an emergency stop");
+        : Optional.of("only an operator may clear an emergency stop");
   }
 
   private Optional<String> retain(TopicPermissions.Verdict verdict, byte[] payload) {

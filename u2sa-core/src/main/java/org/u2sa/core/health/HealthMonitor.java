@@ -161,7 +161,9 @@ public final class HealthMonitor extends PeriodicService {
   private boolean hears(double nowS) {
     switch (reception.look(nowS)) {
       case LOST:
-        log(LogLevelEnum.WARN, "hears not even its own reports: judging no service until it does");
+        log(
+            LogLevelEnum.WARN,
+            "does not hear even its own reports: judging no service until it does");
         return false;
       case STILL_LOST:
         return false;

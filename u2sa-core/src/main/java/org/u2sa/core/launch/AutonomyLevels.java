@@ -114,7 +114,7 @@ public record AutonomyLevels(Perception perception, Decision decision, Independe
         attribute
             + ": \""
             + text
-            + "\" is no level; expected one of "
+            + "\" is not a level; expected one of "
             + String.join(", ", names)
             + NearestNames.didYouMean(plain, words));
   }

@@ -137,7 +137,7 @@ final class HostedServices implements ServiceHost {
       return Optional.of(e instanceof BadInputException ? e.getMessage() : e.toString());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return Optional.of("the launcher was interrupted; what comes of it stands in the log");
+      return Optional.of("the launcher was interrupted; the log tells the outcome");
     }
   }
 
@@ -179,7 +179,7 @@ final class HostedServices implements ServiceHost {
       console.accept(
           "Service "
               + service.getServiceName()
-              + " hangs and cannot be ended: its thread is given up, cut off from all others.");
+              + " hangs and cannot be stopped: its thread is abandoned and disconnected from all others.");
     }
   }
 

@@ -40,7 +40,7 @@ public final class ServiceFactory {
       Class<?> found = Class.forName(className, false, ServiceFactory.class.getClassLoader());
       if (!U2SAService.class.isAssignableFrom(found)) {
         throw new BadInputException(
-            "class \"" + className + "\" is no service: it does not extend U2SAService");
+            "class \"" + className + "\" is not a service: it does not extend U2SAService");
       }
       return found.asSubclass(U2SAService.class).getConstructor(ServiceContext.class);
     } catch (ClassNotFoundException e) {

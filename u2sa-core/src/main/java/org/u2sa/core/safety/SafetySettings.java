@@ -62,11 +62,21 @@ record SafetySettings(
         boolean healthMonitorRequired,
     @Variable(unit = "V", min = 0, ifAbsent = 0, text = "Low-battery threshold; 0: not monitored.")
         double lowBatteryVoltage,
-    @Variable(unit = "%", min = 0, max = 100, ifAbsent = 0, text = "Low-battery charge; 0: off.")
+    @Variable(
+            unit = "%",
+            min = 0,
+            max = 100,
+            ifAbsent = 0,
+            text = "Low-battery charge; 0: not monitored.")
         double lowBatteryRemaining,
     @Variable(unit = "V", min = 0, ifAbsent = 0, text = "Critical voltage; 0: not monitored.")
         double criticalBatteryVoltage,
-    @Variable(unit = "%", min = 0, max = 100, ifAbsent = 0, text = "Critical charge; 0: off.")
+    @Variable(
+            unit = "%",
+            min = 0,
+            max = 100,
+            ifAbsent = 0,
+            text = "Critical charge; 0: not monitored.")
         double criticalBatteryRemaining,
     @Variable(
             unit = "s",

@@ -57,7 +57,9 @@ public final class SecretFile {
         Files.setOwner(own, owner);
       } catch (IOException e) {
         throw new IOException(
-            "it belongs to " + owner.getName() + " and could not stay theirs: do it as that user",
+            "it belongs to "
+                + owner.getName()
+                + ", and its ownership could not be kept: do it as that user",
             e);
       }
     }

@@ -86,7 +86,7 @@ class ClientSubscriptionsTest {
   @Test
   void refusalOf_filterThatIsNoneOrTooLong_isRefused() {
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a", "a/#/b"))))
-        .contains("a filter is none");
+        .contains("a filter is invalid");
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("x".repeat(1_025)))))
         .contains("a filter is too long");
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("/".repeat(32)))))

@@ -46,7 +46,7 @@ class ConnectRequestTest {
   @Test
   void connect_noClientIdAndLastingSession_isRefusedByItsId() {
     pipeline.send(MqttPacketBytes.connect("", 4, 0));
-    assertRefused(WRONG_ID, "it has no client ID and wants a session that lasts");
+    assertRefused(WRONG_ID, "it has no client ID, but wants a persistent session");
   }
 
   @Test
@@ -76,6 +76,6 @@ class ConnectRequestTest {
   @Test
   void connect_mqtt5_isRefusedByItsVersion() {
     pipeline.send(MqttPacketBytes.connect("a", 5, CLEAN));
-    assertRefused(WRONG_VERSION, "it speaks another MQTT than 3.1 and 3.1.1");
+    assertRefused(WRONG_VERSION, "its version of MQTT is neither 3.1 nor 3.1.1");
   }
 }

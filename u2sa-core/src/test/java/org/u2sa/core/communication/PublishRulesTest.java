@@ -81,7 +81,8 @@ class PublishRulesTest {
 
   @Test
   void refusalOf_forbiddenTopic_saysWhy() {
-    assertThat(refusal(everybodys(), "somewhere/else", MAP)).contains("its topic is none of U2SA");
+    assertThat(refusal(everybodys(), "somewhere/else", MAP))
+        .contains("its topic is not one of U2SA's");
     assertThat(refusal(rulesOf(AccessRole.OBSERVER), OWN, MAP)).isPresent();
     assertThat(refusal(rulesOf(AccessRole.SERVICE), "u2sa/boat/tide/Tide", MAP))
         .contains("it is another system");
@@ -119,13 +120,13 @@ class PublishRulesTest {
   void refusalOf_emergencyStop_everybodyWhoMaySetsItAndAnOperatorClears() {
     assertThat(refusal(rulesOf(AccessRole.SAFETY), STOP, stop(true))).isEmpty();
     assertThat(refusal(rulesOf(AccessRole.SAFETY), STOP, stop(false)))
-        .contains("only an operator clears an emergency stop");
+        .contains("only an operator may clear an emergency stop");
     assertThat(refusal(rulesOf(AccessRole.OPERATOR), STOP, stop(false))).isEmpty();
     assertThat(refusal(everybodys(), STOP, stop(false))).isEmpty();
     assertThat(refusal(everybodys(), STOP, new byte[0]))
-        .contains("it is no emergency stop that can be read");
+        .contains("it is not a readable emergency stop");
     assertThat(refusalRetained(everybodys(), STOP, new byte[0]))
-        .contains("it is no emergency stop that can be read");
+        .contains("it is not a readable emergency stop");
     assertThat(pipeline.filter.retained().topics()).as("none of these was retained").isEmpty();
   }
 

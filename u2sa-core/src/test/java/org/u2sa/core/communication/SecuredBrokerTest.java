@@ -62,7 +62,7 @@ class SecuredBrokerTest extends SecuredClients {
 
     soon().until(() -> inbox.messages.contains(set) && inbox.messages.contains(byOperator));
     assertThat(inbox.messages).doesNotContain(byService, bySafety);
-    awaitLog("only an operator clears an emergency stop", "\"safety\"");
+    awaitLog("only an operator may clear an emergency stop", "\"safety\"");
   }
 
   @Test

@@ -219,6 +219,6 @@ class SessionEndTest {
     another();
     first.pass(1);
     assertThat(first.channel.isOpen()).isFalse();
-    assertLogged("pending connection closed for a newer one");
+    assertLogged("pending connection closed in favour of a newer one");
   }
 }

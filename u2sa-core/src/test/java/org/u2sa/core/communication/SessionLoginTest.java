@@ -122,7 +122,7 @@ class SessionLoginTest {
   void connect_nobody_isRefused() {
     client.send(MqttPacketBytes.connect("client", 0));
     assertAnswered(client, NOT_AUTHORIZED);
-    assertRefusedFor("it says no user");
+    assertRefusedFor("it names no user");
   }
 
   @Test

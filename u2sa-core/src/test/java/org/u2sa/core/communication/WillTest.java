@@ -43,7 +43,7 @@ class WillTest {
   @Test
   void refusalOfWill_topicThatIsNone_isRefused() {
     assertThat(refusal("somewhere", new byte[0], false, false))
-        .contains("its topic is none of U2SA");
+        .contains("its topic is not one of U2SA's");
   }
 
   @Test
@@ -60,10 +60,12 @@ class WillTest {
 
   @Test
   void refusalOfWill_thatClearsAStopOrIsNone_isRefused() {
-    assertThat(refusal(STOP, stop(false), true, false)).contains("a will clears no emergency stop");
-    assertThat(refusal(STOP, stop(false), true, true)).contains("a will clears no emergency stop");
+    assertThat(refusal(STOP, stop(false), true, false))
+        .contains("a will may not clear an emergency stop");
+    assertThat(refusal(STOP, stop(false), true, true))
+        .contains("a will may not clear an emergency stop");
     assertThat(refusal(STOP, new byte[0], true, true))
-        .contains("it is no emergency stop that can be read");
+        .contains("it is not a readable emergency stop");
   }
 
   @Test

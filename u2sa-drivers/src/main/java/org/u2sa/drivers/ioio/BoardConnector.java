@@ -159,7 +159,7 @@ final class BoardConnector implements AutoCloseable {
     }
     long patience = isConnected ? silentMicros : ANSWER_WITHIN_MICROS;
     if (nowMicros - seenMicros > patience) {
-      String what = isConnected ? "it says nothing for more than " : "no answer within ";
+      String what = isConnected ? "no data for more than " : "no answer within ";
       giveUp(present, what + Clock.seconds(patience) + " s");
     }
   }

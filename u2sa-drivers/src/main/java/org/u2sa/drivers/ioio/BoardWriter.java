@@ -48,7 +48,7 @@ final class BoardWriter extends OutputStream {
       throw new IOException("the connection to the IOIO has ended");
     }
     if (waiting.size() >= MOST) {
-      throw new IOException("the IOIO takes no more bytes");
+      throw new IOException("the IOIO accepts no more bytes");
     }
   }
 

@@ -13,12 +13,12 @@ record IoioVariables(
     @Variable(
             ifAbsentText = "",
             text =
-                "Address of the board: serial:/dev/ttyACM0 or tcp:host:port; empty where the host connects it, as a phone does.")
+                "Address of the board: serial:/dev/ttyACM0 or tcp:host:port; empty: the host connects it, as a phone does.")
         String connection,
     @Variable(
             ifAbsentText = "otg",
             oneOf = {"otg", "v1"},
-            text = "IOIO-OTG, or the IOIO before it: which pins there are.")
+            text = "Type of the board, which determines its pins: IOIO-OTG, or the earlier IOIO.")
         String board,
     @Variable(
             ifAbsentText = "LEFT MOTOR=10, RIGHT MOTOR=11",
@@ -86,7 +86,7 @@ record IoioVariables(
             min = 1,
             max = 100,
             ifAbsent = 5,
-            text = "The battery's voltage divided by that at the pin.")
+            text = "Ratio of the voltage divider: battery voltage over pin voltage.")
         double batteryDivider,
     @Variable(min = -1, max = 48, ifAbsent = 0, text = "Pin of the status LED; -1: none.")
         int ledPin,
@@ -112,7 +112,7 @@ record IoioVariables(
       String name = equals < 0 ? "" : part.substring(0, equals).trim();
       try {
         if (name.isEmpty() || pins.stream().anyMatch(other -> other.name().equals(name))) {
-          throw new NumberFormatException("no name, or one that is there already");
+          throw new NumberFormatException("no name, or a duplicate");
         }
         pins.add(new ActuatorPin(name, Integer.parseInt(part.substring(equals + 1).trim())));
       } catch (NumberFormatException e) {

@@ -17,7 +17,7 @@ record SensorVariables(
             ifAbsentText = "UBLOX 6",
             oneOf = {"NMEA", "UBLOX 6", "UBLOX 8"},
             text =
-                "NMEA: any, only listened to; UBLOX 6: LEA-6 and older, UBLOX 8: 7 and newer, set up at each connection.")
+                "NMEA: any, listened to only; UBLOX 6: LEA-6 and older, UBLOX 8: generation 7 and newer, configured at each connection.")
         String gpsReceiver,
     @Variable(
             unit = "Hz",
@@ -32,13 +32,13 @@ record SensorVariables(
             max = 5,
             ifAbsent = 0,
             text =
-                "Time from the moment that a fix is of to the arrival of its first message, from the data sheet; states get that moment's timestamp.")
+                "Latency from measurement to arrival of a fix's first message, from the data sheet; states are timestamped with the time of measurement.")
         double gpsDelay,
     @Variable(
             ifAbsentText = "SPARTON",
             oneOf = {"NMEA", "SPARTON"},
             text =
-                "NMEA: any that sends HDG, HDM or HDT by itself; SPARTON: SP3004D and its successors, asked for each heading.")
+                "NMEA: any that sends HDG, HDM or HDT unprompted; SPARTON: SP3004D and its successors, polled for each heading.")
         String compass,
     @Variable(
             unit = "s",
@@ -46,14 +46,14 @@ record SensorVariables(
             max = 5,
             ifAbsent = 0,
             text =
-                "Time from the moment that a heading is of to its arrival, from the data sheet; states get that moment's timestamp.")
+                "Latency from measurement to arrival of a heading, from the data sheet; states are timestamped with the time of measurement.")
         double compassDelay,
     @Variable(
             unit = "rad",
             min = -Math.PI,
             max = Math.PI,
             ifAbsent = 0,
-            text = "Direction of the compass's front, clockwise from the vehicle's.")
+            text = "Yaw of the compass on the vehicle, clockwise.")
         double compassMountingAngle,
     @Variable(
             unit = "rad",

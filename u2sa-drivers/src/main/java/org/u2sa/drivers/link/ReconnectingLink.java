@@ -131,7 +131,7 @@ final class ReconnectingLink implements ByteLink {
       found();
     }
     if (unread.put(bytes, count) > 0) {
-      trouble = "more came than was read: the oldest bytes were dropped";
+      trouble = "data came faster than it was read: the oldest bytes were dropped";
     }
   }
 

@@ -37,7 +37,7 @@ final class UdpOpener implements Port.Opener {
     try {
       return new DatagramSocket(port);
     } catch (IOException e) {
-      throw new IOException("UDP port " + port + " cannot be had (" + e.getMessage() + ")", e);
+      throw new IOException("UDP port " + port + " cannot be opened (" + e.getMessage() + ")", e);
     }
   }
 

@@ -88,13 +88,9 @@ public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
   /** Provider of MODEL = MAVLINK. */
   public static final class Provider extends DeviceProvider<RangeFinder> {
     private record Choice(
-        @Variable(ifAbsentText = "ANY", text = "MAVLINK: kind of the sensor to hear.")
+        @Variable(ifAbsentText = "ANY", text = "MAVLINK: type of the sensor.")
             Kind distanceSensorKind,
-        @Variable(
-                min = -1,
-                max = 255,
-                ifAbsent = -1,
-                text = "MAVLINK: id of the sensor to hear; -1: whichever.")
+        @Variable(min = -1, max = 255, ifAbsent = -1, text = "MAVLINK: ID of the sensor; -1: any.")
             int distanceSensorId) {}
 
     /** Constructor for {@link java.util.ServiceLoader}. */

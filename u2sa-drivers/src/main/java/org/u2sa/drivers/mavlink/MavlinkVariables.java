@@ -71,7 +71,7 @@ record MavlinkVariables(
             max = 60,
             ifAbsent = 1,
             text =
-                "How long neutral is sent when commands end or are stopped, before control is given back.")
+                "Time for which neutral is sent after commands end or are stopped, before control is returned.")
         double neutralTime,
     @Variable(
             unit = "us",
@@ -136,7 +136,7 @@ record MavlinkVariables(
           String actuator,
       @Variable(
               ifAbsentText = "false",
-              text = "Whether 0 % is the shortest pulse, as of a throttle.")
+              text = "Whether 0 % is the minimum pulse, as for a throttle.")
           boolean oneWay) {}
 
   MavlinkVariables {

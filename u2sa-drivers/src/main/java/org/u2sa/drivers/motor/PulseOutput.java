@@ -16,7 +16,7 @@ public final class PulseOutput {
               min = 1,
               max = 100_000,
               ifAbsent = 400,
-              text = "Fastest change; a stop is not limited.")
+              text = "Maximum rate of change; stops are not limited.")
           double slewLimit) {}
 
   /**

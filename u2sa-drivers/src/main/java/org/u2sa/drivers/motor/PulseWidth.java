@@ -31,9 +31,7 @@ public record PulseWidth(
             ifAbsent = 2000,
             text = "Pulse at 100 %, or -100 % if reversed.")
         double maximumUs,
-    @Variable(
-            ifAbsentText = "false",
-            text = "Whether the device turns the wrong way: exchanges the ends.")
+    @Variable(ifAbsentText = "false", text = "Whether the device is reversed: swaps the ends.")
         boolean reversed,
     @Variable(
             name = "DEAD BAND",
@@ -41,7 +39,7 @@ public record PulseWidth(
             min = 0,
             max = 100,
             ifAbsent = 0,
-            text = "Percentages not farther from 0 than this are neutral.")
+            text = "Dead band: percentages up to this are neutral.")
         double deadBandPercent) {
   private static final double FULL_PERCENT = 100.0;
   private static final double MICRO = 1.0e-6;

@@ -39,7 +39,7 @@ public final class RcSwitch {
               min = 0,
               max = 150,
               ifAbsent = 100,
-              text = "How much shorter the pulse must be to be manual again.")
+              text = "Hysteresis: how much shorter the pulse must be for manual again.")
           double hysteresis,
       @Variable(
               name = "RC CONFIRMATIONS",

@@ -89,7 +89,7 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
                 min = 0,
                 max = 100,
                 ifAbsent = 50,
-                text = "PING1D: least confidence of an echo that counts.")
+                text = "PING1D: minimum confidence of an echo.")
             int leastConfidence) {}
 
     /** Constructor for {@link java.util.ServiceLoader}. */

@@ -131,12 +131,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
   /** Provider of SONAR = PING360. */
   public static final class Provider extends DeviceProvider<Sonar> {
     private record Tuning(
-        @Variable(
-                unit = "m",
-                min = 1,
-                max = 75,
-                ifAbsent = 20,
-                text = "PING360: how far it listens.")
+        @Variable(unit = "m", min = 1, max = 75, ifAbsent = 20, text = "PING360: range.")
             double sonarReach,
         @Variable(
                 unit = "m/s",
@@ -150,7 +145,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
                 min = 1,
                 max = 100,
                 ifAbsent = 4,
-                text = "PING360: gradians from each ping to the next; 400 are a turn.")
+                text = "PING360: step between pings in gradians, 400 to a turn.")
             int stepGradians,
         @Variable(
                 min = 0,

@@ -116,7 +116,8 @@ class ReconnectingLinkTest {
     soon().until(link::isConnected);
     untilTaken();
 
-    assertThat(link.trouble()).isEqualTo("more came than was read: the oldest bytes were dropped");
+    assertThat(link.trouble())
+        .isEqualTo("data came faster than it was read: the oldest bytes were dropped");
     link.connections();
     StringBuilder all = new StringBuilder();
     for (String part = heard(); !part.isEmpty(); part = heard()) {

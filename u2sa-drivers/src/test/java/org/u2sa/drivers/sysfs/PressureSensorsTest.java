@@ -93,7 +93,7 @@ class PressureSensorsTest {
     kit.advance(1.0);
     assertThat(kit.published(Channels.SENSED_STATE)).isEmpty();
     assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError).orElse(""))
-        .startsWith("the barometer says ")
+        .startsWith("the barometer reports ")
         .contains("outside 5000.0…120000.0 Pa");
   }
 

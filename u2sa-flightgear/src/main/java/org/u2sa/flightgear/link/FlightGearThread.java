@@ -177,7 +177,7 @@ final class FlightGearThread extends Thread {
     if (heard || !flying || latest == null) {
       if (heard && deaf) {
         deaf = false;
-        troubles.event("FlightGear takes controls again");
+        troubles.event("FlightGear accepts controls again");
       }
       heardCount = out.count();
       heardMicros = now;
@@ -185,7 +185,7 @@ final class FlightGearThread extends Thread {
       heardMicros = now;
       if (!deaf) {
         deaf = true;
-        troubles.event("FlightGear takes no controls");
+        troubles.event("FlightGear does not accept controls");
       }
       in.drop();
       repair.in(now);

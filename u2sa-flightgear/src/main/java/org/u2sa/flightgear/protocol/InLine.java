@@ -84,7 +84,10 @@ public record InLine(ControlInputs controls, long count) {
     String lower = text.trim().toLowerCase(Locale.ROOT);
     if (lower.contains("nan") || lower.contains("inf")) {
       throw new MalformedLineException(
-          field.node() + ": \"" + PropertyNumbers.shown(text) + "\" would poison the flight model");
+          field.node()
+              + ": \""
+              + PropertyNumbers.shown(text)
+              + "\" would corrupt the flight model");
     }
     return PropertyNumbers.isNumber(lower) ? Double.parseDouble(lower) : 0.0;
   }

@@ -71,7 +71,7 @@ final class FlightGearRepairTest {
     fly();
     command("remove-io-channel name=generic-2");
     awaitTrouble("controls do not reach FlightGear");
-    awaitTrouble("FlightGear takes controls again");
+    awaitTrouble("FlightGear accepts controls again");
     link.write(throttle(0.7));
     awaitThrottle(0.7);
     assertThat(link.read(clock.micros()).connected()).isTrue();
@@ -83,7 +83,7 @@ final class FlightGearRepairTest {
     readUntil(AircraftReading::connected);
     deafen(0.25);
     link.write(throttle(0.7));
-    awaitTrouble("FlightGear takes no controls");
+    awaitTrouble("FlightGear does not accept controls");
     awaitThrottle(0.7);
   }
 
@@ -93,7 +93,7 @@ final class FlightGearRepairTest {
     command("remove-io-channel name=generic-1");
     awaitTrouble("FlightGear is connected again");
     command("remove-io-channel name=generic-2");
-    awaitTrouble("FlightGear takes controls again");
+    awaitTrouble("FlightGear accepts controls again");
     link.write(throttle(0.7));
     awaitThrottle(0.7);
     link.close();

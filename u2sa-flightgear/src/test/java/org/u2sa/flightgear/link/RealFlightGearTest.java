@@ -78,8 +78,8 @@ final class RealFlightGearTest {
       somebody.getOutputStream().write("0,0,0,0,0.3\n0.5,0".getBytes(StandardCharsets.US_ASCII));
     }
     link.write(FULL_THROTTLE);
-    awaitTrouble("FlightGear takes no controls");
-    awaitTrouble("FlightGear takes controls again");
+    awaitTrouble("FlightGear does not accept controls");
+    awaitTrouble("FlightGear accepts controls again");
     AircraftReading running = readUntil(each -> !each.state().engineStarting());
     assertThat(running.state().engineRpm().orElse(0.0)).isGreaterThan(600.0);
     AircraftReading rolling =

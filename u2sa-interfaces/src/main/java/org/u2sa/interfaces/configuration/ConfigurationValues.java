@@ -214,7 +214,7 @@ final class ConfigurationValues {
     Optional<VariableDeclaration<?>> declaration = Optional.ofNullable(declared.get(name));
     if (!declaration.isPresent() && !statement.isPresent()) {
       throw new ConfigurationException(
-          origin + ", variable \"" + name + "\": no longer stands in the file");
+          origin + ", variable \"" + name + "\": is no longer in the file");
     }
     return new BoundVariable(origin, name, declaration, statement);
   }

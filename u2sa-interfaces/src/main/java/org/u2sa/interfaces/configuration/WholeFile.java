@@ -136,7 +136,7 @@ public final class WholeFile {
       } catch (IOException e) {
         throw new IOException(
             String.format(
-                "%s belongs to %s:%s and could not stay theirs: change it as that user",
+                "%s belongs to %s:%s, and its ownership could not be kept: change it as that user",
                 from, wanted.owner().getName(), wanted.group().getName()),
             e);
       }

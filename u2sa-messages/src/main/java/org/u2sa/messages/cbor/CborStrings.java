@@ -48,7 +48,7 @@ final class CborStrings {
       return text.toString();
     } catch (CharacterCodingException e) {
       throw new IllegalArgumentException(
-          "expected text in UTF-8; half a surrogate pair is none", e);
+          "expected text in UTF-8; an unpaired surrogate is invalid", e);
     }
   }
 

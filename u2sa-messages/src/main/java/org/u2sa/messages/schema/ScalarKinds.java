@@ -83,7 +83,7 @@ final class ScalarKinds {
         boolean pair =
             i + 1 < text.length() && Character.isSurrogatePair(text.charAt(i), text.charAt(i + 1));
         if (!pair) {
-          throw Limits.expected("Unicode text without half a surrogate pair");
+          throw Limits.expected("Unicode text without unpaired surrogates");
         }
         i++;
       }

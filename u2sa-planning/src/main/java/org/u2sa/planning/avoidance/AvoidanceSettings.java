@@ -61,7 +61,7 @@ public record AvoidanceSettings(
             min = 0,
             max = 100,
             ifAbsent = 3,
-            text = "What a metre at CLEARANCE from an obstacle costs more than one in the open.")
+            text = "Extra cost of a metre at CLEARANCE from an obstacle over one in the open.")
         double inflationCost,
     @Variable(
             unit = "m",
@@ -75,7 +75,7 @@ public record AvoidanceSettings(
             min = 0,
             ifAbsent = 0,
             text =
-                "The same while routes may lead through passages in which the vehicle cannot turn, as cells narrow each passage; 0: PLANNING CELL.")
+                "As PLANNING CELL, while routes may lead through passages in which the vehicle cannot turn, because cells make passages narrower; 0: PLANNING CELL.")
         double narrowCell,
     @Variable(
             unit = "m",
@@ -147,14 +147,14 @@ public record AvoidanceSettings(
             min = 0,
             minExcluded = true,
             ifAbsent = 0.8,
-            text = "Acceleration that control reaches.")
+            text = "Acceleration that the control system achieves.")
         double plannedAcceleration,
     @Variable(
             unit = "m/s^2",
             min = 0,
             minExcluded = true,
             ifAbsent = 1,
-            text = "Deceleration that control reaches.")
+            text = "Deceleration that the control system achieves.")
         double plannedBraking,
     @Variable(
             unit = "s",
@@ -167,7 +167,7 @@ public record AvoidanceSettings(
             min = 0,
             minExcluded = true,
             ifAbsent = 45,
-            text = "Yaw rate that control reaches in turns on the spot.")
+            text = "Yaw rate that the control system achieves in turns on the spot.")
         double plannedTurnRate,
     @Variable(
             unit = "m",
@@ -176,7 +176,7 @@ public record AvoidanceSettings(
             text =
                 "Radius of the tightest turn; 0: that of TURN ACCELERATION, or turns on the spot.")
         double turnRadius,
-    @Variable(ifAbsentText = "false", text = "Whether control drives backwards when told to.")
+    @Variable(ifAbsentText = "false", text = "Whether the control system can drive backwards.")
         boolean reverses,
     @Variable(
             unit = "m",
@@ -219,7 +219,7 @@ public record AvoidanceSettings(
             min = 0,
             max = 100,
             ifAbsent = 4,
-            text = "How often it frees itself before it gives a goal up.")
+            text = "Attempts to free itself before it gives a goal up.")
         int recoveries,
     @Variable(
             unit = "s",

@@ -56,7 +56,7 @@ final class GoalAttempt {
   boolean overlooks(AvoidanceSettings settings, long micros) {
     if (at(micros) instanceof Searching search && search.doubtsObstacles(settings, micros)) {
       if (micros >= overlooksUntil) {
-        say.accept("no way: passes through what is only guessed", false);
+        say.accept("no route: passing through doubtful obstacles", false);
         routes.tryAgain();
       }
       overlooksUntil = micros + settings.overlookMicros();
@@ -116,7 +116,8 @@ final class GoalAttempt {
     recoveries++;
     passages.widen();
     say.accept(
-        "stuck: frees itself, attempt " + recoveries + " of " + now.settings().recoveries(), false);
+        "stuck: freeing itself, attempt " + recoveries + " of " + now.settings().recoveries(),
+        false);
     long until = now.micros() + now.settings().stuckMicros() / BACKING_SHARE;
     behaviour = new BackingOut(until, new Searching(routes, now.micros()));
     routes.dropUntil(until - now.settings().replanMicros()); // then planning is due

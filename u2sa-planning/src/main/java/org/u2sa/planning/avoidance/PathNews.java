@@ -79,8 +79,8 @@ final class PathNews {
   private String reason(PathStatus now, String why, Optional<RouteTrack> track) {
     return switch (now) {
       case BRAKING ->
-          settings.get().stops() ? "a collision is near: brakes" : "a collision is near: turns";
-      case WAITING -> track.isEmpty() ? why : "waits for traffic or a way";
+          settings.get().stops() ? "collision imminent: braking" : "collision imminent: turning";
+      case WAITING -> track.isEmpty() ? why : "waiting for traffic or a route";
       case GIVEN_UP -> why;
       default -> "";
     };

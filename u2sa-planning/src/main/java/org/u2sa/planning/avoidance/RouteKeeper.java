@@ -138,7 +138,7 @@ final class RouteKeeper {
       obstacles.forgetGaps();
       if (passages.narrow()) {
         tryAgain();
-        say.accept("no way with room to turn: tries narrower passages", false);
+        say.accept("no route with room to turn: trying narrower passages", false);
       }
     }
   }

@@ -37,7 +37,8 @@ public record Route(List<Point> points, double cost, String obstacle, boolean go
 
   /** Creates the result of an unfinished search that has used up its {@code effort}. */
   public static Route sought() {
-    return new Route(List.of(), Double.POSITIVE_INFINITY, "a way to the goal is sought", true);
+    return new Route(
+        List.of(), Double.POSITIVE_INFINITY, "searching for a route to the goal", true);
   }
 
   /** Whether a route exists. */

@@ -146,7 +146,7 @@ class GoalAttemptTest {
     assertThat(overlooks(overlookS)).isFalse();
     assertThat(overlooks(overlookS + 0.1)).isTrue();
     assertThat(overlooks(overlookS + 0.2)).isTrue();
-    assertThat(bench.said).containsExactly("no way: passes through what is only guessed");
+    assertThat(bench.said).containsExactly("no route: passing through doubtful obstacles");
     judge(overlookS + 0.2);
     assertThat(bench.requests).hasSize(planned + 1);
   }

@@ -93,7 +93,7 @@ class RouteKeeperTest {
     routes.update(bench.at(15.0));
 
     assertThat(bench.requests).hasSize(3);
-    assertThat(bench.said).containsExactly("no way with room to turn: tries narrower passages");
+    assertThat(bench.said).containsExactly("no route with room to turn: trying narrower passages");
   }
 
   @Test

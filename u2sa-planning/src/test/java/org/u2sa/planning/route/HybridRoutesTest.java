@@ -73,7 +73,7 @@ class HybridRoutesTest {
 
     assertThat(first.goesOn()).isTrue();
     assertThat(first.exists()).isFalse();
-    assertThat(first.obstacle()).isEqualTo("a way to the goal is sought");
+    assertThat(first.obstacle()).isEqualTo("searching for a route to the goal");
     assertThat(whole.points()).last().matches(Route.Point::backwards);
     assertThat(askUntilAnswered(START)).isEqualTo(whole);
   }

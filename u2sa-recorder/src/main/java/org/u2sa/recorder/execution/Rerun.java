@@ -103,7 +103,7 @@ public final class Rerun {
     boolean hangs = !awaitEnd(service, course);
     List<String> remarks = new ArrayList<>();
     if (hangs) {
-      remarks.add("hangs: it did not go on for " + HANGS_AFTER_MS / 1_000 + " s");
+      remarks.add("hangs: no progress for " + HANGS_AFTER_MS / 1_000 + " s");
       service.abandon();
     } else {
       course.finish();

@@ -103,7 +103,7 @@ public enum ChunkCompression {
     CRC32 crc = new CRC32();
     crc.update(bytes);
     if (expectedCrc != 0 && expectedCrc != crc.getValue()) {
-      throw new McapException("a chunk is damaged: its checksum is another");
+      throw new McapException("a chunk is damaged: its checksum is wrong");
     }
     return bytes;
   }

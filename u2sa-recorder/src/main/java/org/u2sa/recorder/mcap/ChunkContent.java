@@ -75,7 +75,7 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
     CRC32 actual = new CRC32();
     actual.update(prefix.bytes());
     if (trouble == null && crc != 0 && crc != actual.getValue()) {
-      trouble = new McapException("a chunk's checksum is another: some of its bytes are wrong");
+      trouble = new McapException("a chunk's checksum is wrong: some of its bytes are damaged");
     }
     return new Salvage(records, trouble);
   }

@@ -89,7 +89,7 @@ final class FileOutline {
       isIntact = isPlace && (crc == 0 || crc == file.crc(said, footer.end() - Integer.BYTES));
       begin = isIntact ? said : begin;
       if (!isIntact) {
-        trouble.accept("the summary is damaged: its checksum is another");
+        trouble.accept("the summary is damaged: its checksum is wrong");
       }
     }
     return new Summary(begin, isIntact, end, dataCrc);
@@ -103,7 +103,7 @@ final class FileOutline {
   /** Verifies the checksum of the data section, which also covers the bytes between chunks. */
   void checkData(Consumer<String> trouble) throws IOException {
     if (dataCrc != 0 && dataCrc != file.crc(0, dataEnd)) {
-      trouble.accept("a byte between the chunks is wrong: the checksum of all data is another");
+      trouble.accept("a byte between the chunks is wrong: so is the checksum of all data");
     }
   }
 }

@@ -211,8 +211,9 @@ public final class RunContent {
     Trace off = charts.crossTrack();
     if (off.size() > 0) {
       figures.add(
-          figure("off the line, root mean square", Trace.rounded(off.rootMeanSquare()), "m"));
-      figures.add(figure("off the line, greatest", Trace.rounded(off.greatestMagnitude()), "m"));
+          figure("cross-track error, root mean square", Trace.rounded(off.rootMeanSquare()), "m"));
+      figures.add(
+          figure("cross-track error, maximum", Trace.rounded(off.greatestMagnitude()), "m"));
     }
     if (charts.positionErrorRms() != null) {
       figures.add(figure("position error, root mean square", charts.positionErrorRms(), "m"));

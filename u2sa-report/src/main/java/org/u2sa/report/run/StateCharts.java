@@ -149,7 +149,7 @@ final class StateCharts {
             "Heading error, and 2σ as estimated", "deg", List.of(headingError), headingSigma));
     all.add(
         new Chart(
-            "Off the line between goals (right +)",
+            "Cross-track error between goals (right +)",
             "m",
             List.of(crossTrack, trueCrossTrack),
             null));

@@ -26,10 +26,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "campaign",
     description = {
-      "Run a demo with many seeds and parameters, on all cores, and report how its figures are spread.",
+      "Run a demo with many seeds and parameters, on all cores, and report the distribution of its figures.",
       "",
-      "Each run is as good as one by itself: the same seed gives the same result, whatever else runs. A campaign that was broken off goes "
-          + "on where it was, by the same command with the same --out.",
+      "Each run is independent: the same seed gives the same result, whatever else runs. The same command with the same --out continues an interrupted campaign.",
       "",
       "Examples:",
       "  u2sa campaign ugv --runs 200",
@@ -120,7 +119,7 @@ final class CampaignCommand implements Callable<Integer> {
       terminal
           .out()
           .printf(
-              "Broken off after %d of %d runs; the same command goes on from there.%n",
+              "Interrupted after %d of %d runs; the same command continues from there.%n",
               outcomes.size(), runs);
     }
     if (options.json()) {

@@ -53,7 +53,7 @@ final class CampaignOptions {
       names = "--rank",
       paramLabel = "FIGURE",
       description =
-          "Figure of summary.json by which runs are called bad, the greater the worse. Default: ${DEFAULT-VALUE}.")
+          "Figure of summary.json that ranks the worst runs; larger is worse. Default: ${DEFAULT-VALUE}.")
   private String ranking = "worstMissM";
 
   @Option(
@@ -91,7 +91,7 @@ final class CampaignOptions {
       names = "--master",
       paramLabel = "ADDRESS",
       description =
-          "Make the runs with Apache Spark: local[N], local[*] or spark://HOST:PORT. Default: processes of our own (--jobs).")
+          "Make the runs with Apache Spark: local[N], local[*] or spark://HOST:PORT. Default: local processes (--jobs).")
   private String master;
 
   @Option(

@@ -63,13 +63,13 @@ final class IgvcDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--camera-dies",
       paramLabel = "S",
-      description = "Pull the camera out that many seconds after the start.")
+      description = "Disconnect the camera that many seconds after the start.")
   private double cameraDiesS = Double.POSITIVE_INFINITY;
 
   @Option(
       names = "--lidar-dies",
       paramLabel = "S",
-      description = "Pull the laser out that many seconds after the start.")
+      description = "Disconnect the laser that many seconds after the start.")
   private double lidarDiesS = Double.POSITIVE_INFINITY;
 
   @Option(
@@ -103,7 +103,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       paramLabel = "WHAT",
       split = ",",
       description =
-          "What is worse than usual, at places and times of the seed: ${COMPLETION-CANDIDATES};"
+          "Adverse conditions, at places and times that follow from the seed: ${COMPLETION-CANDIDATES};"
               + " several with commas between.")
   private Set<Hardness> hardness = EnumSet.noneOf(Hardness.class);
 

@@ -63,8 +63,7 @@ public final class Laps {
     for (int i = 0; i < mission.goals().size(); i++) {
       if (GoalLinksXml.hasLinks(mission.goals().get(i))) {
         throw mission.goalError(
-            i,
-            "says itself what follows it, so that laps of the file's order mean nothing; expected 1 lap");
+            i, "defines what follows it, so laps in the file's order do not apply; expected 1 lap");
       }
     }
   }

@@ -121,7 +121,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--known-start",
       description = {
-        "Tell the State Estimator that the vehicle starts at the mission's home, to 0.1 m. Without that, nothing but the receiver knows where it is."
+        "Tell the State Estimator that the vehicle starts at the mission's home, to 0.1 m. Without that, only the receiver tells where it is."
       })
   private boolean isStartKnown;
 

@@ -135,7 +135,7 @@ class ThrusterLostTest {
       assertThat(dive.worstHeadingDeg(0.0, 75.0)).isLessThan(10.0);
       assertThat(dive.kit.log("Control"))
           .anySatisfy(line -> assertThat(line).contains("lost: THRUSTER 4"))
-          .anySatisfy(line -> assertThat(line).contains("all control authority is there"))
+          .anySatisfy(line -> assertThat(line).contains("full control authority"))
           .noneSatisfy(line -> assertThat(line).contains("respond"));
       assertThat(dive.lastDrivenS("THRUSTER 4")).isGreaterThan(60.0);
     }

@@ -110,7 +110,7 @@ class ThrusterStalledTest {
       dive.dive(1.0);
       assertThat(left(dive)).isZero();
       dive.dive(9.0);
-      assertThat(times(dive, "all control authority is there")).as("offered again").isPositive();
+      assertThat(times(dive, "full control authority")).as("offered again").isPositive();
     }
   }
 }

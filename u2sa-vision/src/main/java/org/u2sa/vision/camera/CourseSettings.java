@@ -47,21 +47,21 @@ public record CourseSettings(
             min = 0,
             max = 50,
             ifAbsent = 0.5,
-            text = "Nearest ground looked at, ahead of the reference point.")
+            text = "Nearest ground searched, ahead of the reference point.")
         double nearest,
     @Variable(
             unit = "m",
             min = 1,
             max = 50,
             ifAbsent = 7,
-            text = "Farthest ground looked at for paint.")
+            text = "Farthest ground searched for paint.")
         double farthest,
     @Variable(
             unit = "m",
             min = 0.5,
             max = 50,
             ifAbsent = 4,
-            text = "Ground looked at for paint, to each side.")
+            text = "Ground searched for paint, to each side.")
         double toEachSide,
     @Variable(
             unit = "m",
@@ -75,34 +75,35 @@ public record CourseSettings(
             max = 3,
             ifAbsent = 0.16,
             text =
-                "How much brighter than the ground on both sides paint is at least: 0.16 is 16 %.")
+                "Minimum brightness of paint relative to the ground on both sides: 0.16 is 16 % more.")
         double contrast,
     @Variable(
             min = 1,
             max = 20,
             ifAbsent = 3.5,
-            text = "How many standard deviations of the ground's roughness paint is brighter.")
+            text =
+                "Minimum brightness of paint relative to the ground, in standard deviations of the ground's texture.")
         double noiseFactor,
     @Variable(
             unit = "m",
             min = 0.1,
             max = 10,
             ifAbsent = 0.6,
-            text = "Shortest line that is reported.")
+            text = "Minimum length of a line to report.")
         double shortestLine,
     @Variable(
             unit = "m",
             min = 0,
             max = 5,
             ifAbsent = 0.6,
-            text = "Longest gap of worn paint that a line bridges.")
+            text = "Maximum gap of worn paint that a line bridges.")
         double longestGap,
     @Variable(
             unit = "m",
             min = 0.5,
             max = 100,
             ifAbsent = 2,
-            text = "Longest line reported in one piece; longer ones are cut.")
+            text = "Maximum length of a line reported in one piece; longer ones are cut.")
         double longestPiece,
     @Variable(
             unit = "m",

@@ -26,15 +26,14 @@ record LineModelSettings(
             max = 100,
             ifAbsent = 0,
             text =
-                "LINES: longest gap in a line that is closed, between two ends that face each"
-                    + " other; 0: none.")
+                "LINES: maximum gap in a line that is closed, between two ends that face each other; 0: none.")
         double joinGap,
     @Variable(
             unit = "m",
             min = 0,
             max = 100,
             ifAbsent = 0,
-            text = "LINES: how far a line is taken to go on beyond the end that was seen.")
+            text = "LINES: assumed continuation of a line beyond its seen end.")
         double lineExtension,
     @Variable(
             unit = "m",
@@ -42,15 +41,14 @@ record LineModelSettings(
             max = 100,
             ifAbsent = 0,
             text =
-                "LINES: how far a line is taken to go on beside the other line of its lane,"
-                    + " beyond the end that was seen; 0: as LINE EXTENSION.")
+                "LINES: assumed continuation of a line beyond its seen end where the other line of its lane runs beside; 0: as LINE EXTENSION.")
         double laneExtension,
     @Variable(
             unit = "m",
             min = 0,
             max = 100,
             ifAbsent = 6.1,
-            text = "LINES: greatest width of a lane, for LANE EXTENSION.")
+            text = "LINES: maximum width of a lane, for LANE EXTENSION.")
         double widestLane,
     @Variable(
             unit = "m",
@@ -58,9 +56,7 @@ record LineModelSettings(
             max = 10,
             ifAbsent = 0,
             text =
-                "LINES: how far the vehicle's place wanders against the ground in a second; in"
-                    + " other times it grows with their root. Lines that were not seen for a"
-                    + " while are looked for so much farther away.")
+                "LINES: drift of the vehicle's position against the ground in one second, growing with the square root of time. Lines that were not seen for a while are searched for that much farther away.")
         double lineWander,
     @Variable(
             unit = "m",
@@ -68,8 +64,7 @@ record LineModelSettings(
             max = 100,
             ifAbsent = 1.5,
             text =
-                "LINES: how near to other lines such an extension comes at most: the least width"
-                    + " of a lane.")
+                "LINES: minimum distance of such an extension from other lines: the minimum width of a lane.")
         double laneWidth,
     @Variable(
             unit = "m",
@@ -77,8 +72,7 @@ record LineModelSettings(
             max = 100,
             ifAbsent = 2.5,
             text =
-                "LINES: reach ahead within which a line that is there is seen; one that is not"
-                    + " seen there is doubted.")
+                "LINES: distance ahead within which an existing line is seen; one that is not seen there is doubted.")
         double doubtReach,
     @Variable(
             unit = "deg",
@@ -118,9 +112,7 @@ record LineModelSettings(
             max = 100,
             ifAbsent = 0,
             text =
-                "LINES: reach within which a camera sees all paint; where a line ends, and the"
-                    + " ground beyond was looked at as far as JOIN GAP, it is not taken to go on;"
-                    + " 0: always is.")
+                "LINES: reach within which a camera sees all paint; where a line ends, and the ground beyond was seen as far as JOIN GAP, no continuation is assumed; 0: it always is.")
         double lookReach,
     @Variable(
             unit = "deg",

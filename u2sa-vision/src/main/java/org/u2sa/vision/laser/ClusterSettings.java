@@ -9,34 +9,35 @@ record ClusterSettings(
             min = 0.01,
             max = 10,
             ifAbsent = 0.25,
-            text = "Distance between two neighbouring echoes of one thing, at most.")
+            text = "Maximum distance between neighbouring echoes of one object.")
         double gap,
     @Variable(
             min = 1,
             max = 1000,
             ifAbsent = 3,
-            text = "Fewest echoes of a thing: what has fewer is noise.")
+            text = "Minimum number of echoes of an object; fewer are noise.")
         int fewestEchoes,
     @Variable(
             unit = "m",
             min = 0.05,
             max = 100,
             ifAbsent = 1.5,
-            text = "Largest thing, end to end: what is larger is a wall and stays with the grid.")
+            text =
+                "Maximum extent of an object; anything larger is a wall, which is left to the grid.")
         double largest,
     @Variable(
             unit = "m",
             min = 0.01,
             max = 10,
             ifAbsent = 0.05,
-            text = "Smallest radius of a circle that is fitted.")
+            text = "Minimum radius of a fitted circle.")
         double smallestRadius,
     @Variable(
             unit = "m",
             min = 0.01,
             max = 10,
             ifAbsent = 0.5,
-            text = "Largest radius of a circle that is fitted.")
+            text = "Maximum radius of a fitted circle.")
         double largestRadius,
     @Variable(
             unit = "m",

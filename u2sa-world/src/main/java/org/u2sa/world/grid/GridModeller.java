@@ -77,7 +77,7 @@ public final class GridModeller implements Modeller {
               min = 0,
               ifAbsent = 1000,
               text =
-                  "Distance up to which a beam without an echo says that the way is free, at most as far as the scanner's farthest echo so far; less where dark or smooth walls return none.")
+                  "Distance up to which a beam without an echo marks cells as free, at most as far as the scanner's farthest echo so far; less where dark or smooth walls return none.")
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 

@@ -307,7 +307,7 @@ public final class ObjectMapModeller implements Modeller {
         + ", "
         + misread
         + " of a name in the wrong place"
-        + (absurd == 0 ? "" : ", " + absurd + " forgotten for absurd numbers");
+        + (absurd == 0 ? "" : ", " + absurd + " dropped for implausible values");
   }
 
   @Override

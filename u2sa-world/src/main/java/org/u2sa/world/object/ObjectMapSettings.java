@@ -34,7 +34,7 @@ record ObjectMapSettings(
     @Variable(
             ifAbsentText = "false",
             text =
-                "OBJECTS: whether what a sensor gives the same UID is the same thing always, and what it gives another UID another.")
+                "OBJECTS: whether UIDs of sensors identify objects: the same UID always means the same object, another UID another object.")
         boolean trustUids,
     @Variable(
             min = 1,
@@ -140,7 +140,7 @@ record ObjectMapSettings(
             min = 0,
             max = 3600,
             ifAbsent = 10,
-            text = "OBJECTS: time ahead for which a moving object's way is foretold.")
+            text = "OBJECTS: time ahead for which the motion of an object is predicted.")
         double horizon,
     @Variable(
             ifAbsentText = "false",
@@ -152,7 +152,7 @@ record ObjectMapSettings(
             max = 100_000,
             ifAbsent = 1000,
             text =
-                "OBJECTS: most objects kept besides those of WORLD; the least certain are dropped.")
+                "OBJECTS: maximum number of objects besides those of WORLD; the least certain are dropped.")
         int mostObjects) {
   ObjectMapSettings {
     if (confirmHits > confirmWindow) {

@@ -15,12 +15,12 @@ public final class ConnectRequest {
   /** Reason for refusing a request, with the return code for the client (MQTT 3.1.1, 3.2.2.3). */
   public enum Fault {
     VERSION(
-        "it speaks another MQTT than 3.1 and 3.1.1",
+        "its version of MQTT is neither 3.1 nor 3.1.1",
         MqttConnectReturnCode.CONNECTION_REFUSED_UNACCEPTABLE_PROTOCOL_VERSION),
     LONG_ID(
         "its client ID is too long", MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED),
     NO_ID(
-        "it has no client ID and wants a session that lasts", // 3.1.3.1
+        "it has no client ID, but wants a persistent session", // 3.1.3.1
         MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED),
     WILL("its will has QoS 2", MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED);
 

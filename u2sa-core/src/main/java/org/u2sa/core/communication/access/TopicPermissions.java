@@ -69,12 +69,12 @@ public final class TopicPermissions {
       topic = Topic.parse(text);
       type = types.nearest(topic.typeChain());
     } catch (IllegalArgumentException e) {
-      return new Verdict("its topic is none of U2SA", null, null);
+      return new Verdict("its topic is not one of U2SA's", null, null);
     } catch (MalformedMessageException e) {
-      return new Verdict("its types are no ancestry", null, null);
+      return new Verdict("its types are not a class and its ancestors", null, null);
     }
     if (!topic.toString().equals(text)) { // only the canonical form is allowed
-      return new Verdict("its topic is none of U2SA", null, null);
+      return new Verdict("its topic is not one of U2SA's", null, null);
     }
     if (user != null && !user.mayEnter(topic.systemId())) {
       return new Verdict("it is another system", topic, null);
@@ -89,7 +89,7 @@ public final class TopicPermissions {
     if (rule.isPresent()
         && !topic.source().isEmpty()
         && !rule.get().channel().isRetainedBySource()) {
-      return new Verdict("its topic is none of U2SA", topic, null);
+      return new Verdict("its topic is not one of U2SA's", topic, null);
     }
     if (rule.isEmpty()) {
       return new Verdict(topic.channel() + " does not carry " + type.name(), topic, null);

@@ -12,14 +12,14 @@ public record BrokerLimits(
             max = 10_000_000,
             ifAbsent = 100_000,
             text =
-                "Packets per second that the embedded broker reads from one client; the client has to wait with more. A tenth while a subscriber of its messages is behind.")
+                "Packets per second that the embedded broker reads from one client; further ones wait. A tenth while a subscriber to its messages is behind.")
         int clientMessagesPerSecond,
     @Variable(
             min = 10_000,
             max = 2_000_000_000,
             ifAbsent = 200_000_000,
             text =
-                "Bytes per second that the embedded broker reads from one client; the client has to wait with more. A tenth while a subscriber of its messages is behind.")
+                "Bytes per second that the embedded broker reads from one client; further ones wait. A tenth while a subscriber to its messages is behind.")
         int clientBytesPerSecond,
     @Variable(
             min = 100,
@@ -33,7 +33,7 @@ public record BrokerLimits(
             max = 1_000_000,
             ifAbsent = 200,
             text =
-                "Subscriptions and queries to all services per second that the embedded broker reads from one user; its clients have to wait with more.")
+                "Subscriptions and queries to all services per second that the embedded broker reads from one user; further ones wait.")
         int clientQuestionsPerSecond,
     @Variable(
             min = 1,

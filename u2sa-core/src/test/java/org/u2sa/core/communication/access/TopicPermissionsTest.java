@@ -146,7 +146,7 @@ class TopicPermissionsTest {
       }
     }
     assertThat(judge.judge("u2sa/cessna/discovery/DiscoveryRequest/StopCommand").refusal())
-        .isEqualTo("its types are no ancestry");
+        .isEqualTo("its types are not a class and its ancestors");
     assertThat(judge.judge("u2sa/cessna/discovery/StopCommand").refusal())
         .isEqualTo("discovery does not carry StopCommand");
   }

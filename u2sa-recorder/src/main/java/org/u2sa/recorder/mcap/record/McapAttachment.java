@@ -30,7 +30,7 @@ public record McapAttachment(
     CRC32 actual = in.crcSoFar();
     long expected = in.uint32();
     if (expected != 0 && expected != actual.getValue()) {
-      throw new McapException("attachment \"" + name + "\" is damaged: its checksum is another");
+      throw new McapException("attachment \"" + name + "\" is damaged: its checksum is wrong");
     }
     return new McapAttachment(logTime, createTime, name, mediaType, data);
   }
