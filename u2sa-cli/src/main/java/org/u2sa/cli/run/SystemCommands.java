@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.u2sa.cli.command.CommandProvider;
 import org.u2sa.cli.configuration.ConfigCommand;
-import org.u2sa.cli.dependencies.DependenciesCommand;
 import org.u2sa.cli.describe.DescribeCommand;
 import org.u2sa.cli.doctor.DoctorCommand;
 import org.u2sa.cli.look.EchoCommand;
@@ -65,7 +64,6 @@ public final class SystemCommands implements CommandProvider {
             new MissionCommand(),
             new DescribeCommand(),
             new DoctorCommand(),
-            new DependenciesCommand(),
             new NewCommand(Path.of("")))
         .map(command -> new Contribution(Group.TOP_LEVEL, command))
         .toList();
