@@ -57,13 +57,13 @@ final class AutonomyEvidence {
     List<String> modelers = vehicle.publishersOf(OBJECTS);
     String sensors =
         (own.isEmpty()
-                ? "nobody measures the vehicle"
+                ? "nothing measures the vehicle"
                 : DataFlowSummary.and(own)
                     + (own.size() == 1 ? " measures" : " measure")
                     + " the vehicle")
             + ", "
             + (around.isEmpty()
-                ? "nobody its surroundings"
+                ? "nothing its surroundings"
                 : DataFlowSummary.and(around) + " the surroundings");
     if (own.isEmpty() && around.isEmpty()) {
       return new Finding("perception", stated, Perception.NO_SENSING, sensors);
@@ -75,7 +75,7 @@ final class AutonomyEvidence {
         "perception",
         stated,
         Perception.GROUPED,
-        sensors + "; " + DataFlowSummary.and(modelers) + " groups what is seen to objects");
+        sensors + "; " + DataFlowSummary.and(modelers) + " groups what is seen into objects");
   }
 
   private Finding decision(Optional<Level> stated) {
@@ -97,13 +97,19 @@ final class AutonomyEvidence {
     readers.retainAll(planners);
     if (vehicle.publishersOf(OBJECTS).isEmpty() || readers.isEmpty()) {
       return new Finding(
-          "decision", stated, Decision.STATIC_RESPONSE, plan + "; no map of objects is planned by");
+          "decision",
+          stated,
+          Decision.STATIC_RESPONSE,
+          plan + "; no map of objects is used for planning");
     }
     return new Finding(
         "decision",
         stated,
         Decision.MEMORY,
-        plan + " by the map that " + DataFlowSummary.and(vehicle.publishersOf(OBJECTS)) + " keeps");
+        plan
+            + " with the map that "
+            + DataFlowSummary.and(vehicle.publishersOf(OBJECTS))
+            + " keeps");
   }
 
   private Finding independence(Optional<Level> stated) {
@@ -114,7 +120,7 @@ final class AutonomyEvidence {
         !vehicle.ofRole("MISSION_MANAGER").isEmpty() && !vehicle.ofRole("PATH_PLANNER").isEmpty();
     if (control.isEmpty() || vehicle.publishersOf(Channels.STATE.name()).isEmpty()) {
       return new Finding(
-          "independence", stated, Independence.TELEOPERATION, "nobody controls by a state");
+          "independence", stated, Independence.TELEOPERATION, "nothing controls by a state");
     }
     if (!tasks) {
       return new Finding(
@@ -129,7 +135,7 @@ final class AutonomyEvidence {
           stated,
           Independence.TASK_AUTONOMY,
           DataFlowSummary.and(control)
-              + " carries out the mission; nobody watches services or battery");
+              + " carries out the mission; nothing watches services or battery");
     }
     if (safety.isEmpty()) {
       return new Finding(

@@ -108,7 +108,7 @@ final class CompositionOfRunning {
               Map.of(),
               channels(service.publishes()),
               channels(service.subscribes()),
-              service.isComplete() ? "" : "has not said what it does"));
+              service.isComplete() ? "" : "has not answered what it does"));
     }
     return services;
   }

@@ -28,27 +28,27 @@ final class DataFlowSummary {
         vehicle.ofRole("STATE_ESTIMATOR"),
         "makes",
         "make",
-        "one estimate of it: where it is and how it moves");
+        "one estimate of where it is and how it moves");
     say(
         all,
         vehicle.ofRole("WORLD_MODELER"),
         "keeps",
         "keep",
         "what was seen around it, as objects or a grid");
-    say(all, vehicle.ofRole("MISSION_MANAGER"), "says", "say", "which goal comes next");
+    say(all, vehicle.ofRole("MISSION_MANAGER"), "chooses", "choose", "the next goal");
     say(
         all,
         vehicle.ofRole("PATH_PLANNER"),
         "plans",
         "plan",
-        "the way there, and gives the next point of it");
+        "the route there, and gives its next point");
     say(all, vehicle.ofRole("CONTROL_SYSTEM"), "commands", "command", moved());
     say(
         all,
         vehicle.ofRole("SAFETY_MANAGER"),
         "lets",
         "let",
-        "it move only when it is fit, and decides what it does when something is wrong");
+        "it move only when it is fit, and decides what happens when something is wrong");
     say(all, vehicle.ofRole("HEALTH_MONITOR"), "restarts", "restart", "what fails");
     return all;
   }
@@ -56,7 +56,9 @@ final class DataFlowSummary {
   private String moved() {
     List<String> names =
         vehicle.actuators().stream().map(AnnouncedActuator::name).collect(Collectors.toList());
-    return names.isEmpty() ? "what moves it, to go to that point" : and(names) + " to go there";
+    return names.isEmpty()
+        ? "the actuators that move it to that point"
+        : and(names) + " to go there";
   }
 
   private List<String> publishers(String channel) {

@@ -141,7 +141,7 @@ final class DescriptionText {
   private void sources() {
     head("Measured, and estimated from it");
     if (vehicle.sources().isEmpty()) {
-      lines.add("nothing was heard");
+      lines.add("no messages were heard");
       return;
     }
     TextTable table =
@@ -159,7 +159,7 @@ final class DescriptionText {
   }
 
   private void statedSensors() {
-    head("What is to be measured, as configured");
+    head("Measurements, as configured");
     TextTable table = new TextTable("SERVICE", "STATED");
     for (ComposedService service : vehicle.services()) {
       if (!service.stated().isEmpty()) {
@@ -179,9 +179,9 @@ final class DescriptionText {
     }
     String strength = ActuatorStrength.words(vehicle);
     if (!strength.isEmpty()) {
-      lines.add("Together, each axis for itself, in the weaker direction: " + strength);
+      lines.add("Together, for each axis alone, in the weaker direction: " + strength);
     } else if (!vehicle.actuators().isEmpty()) {
-      lines.add("None says its effect in numbers (EFFECT): nothing to allocate by.");
+      lines.add("None announces its effect in numbers (EFFECT), so control cannot allocate.");
     }
   }
 

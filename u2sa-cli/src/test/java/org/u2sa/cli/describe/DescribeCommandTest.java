@@ -84,7 +84,7 @@ class DescribeCommandTest {
         .containsPattern("decision +2 static response +2 static response +MissionManager chooses")
         .containsPattern("independence +5 problem detection +5 problem detection +SafetyManager")
         .contains("Flashlight measures the vehicle.\nStateEstimator makes one estimate of it")
-        .contains("MissionManager says which goal comes next.\nPathPlanner plans the way there")
+        .contains("MissionManager chooses the next goal.\nPathPlanner plans the route there")
         .contains("PathPlanner, path planner, org.u2sa.planning.PathPlanner")
         .containsPattern("configuration +.*MissionManager.xml")
         .containsPattern("hears .*goals from MissionManager")
