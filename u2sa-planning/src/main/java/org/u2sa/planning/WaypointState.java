@@ -154,14 +154,14 @@ final class WaypointState implements PlannerState {
       return waypoint.speed();
     }
     AvoidanceSettings now = seeing.get();
-    double most = waypoint.speed().orElse(Math.max(now.mostSpeed(), now.plannedSpeed()));
+    double most = waypoint.speed().orElse(Math.max(now.maxSpeed(), now.plannedSpeed()));
     double leftS = waypoint.time().getAsDouble() - pursuit.missionS();
     double needed =
         leftS > 0.0
             ? toGoM / leftS - tailWindMps(pursuit.state(), now)
             : most; // already late: as fast as allowed
     return OptionalDouble.of(
-        Math.max(Math.max(now.leastSpeed(), CREEPS_MPS), Math.min(most, needed)));
+        Math.max(Math.max(now.minSpeed(), CREEPS_MPS), Math.min(most, needed)));
   }
 
   /** Tail wind of a vehicle that cannot stop: ground speed minus airspeed [m/s]. */

@@ -34,8 +34,8 @@ class AirGoalsTest extends PlannedVehicle {
               Map.entry("PLANNING CELL", 25.0),
               Map.entry("PLANNING SPAN", 8000.0),
               Map.entry("PLANNED SPEED", 46.0),
-              Map.entry("LEAST SPEED", 40.0),
-              Map.entry("MOST SPEED", 60.0),
+              Map.entry("MIN SPEED", 40.0),
+              Map.entry("MAX SPEED", 60.0),
               Map.entry("STUCK AFTER", 20.0)));
 
   private final TestAircraft aircraft = new TestAircraft(0.0, 0.0, 500.0, 0.0);

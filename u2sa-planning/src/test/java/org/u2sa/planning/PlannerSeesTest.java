@@ -282,7 +282,7 @@ class PlannerSeesTest extends PlannedVehicle {
    */
   @Test
   void state_wayInFlightIsHardToFind_goesOnWhileItIsSoughtInParts() {
-    kit.with("PLANNER", "HYBRID").with("TURN RADIUS", 0.9).with("LEAST SPEED", 0.5);
+    kit.with("PLANNER", "HYBRID").with("TURN RADIUS", 0.9).with("MIN SPEED", 0.5);
     kit.with("CLEARANCE", 0.15).with("PLANNING SPAN", 20.0).with("PLANNING EFFORT", 100);
     kit.start(PathPlanner::new);
     goals(waypoint("1", -4.4, 0).horizontalThreshold(0.2).psi(0.0));
@@ -348,7 +348,7 @@ class PlannerSeesTest extends PlannedVehicle {
   @ParameterizedTest
   @ValueSource(strings = {"GRID", "THETA", "HYBRID"})
   void state_waypointWithTime_setsTheSpeedThatArrivesThen(String planner) {
-    kit.with("PLANNER", planner).with("MOST SPEED", 3.0).start(PathPlanner::new);
+    kit.with("PLANNER", planner).with("MAX SPEED", 3.0).start(PathPlanner::new);
     goals(waypoint("1", 10, 0).time(5.1));
     drive(1, 0, 0, 0);
     kit.advance(0.001);
@@ -360,7 +360,7 @@ class PlannerSeesTest extends PlannedVehicle {
 
   @Test
   void state_waypointWithTimeInALaterMission_countsFromThatMissionsBeginning() {
-    kit.with("PLANNER", "GRID").with("MOST SPEED", 3.0).start(PathPlanner::new);
+    kit.with("PLANNER", "GRID").with("MAX SPEED", 3.0).start(PathPlanner::new);
     goals(waypoint("0", 1, 0));
     kit.advance(60.0);
     kit.publish(Channels.GOALS, new GoalList());

@@ -107,7 +107,7 @@ class KnownWorldTest {
   @Test
   void world_moreObjectsThanAreKept_allArePublished() throws IOException {
     world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
-    world.kit.with("MOST OBJECTS", 1).start(WorldModeler::new);
+    world.kit.with("MAX OBJECTS", 1).start(WorldModeler::new);
     for (int i = 0; i < 10; i++) {
       world.tick(local(0.0, 0.0, 0.0), seen("barrel", 3.0, -2.0), seen("crate", 3.0, 4.0));
     }

@@ -83,7 +83,8 @@ class DescribeCommandTest {
         .containsPattern("perception +2 discrete +2 discrete +Flashlight measures the vehicle")
         .containsPattern("decision +2 static response +2 static response +MissionManager chooses")
         .containsPattern("independence +5 problem detection +5 problem detection +SafetyManager")
-        .contains("Flashlight measures the vehicle.\nStateEstimator makes one estimate of where it is")
+        .contains(
+            "Flashlight measures the vehicle.\nStateEstimator makes one estimate of where it is")
         .contains("MissionManager chooses the next goal.\nPathPlanner plans the route there")
         .contains("PathPlanner, path planner, org.u2sa.planning.PathPlanner")
         .containsPattern("configuration +.*MissionManager.xml")

@@ -42,7 +42,7 @@ final class AirbornePhases {
     this.loops = loops;
     this.wind = wind;
     this.rotation = rotation;
-    lateral = new LateralGuidance(guidance.shortestLookAhead());
+    lateral = new LateralGuidance(guidance.minLookAhead());
     stall = new StallGuard(guidance);
     energy = new EnergyLaw(tuning.energy());
     speedDemandMps = guidance.cruiseSpeed();
@@ -144,7 +144,7 @@ final class AirbornePhases {
         stall.leastSpeedMps(loops.bankRad())
             + 0.5 * guidance.stallBand()
             + guidance.gustShare() * wind.speedMps();
-    speedDemandMps = Limit.within(slowest, speedDemandMps, guidance.fastestSpeed());
+    speedDemandMps = Limit.within(slowest, speedDemandMps, guidance.maxSpeed());
     double most = Math.min(Math.toRadians(guidance.pitchUpperLimit()), stall.pitchLimitRad(state));
     EnergyLaw.Command command =
         energy.step(

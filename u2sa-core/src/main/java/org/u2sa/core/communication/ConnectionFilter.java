@@ -186,7 +186,7 @@ final class ConnectionFilter implements AutoCloseable {
         return;
       }
       // Pending and admitted connections are counted apart; this bounds both together.
-      if (open.incrementAndGet() > limits.clientsAtMost() + 2 * BrokerLimits.PENDING || ending) {
+      if (open.incrementAndGet() > limits.maxClients() + 2 * BrokerLimits.PENDING || ending) {
         open.decrementAndGet();
         refusals.add(
             "connection refused, " + (ending ? "the broker ends" : "too many"),
@@ -305,7 +305,7 @@ final class ConnectionFilter implements AutoCloseable {
     }
     int others = clients.size() - (before == null ? 0 : 1);
     boolean keepFree = users != null && !session.isOperator();
-    if (others >= (keepFree ? limits.clientsBesidesOperators() : limits.clientsAtMost())) {
+    if (others >= (keepFree ? limits.clientsBesidesOperators() : limits.maxClients())) {
       return Entry.FULL;
     }
     if (users != null

@@ -97,13 +97,13 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     // Retained messages come in bursts and share their payload with the table.
     long limit =
         publication.isRetained()
-            ? filter.limits().unacknowledgedBytesAtMost()
+            ? filter.limits().maxUnacknowledgedBytes()
             : BrokerLimits.UNREAD_BYTES;
     if (!eachMatters && unread > limit) {
       filter.dropped(Refusals.shown(client));
       return null;
     }
-    if (eachMatters && unread > filter.limits().unacknowledgedBytesAtMost()) {
+    if (eachMatters && unread > filter.limits().maxUnacknowledgedBytes()) {
       return TOO_MANY_BYTES;
     }
     if (eachMatters && unacknowledged.size() >= MAX_UNACKNOWLEDGED) {
@@ -233,7 +233,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     if (now - oldest.since > filter.limits().patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return filter.kept() - oldest.keptBefore > filter.limits().unacknowledgedBytesAtMost()
+    return filter.kept() - oldest.keptBefore > filter.limits().maxUnacknowledgedBytes()
         ? Optional.of(TOO_MANY_BYTES)
         : Optional.empty();
   }

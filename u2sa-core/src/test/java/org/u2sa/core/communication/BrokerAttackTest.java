@@ -27,7 +27,7 @@ class BrokerAttackTest {
 
   @BeforeEach
   void start() throws IOException {
-    broker = new AttackedBroker(Map.of("CLIENTS AT MOST", 64));
+    broker = new AttackedBroker(Map.of("MAX CLIENTS", 64));
   }
 
   @AfterEach

@@ -41,7 +41,7 @@ class ConnectionLimitsTest {
   private PacketPipeline client(Users known) {
     PacketPipeline client =
         clients.isEmpty()
-            ? new PacketPipeline(Map.of("CLIENTS AT MOST", MOST), known)
+            ? new PacketPipeline(Map.of("MAX CLIENTS", MOST), known)
             : new PacketPipeline(clients.get(0));
     clients.add(client);
     return client;

@@ -155,6 +155,6 @@ class ObserverAttackTest extends SecuredClients {
 
   @Override
   Map<String, Object> variables() {
-    return Map.of("RETAINED TOPICS AT MOST", 64);
+    return Map.of("MAX RETAINED TOPICS", 64);
   }
 }

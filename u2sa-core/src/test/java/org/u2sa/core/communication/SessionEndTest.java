@@ -22,7 +22,7 @@ class SessionEndTest {
   private static final int RETAINED = 0x20;
 
   private final PacketPipeline first =
-      new PacketPipeline(Map.of("CLIENTS AT MOST", 16, "CLIENT RETAINED BYTES AT MOST", 16_384));
+      new PacketPipeline(Map.of("MAX CLIENTS", 16, "MAX CLIENT RETAINED BYTES", 16_384));
   private final List<PacketPipeline> others = new ArrayList<>();
 
   @AfterEach

@@ -17,7 +17,7 @@ class SlowClientTest {
   private static final int PATIENCE_S = 15;
   private static final Map<String, Object> LIMITS =
       Map.of(
-          "UNACKNOWLEDGED BYTES AT MOST",
+          "MAX UNACKNOWLEDGED BYTES",
           MAX_UNACKNOWLEDGED_BYTES,
           "CLIENT PATIENCE",
           (double) PATIENCE_S);

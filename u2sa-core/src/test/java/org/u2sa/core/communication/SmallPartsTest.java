@@ -19,7 +19,7 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 /** What a connection failed by, whom an address is counted as, which limits follow from others. */
 class SmallPartsTest {
   private static BrokerLimits limits(int clients) {
-    return XmlConfiguration.inMemory("test", Map.of("CLIENTS AT MOST", clients))
+    return XmlConfiguration.inMemory("test", Map.of("MAX CLIENTS", clients))
         .settings(BrokerLimits.class)
         .get();
   }

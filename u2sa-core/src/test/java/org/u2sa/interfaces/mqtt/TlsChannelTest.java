@@ -165,16 +165,16 @@ class TlsChannelTest {
 
   @ParameterizedTest
   @CsvSource({"TLSv1.3,1", "TLSv1.3,700", "TLSv1.3,40000", "TLSv1.2,700"})
-  void readAndWrite_recordsTornApart_arriveWholeBothWays(String protocol, int longestPiece)
+  void readAndWrite_recordsTornApart_arriveWholeBothWays(String protocol, int maxPieceLength)
       throws Exception {
-    int bytes = longestPiece == 1 ? BYTES / 20 : BYTES;
+    int bytes = maxPieceLength == 1 ? BYTES / 20 : BYTES;
     byte[] content = random(bytes);
     ServerSocket behind = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
     serve(
         accepted -> {
           Socket network = new Socket(behind.getInetAddress(), behind.getLocalPort());
-          tear(accepted.getInputStream(), network.getOutputStream(), longestPiece);
-          tear(network.getInputStream(), accepted.getOutputStream(), longestPiece);
+          tear(accepted.getInputStream(), network.getOutputStream(), maxPieceLength);
+          tear(network.getInputStream(), accepted.getOutputStream(), maxPieceLength);
           SSLSocket tls = tls(behind.accept());
           byte[] heard = new byte[bytes];
           new DataInputStream(tls.getInputStream()).readFully(heard);

@@ -79,7 +79,7 @@ record MavlinkVariables(
             max = 2200,
             ifAbsent = 1000,
             text = "With COMMANDS rc: pulse at -100 %.")
-        double shortestPulse,
+        double minPulse,
     @Variable(
             unit = "us",
             min = 800,
@@ -93,7 +93,7 @@ record MavlinkVariables(
             max = 2200,
             ifAbsent = 2000,
             text = "With COMMANDS rc: pulse at 100 %.")
-        double longestPulse,
+        double maxPulse,
     @Variable(
             unit = "m/s",
             min = 0.01,
@@ -140,7 +140,7 @@ record MavlinkVariables(
           boolean oneWay) {}
 
   MavlinkVariables {
-    pulses(shortestPulse, neutralPulse, longestPulse);
+    pulses(minPulse, neutralPulse, maxPulse);
   }
 
   private static PulseWidth pulses(double shortestUs, double neutralUs, double longestUs) {
@@ -164,7 +164,7 @@ record MavlinkVariables(
       throw new BadInputException("COMMANDS is rc, but no CHANNEL n ACTUATOR has a name");
     }
     return switch (commands) {
-      case "rc" -> new RcOverride(channels, pulses(shortestPulse, neutralPulse, longestPulse));
+      case "rc" -> new RcOverride(channels, pulses(minPulse, neutralPulse, maxPulse));
       case "velocity" -> new VelocityTarget(fullSpeed, fullClimb, fullTurn);
       case "attitude" -> new AttitudeTarget(fullTilt, fullTurn, neutralThrust);
       default -> new RcOverride(List.of(), PulseWidth.STANDARD); // no channels: sensor only

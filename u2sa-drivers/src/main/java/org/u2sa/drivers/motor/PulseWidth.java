@@ -8,7 +8,7 @@ import org.u2sa.interfaces.configuration.Variable;
  */
 public record PulseWidth(
     @Variable(
-            name = "SHORTEST PULSE",
+            name = "MIN PULSE",
             unit = "us",
             min = 100,
             max = 5000,
@@ -24,7 +24,7 @@ public record PulseWidth(
             text = "Pulse at which nothing moves.")
         double neutralUs,
     @Variable(
-            name = "LONGEST PULSE",
+            name = "MAX PULSE",
             unit = "us",
             min = 100,
             max = 5000,
@@ -53,8 +53,8 @@ public record PulseWidth(
   public PulseWidth {
     if (!(minimumUs < neutralUs && neutralUs < maximumUs)) {
       throw new IllegalArgumentException(
-          ("SHORTEST PULSE " + minimumUs + " us, NEUTRAL PULSE " + neutralUs)
-              + (" us and LONGEST PULSE " + maximumUs + " us must be in increasing order"));
+          ("MIN PULSE " + minimumUs + " us, NEUTRAL PULSE " + neutralUs)
+              + (" us and MAX PULSE " + maximumUs + " us must be in increasing order"));
     }
   }
 

@@ -26,18 +26,18 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
   private static final byte[] AUTO_BAUD = {'U', 'U', 'U', 'U', 'U', 'U', 'U'};
 
   private final PingFramer framer = new PingFramer();
-  private final int leastConfidence;
+  private final int minConfidence;
   private long askDueMicros = Long.MIN_VALUE;
   private Optional<Distance> latest = Optional.empty();
 
   /**
    * Uses the link; closing the device closes it.
    *
-   * @param leastConfidence minimum confidence of an echo [%]
+   * @param minConfidence minimum confidence of an echo [%]
    */
-  public Ping1d(ByteLink link, int leastConfidence) {
+  public Ping1d(ByteLink link, int minConfidence) {
     super(link);
-    this.leastConfidence = leastConfidence;
+    this.minConfidence = minConfidence;
   }
 
   @Override
@@ -56,7 +56,7 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
     if (id != DISTANCE || distance.capacity() != DISTANCE_BYTES) {
       return;
     }
-    boolean isSure = (distance.get(4) & 0xFF) >= leastConfidence;
+    boolean isSure = (distance.get(4) & 0xFF) >= minConfidence;
     double rangeM = (distance.getInt(0) & 0xFFFFFFFFL) * MILLI;
     latest =
         Optional.of(
@@ -90,7 +90,7 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
                 max = 100,
                 ifAbsent = 50,
                 text = "PING1D: minimum confidence of an echo.")
-            int leastConfidence) {}
+            int minConfidence) {}
 
     /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
@@ -106,7 +106,7 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
     protected RangeFinder open(String name, ServiceContext context) {
       return new Ping1d(
           ByteLinks.of(context),
-          context.configuration().settings(Tuning.class).get().leastConfidence());
+          context.configuration().settings(Tuning.class).get().minConfidence());
     }
   }
 }

@@ -56,7 +56,7 @@ class PulseWidthTest {
         PulseOutput.configured(
             XmlConfiguration.inMemory(
                 "the test",
-                Map.of("LEFT MOTOR LONGEST PULSE", 1900.0, "LEFT MOTOR SLEW LIMIT", 100_000.0)),
+                Map.of("LEFT MOTOR MAX PULSE", 1900.0, "LEFT MOTOR SLEW LIMIT", 100_000.0)),
             "LEFT MOTOR");
     output.seconds(OptionalDouble.of(100.0), 0);
     assertThat(output.seconds(OptionalDouble.of(100.0), 1_000_000))

@@ -158,7 +158,7 @@ public final class Avoidance {
 
   private double turnRadiusM(double speedMps) {
     AvoidanceSettings now = settings.get();
-    double speed = Math.max(speedMps, Math.max(now.plannedSpeed(), now.leastSpeed()));
+    double speed = Math.max(speedMps, Math.max(now.plannedSpeed(), now.minSpeed()));
     return now.turnRadius() > 0.0 ? now.turnRadius() : lines.get().turns().radiusM(speed);
   }
 
@@ -205,7 +205,7 @@ public final class Avoidance {
 
   /** Wanted speed of the vehicle; airspeed for aircraft [m/s]. */
   private static double wantedMps(Wanted wanted, AvoidanceSettings now) {
-    return Math.max(now.leastSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
+    return Math.max(now.minSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
   }
 
   private MotionLimits limits(Vehicle vehicle, Wanted wanted, AvoidanceSettings now) {

@@ -135,13 +135,13 @@ public record AvoidanceSettings(
             min = 0,
             ifAbsent = 0,
             text = "Minimum speed; above 0 the vehicle cannot stand, like an aeroplane.")
-        double leastSpeed,
+        double minSpeed,
     @Variable(
             unit = "m/s",
             min = 0,
             ifAbsent = 0,
             text = "Maximum speed to arrive at a waypoint in time; 0: PLANNED SPEED.")
-        double mostSpeed,
+        double maxSpeed,
     @Variable(
             unit = "m/s^2",
             min = 0,
@@ -312,7 +312,7 @@ public record AvoidanceSettings(
 
   /** Whether the vehicle can stop. */
   public boolean stops() {
-    return leastSpeed == 0.0;
+    return minSpeed == 0.0;
   }
 
   /**

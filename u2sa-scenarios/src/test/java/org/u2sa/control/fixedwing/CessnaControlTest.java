@@ -213,9 +213,9 @@ class CessnaControlTest {
                 line.contains(
                     "STALL SPEED times STALL MARGIN is 52.4 m/s, expected less than CRUISE SPEED 40.0"));
 
-    set("FASTEST SPEED", "35");
+    set("MAX SPEED", "35");
     assertThat(kit.log("Control"))
-        .anyMatch(line -> line.contains("CRUISE SPEED 40.0 m/s is above FASTEST SPEED 35.0 m/s"));
+        .anyMatch(line -> line.contains("CRUISE SPEED 40.0 m/s is above MAX SPEED 35.0 m/s"));
   }
 
   private void fly(AircraftState state, Point point, int steps) {

@@ -58,7 +58,7 @@ final class AircraftRun implements AutoCloseable {
           Map.entry("PLANNING CELL", 5.0),
           Map.entry("PLANNING SPAN", 2500.0),
           Map.entry("PLANNED SPEED", SPEED_MPS),
-          Map.entry("LEAST SPEED", SPEED_MPS),
+          Map.entry("MIN SPEED", SPEED_MPS),
           Map.entry("TRAFFIC CLEARANCE", 15.0),
           Map.entry("TRAFFIC HORIZON", 14.0),
           Map.entry("REPLAN INTERVAL", 1.0),

@@ -90,21 +90,21 @@ public record CourseSettings(
             max = 10,
             ifAbsent = 0.6,
             text = "Minimum length of a line to report.")
-        double shortestLine,
+        double minLineLength,
     @Variable(
             unit = "m",
             min = 0,
             max = 5,
             ifAbsent = 0.6,
             text = "Maximum gap of worn paint that a line bridges.")
-        double longestGap,
+        double maxGap,
     @Variable(
             unit = "m",
             min = 0.5,
             max = 100,
             ifAbsent = 2,
             text = "Maximum length of a line reported in one piece; longer ones are cut.")
-        double longestPiece,
+        double maxPieceLength,
     @Variable(
             unit = "m",
             min = 0.05,
@@ -154,7 +154,7 @@ public record CourseSettings(
             max = 100,
             ifAbsent = 12,
             text = "Distance beyond which no object is reported.")
-        double farthestObject,
+        double maxObjectDistance,
     @Variable(
             min = 0.1,
             max = 20,

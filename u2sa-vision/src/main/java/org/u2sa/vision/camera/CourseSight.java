@@ -57,9 +57,9 @@ public final class CourseSight {
                 settings.lineWidth(),
                 settings.contrast(),
                 settings.noiseFactor(),
-                settings.shortestLine(),
-                settings.longestGap(),
-                settings.longestPiece()),
+                settings.minLineLength(),
+                settings.maxGap(),
+                settings.maxPieceLength()),
             settings.potholeRadius());
     objects =
         new ObjectFinder(
@@ -72,7 +72,7 @@ public final class CourseSight {
                 settings.flagWidth(),
                 settings.flagTop(),
                 settings.flagCloth(),
-                settings.farthestObject()),
+                settings.maxObjectDistance()),
             new GroundSigma(0.0, settings.tiltSigma(), settings.yawSigma(), settings.ownSigma()));
   }
 

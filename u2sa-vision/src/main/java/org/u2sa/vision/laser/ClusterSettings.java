@@ -16,7 +16,7 @@ record ClusterSettings(
             max = 1000,
             ifAbsent = 3,
             text = "Minimum number of echoes of an object; fewer are noise.")
-        int fewestEchoes,
+        int minEchoes,
     @Variable(
             unit = "m",
             min = 0.05,
@@ -31,14 +31,14 @@ record ClusterSettings(
             max = 10,
             ifAbsent = 0.05,
             text = "Minimum radius of a fitted circle.")
-        double smallestRadius,
+        double minRadius,
     @Variable(
             unit = "m",
             min = 0.01,
             max = 10,
             ifAbsent = 0.5,
             text = "Maximum radius of a fitted circle.")
-        double largestRadius,
+        double maxRadius,
     @Variable(
             unit = "m",
             min = 0.001,
@@ -64,13 +64,9 @@ record ClusterSettings(
    * @throws IllegalArgumentException if the radius range is empty
    */
   ClusterSettings {
-    if (!(largestRadius > smallestRadius)) {
+    if (!(maxRadius > minRadius)) {
       throw new IllegalArgumentException(
-          "LARGEST RADIUS, "
-              + largestRadius
-              + " m, is not above SMALLEST RADIUS, "
-              + smallestRadius
-              + " m");
+          "MAX RADIUS, " + maxRadius + " m, is not above MIN RADIUS, " + minRadius + " m");
     }
   }
 }

@@ -81,7 +81,7 @@ public final class ScanClusters extends EventDrivenService {
     for (Point point : group) {
       extent = Math.max(extent, Math.max(point.distanceTo(first), point.distanceTo(last)));
     }
-    if (group.size() < settings.fewestEchoes() || extent > settings.largest()) {
+    if (group.size() < settings.minEchoes() || extent > settings.largest()) {
       return Optional.empty();
     }
     double height = group.stream().mapToDouble(Point::z).average().orElseThrow();
@@ -96,8 +96,8 @@ public final class ScanClusters extends EventDrivenService {
    */
   private boolean isRound(CircleFit circle, List<Point> group) {
     Point middle = group.get(group.size() / 2);
-    return circle.radius() >= settings.smallestRadius()
-        && circle.radius() <= settings.largestRadius()
+    return circle.radius() >= settings.minRadius()
+        && circle.radius() <= settings.maxRadius()
         && circle.offM() <= TIGHT * settings.rangeSigma()
         && Math.max(circle.sigmaX(), circle.sigmaY()) <= circle.radius()
         && Math.hypot(circle.x(), circle.y()) > Math.hypot(middle.x(), middle.y());

@@ -91,7 +91,7 @@ public final class ObjectMapModeller implements Modeller {
     lookFor(sensor, hit, sighting, tuning);
     for (int i = 0; i < match.length; i++) {
       if (match[i] == SightingMatch.NONE
-          && tracks.size() - known.size() < 2 * tuning.mostObjects()) {
+          && tracks.size() - known.size() < 2 * tuning.maxObjects()) {
         begin(detections.get(i), sighting.micros(), tuning, source);
       }
     }
@@ -193,9 +193,9 @@ public final class ObjectMapModeller implements Modeller {
     }
     List<MappedObject> surest = new ArrayList<>(tracks);
     surest.removeIf(MappedObject::isFromFile); // file objects are exempt from the limit
-    if (surest.size() > tuning.mostObjects()) {
+    if (surest.size() > tuning.maxObjects()) {
       surest.sort(Comparator.comparingDouble(track -> -track.existence())); // stable
-      tracks.removeAll(new HashSet<>(surest.subList(tuning.mostObjects(), surest.size())));
+      tracks.removeAll(new HashSet<>(surest.subList(tuning.maxObjects(), surest.size())));
     }
   }
 

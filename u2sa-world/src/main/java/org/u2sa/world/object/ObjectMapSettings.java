@@ -153,7 +153,7 @@ record ObjectMapSettings(
             ifAbsent = 1000,
             text =
                 "OBJECTS: maximum number of objects besides those of WORLD; the least certain are dropped.")
-        int mostObjects) {
+        int maxObjects) {
   ObjectMapSettings {
     if (confirmHits > confirmWindow) {
       throw new IllegalArgumentException(

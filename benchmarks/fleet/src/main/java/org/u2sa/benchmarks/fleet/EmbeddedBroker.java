@@ -13,7 +13,7 @@ final class EmbeddedBroker {
 
   public static void main(String[] args) throws Exception {
     Map<String, Object> settings =
-        Map.of("COMMUNICATION MANAGER PORT", Integer.parseInt(args[0]), "CLIENTS AT MOST", CLIENTS);
+        Map.of("COMMUNICATION MANAGER PORT", Integer.parseInt(args[0]), "MAX CLIENTS", CLIENTS);
     try (CommunicationManager manager =
         CommunicationManager.start(
             "ground",

@@ -99,7 +99,7 @@ public final class EnergyLaw {
     if (Double.isNaN(filteredAirspeed)) {
       restart(state, state.pitchRad(), parameters.throttleTrim());
     }
-    double speed = Math.max(parameters.slowestSpeed(), state.trueAirspeedMps());
+    double speed = Math.max(parameters.minSpeed(), state.trueAirspeedMps());
     double acceleration = acceleration(state, dtS);
     double path = flightPath(state);
 
@@ -184,6 +184,6 @@ public final class EnergyLaw {
   }
 
   private double flightPath(FlightState state) {
-    return state.climbMps() / Math.max(parameters.slowestSpeed(), state.trueAirspeedMps());
+    return state.climbMps() / Math.max(parameters.minSpeed(), state.trueAirspeedMps());
   }
 }

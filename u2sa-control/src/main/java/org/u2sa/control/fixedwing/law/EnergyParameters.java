@@ -85,4 +85,4 @@ public record EnergyParameters(
             max = 40,
             ifAbsent = 20,
             text = "Minimum airspeed for computing flight-path angles.")
-        double slowestSpeed) {}
+        double minSpeed) {}

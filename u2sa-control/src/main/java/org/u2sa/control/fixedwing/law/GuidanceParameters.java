@@ -25,7 +25,7 @@ public record GuidanceParameters(
             max = 82,
             ifAbsent = 60,
             text = "Maximum demanded calibrated airspeed.")
-        double fastestSpeed,
+        double maxSpeed,
     @Variable(unit = "deg", min = 5, max = 30, ifAbsent = 27.5, text = "Maximum demanded bank.")
         double bankLimit,
     @Variable(unit = "deg/s", min = 2, max = 60, ifAbsent = 15, text = "Maximum bank rate.")
@@ -48,7 +48,7 @@ public record GuidanceParameters(
             ifAbsent = 150,
             text =
                 "Minimum L1 distance: nearer navigation points count as this far, which bounds the gain.")
-        double shortestLookAhead,
+        double minLookAhead,
     @Variable(
             unit = "m/s",
             min = 15,
@@ -85,9 +85,9 @@ public record GuidanceParameters(
         double gustShare) {
   /** Validates the order of the speeds. */
   public GuidanceParameters {
-    if (cruiseSpeed > fastestSpeed) {
+    if (cruiseSpeed > maxSpeed) {
       throw new IllegalArgumentException(
-          "CRUISE SPEED " + cruiseSpeed + " m/s is above FASTEST SPEED " + fastestSpeed + " m/s");
+          "CRUISE SPEED " + cruiseSpeed + " m/s is above MAX SPEED " + maxSpeed + " m/s");
     }
     double least = stallSpeed * stallMargin;
     if (least >= cruiseSpeed) {

@@ -6,7 +6,7 @@ import org.u2sa.interfaces.time.Clock;
 /** Limits of the embedded broker, per client and in total. */
 public record BrokerLimits(
     @Variable(min = 4, max = 100_000, ifAbsent = 512, text = "Maximum connections to the broker.")
-        int clientsAtMost,
+        int maxClients,
     @Variable(
             min = 10,
             max = 10_000_000,
@@ -48,27 +48,27 @@ public record BrokerLimits(
             ifAbsent = 4_096,
             text =
                 "Topics for which the embedded broker retains a client's message; one user may take half. Emergency stop, failsafe and arming state have room of their own.")
-        int retainedTopicsAtMost,
+        int maxRetainedTopics,
     @Variable(
             min = 65_536,
             max = 2_000_000_000,
             ifAbsent = 32 << 20,
             text = "Total bytes of retained messages; at most a quarter of the heap's size.")
-        int retainedBytesAtMost,
+        int maxRetainedBytes,
     @Variable(
             min = 16_384,
             max = 2_000_000_000,
             ifAbsent = 8 << 20,
             text =
                 "Bytes of retained messages of one user, or of one client where there are no users.")
-        int clientRetainedBytesAtMost,
+        int maxClientRetainedBytes,
     @Variable(
             min = 1 << 20,
             max = 2_000_000_000,
             ifAbsent = 32 << 20,
             text =
                 "Bytes published after a message that a client has not acknowledged, before the embedded broker disconnects the client.")
-        int unacknowledgedBytesAtMost,
+        int maxUnacknowledgedBytes,
     @Variable(
             unit = "s",
             min = 0.5,
@@ -135,12 +135,12 @@ public record BrokerLimits(
 
   /** Maximum connections per user. */
   public int clientsPerUser() {
-    return Math.max(1, clientsAtMost / 2);
+    return Math.max(1, maxClients / 2);
   }
 
   /** Maximum connections of non-operators; the rest are reserved for operators. */
   public int clientsBesidesOperators() {
-    return clientsAtMost - Math.max(1, clientsAtMost / OPERATORS_PART);
+    return maxClients - Math.max(1, maxClients / OPERATORS_PART);
   }
 
   /** Whether a topic or filter exceeds the length or depth limit. */

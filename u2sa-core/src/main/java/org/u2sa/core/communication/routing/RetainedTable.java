@@ -42,10 +42,9 @@ public final class RetainedTable {
 
   /** An empty table with these limits. */
   public RetainedTable(BrokerLimits limits) {
-    topicsAtMost = limits.retainedTopicsAtMost();
-    bytesAtMost =
-        Math.min(limits.retainedBytesAtMost(), Runtime.getRuntime().maxMemory() / HEAP_PART);
-    bytesOfOneAtMost = limits.clientRetainedBytesAtMost();
+    topicsAtMost = limits.maxRetainedTopics();
+    bytesAtMost = Math.min(limits.maxRetainedBytes(), Runtime.getRuntime().maxMemory() / HEAP_PART);
+    bytesOfOneAtMost = limits.maxClientRetainedBytes();
   }
 
   /**

@@ -13,9 +13,9 @@ class RetainedTableTest {
           XmlConfiguration.inMemory(
                   "test",
                   Map.of(
-                      "RETAINED TOPICS AT MOST", 16,
-                      "RETAINED BYTES AT MOST", 65_536,
-                      "CLIENT RETAINED BYTES AT MOST", 40_000))
+                      "MAX RETAINED TOPICS", 16,
+                      "MAX RETAINED BYTES", 65_536,
+                      "MAX CLIENT RETAINED BYTES", 40_000))
               .settings(BrokerLimits.class)
               .get());
 
