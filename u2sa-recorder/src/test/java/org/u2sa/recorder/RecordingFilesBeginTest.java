@@ -214,7 +214,7 @@ class RecordingFilesBeginTest {
         .isEqualTo(
             "recording into "
                 + folder.resolve("recording.mcap")
-                + ": trouble 0; tried again until it works");
+                + ": trouble 0; retrying until it works");
   }
 
   @Test

@@ -173,7 +173,7 @@ class SessionLoginTest {
 
     assertThat(client.channel.isOpen()).isFalse();
     assertThat(client.log)
-        .anyMatch(line -> line.startsWith("client put out, its user was changed or removed:"));
+        .anyMatch(line -> line.startsWith("client disconnected, its user was changed or removed:"));
   }
 
   @Test

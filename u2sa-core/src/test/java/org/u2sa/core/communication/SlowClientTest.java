@@ -51,7 +51,8 @@ class SlowClientTest {
     assertThat(client.channel.isOpen()).isFalse();
     assertThat(client.log)
         .anyMatch(
-            line -> line.startsWith("client put out, it is too slow: ") && line.contains(reason));
+            line ->
+                line.startsWith("client disconnected, it is too slow: ") && line.contains(reason));
   }
 
   private ShutdownDrain.Owed owed() throws Exception {

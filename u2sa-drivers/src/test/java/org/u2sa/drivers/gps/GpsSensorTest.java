@@ -103,8 +103,7 @@ class GpsSensorTest {
     kit.advance(5.0);
 
     assertThat(published()).hasSize(before);
-    assertThat(lastError())
-        .hasValue("the GPS receiver has sent nothing readable for more than 2.5 s");
+    assertThat(lastError()).hasValue("the GPS receiver has sent no valid data for more than 2.5 s");
   }
 
   @Test

@@ -462,7 +462,7 @@ class MavlinkAutopilotTest {
       command("STEERING", 80.0);
       live(0.1);
     }
-    assertThat(lastError()).contains("the autopilot has sent nothing readable for more than 3.0 s");
+    assertThat(lastError()).contains("the autopilot has sent no valid data for more than 3.0 s");
     assertThat(last(RcChannelsOverride.class).chan1Raw()).as("given back").isZero();
     speaks = true;
     for (int i = 0; i < 10; i++) {
