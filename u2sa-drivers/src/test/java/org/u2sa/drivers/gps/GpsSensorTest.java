@@ -146,7 +146,7 @@ class GpsSensorTest {
     link.fromDevice("$GPRMC,garbage*00\r\n$GPGGA\r\n\u0000\u0001$$$".getBytes(US_ASCII));
     assertThat(lastError())
         .hasValueSatisfying(
-            error -> assertThat(error).startsWith("the GPS receiver sent unreadable data"));
+            error -> assertThat(error).startsWith("the GPS receiver sent invalid data"));
     say(rmc(0), gga(0), rmc(1), gga(1));
     kit.advance(0.1);
     assertThat(published()).isNotEmpty();

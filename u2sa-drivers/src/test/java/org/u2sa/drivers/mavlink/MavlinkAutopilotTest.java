@@ -220,7 +220,7 @@ class MavlinkAutopilotTest {
     say(attitude(Double.NaN, 0.0));
     kit.advance(0.3);
     assertThat(kit.published(Channels.SENSED_STATE)).isEmpty();
-    assertThat(lastError()).contains("the autopilot sent unreadable data");
+    assertThat(lastError()).contains("the autopilot sent invalid data");
   }
 
   @Test
