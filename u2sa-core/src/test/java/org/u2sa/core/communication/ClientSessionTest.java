@@ -34,8 +34,7 @@ class ClientSessionTest {
     DefaultEventLoop loop = ended();
     AtomicBoolean ran = new AtomicBoolean();
 
-    assertThatCode(() -> Client.execute(loop, () -> ran.set(true)))
-        .doesNotThrowAnyException();
+    assertThatCode(() -> Client.execute(loop, () -> ran.set(true))).doesNotThrowAnyException();
 
     assertThat(ran).isFalse();
   }
@@ -55,8 +54,7 @@ class ClientSessionTest {
         file, List.of(new User("pilot", EnumSet.of(AccessRole.OPERATOR), List.of("*"), hash)));
     Users users = new Users(file, line -> {});
     try (Authenticator authenticator = new Authenticator(users, new SystemClock(), what -> {})) {
-      authenticator.check(
-          "late", new byte[1], from, verdict -> Client.execute(loop, () -> {}));
+      authenticator.check("late", new byte[1], from, verdict -> Client.execute(loop, () -> {}));
       authenticator.check("next", new byte[1], from, verdict -> answered.set(true));
       BrokerTraffic.soon().until(() -> answered.get() || uncaught.get() != null);
     } finally {
