@@ -16,9 +16,9 @@ import java.util.Optional;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
-import org.u2sa.core.communication.access.Authenticator;
 import org.u2sa.core.communication.access.ConnectRequest;
 import org.u2sa.core.communication.access.LocalAccount;
+import org.u2sa.core.communication.access.LoginApplication;
 import org.u2sa.core.communication.access.Refusals;
 import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.communication.limit.BrokerLimits;
@@ -315,7 +315,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   }
 
   private void judged(
-      ChannelHandlerContext ctx, ConnectRequest said, Authenticator.Verdict verdict) {
+      ChannelHandlerContext ctx, ConnectRequest said, LoginApplication.Verdict verdict) {
     if (stage != Stage.CHECKED) {
       return; // disconnected in the meantime
     }

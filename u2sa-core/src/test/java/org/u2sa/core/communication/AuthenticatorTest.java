@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.access.Authenticator;
+import org.u2sa.core.communication.access.LoginApplication;
 import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.PasswordHash;
@@ -34,7 +35,7 @@ class AuthenticatorTest {
   private Authenticator desk;
   private final List<String> troubles = new CopyOnWriteArrayList<>();
   private final List<String> order = new CopyOnWriteArrayList<>();
-  private final List<Authenticator.Verdict> verdicts = new CopyOnWriteArrayList<>();
+  private final List<LoginApplication.Verdict> verdicts = new CopyOnWriteArrayList<>();
 
   @BeforeEach
   void start() {
@@ -123,7 +124,7 @@ class AuthenticatorTest {
     assertThat(verdicts.get(0).isFinal()).isTrue();
     check("nobody", "guess", 1);
     assertThat(verdicts.get(1))
-        .isEqualTo(Authenticator.Verdict.later("too soon after a wrong password"));
+        .isEqualTo(LoginApplication.Verdict.later("too soon after a wrong password"));
   }
 
   @Test
@@ -131,7 +132,7 @@ class AuthenticatorTest {
     for (int i = 0; i < 50; i++) {
       check("user" + i, "guess", 1);
     }
-    assertThat(verdicts).contains(Authenticator.Verdict.later("too many log in at once"));
-    assertThat(verdicts).extracting(Authenticator.Verdict::user).containsOnly(Optional.empty());
+    assertThat(verdicts).contains(LoginApplication.Verdict.later("too many log in at once"));
+    assertThat(verdicts).extracting(LoginApplication.Verdict::user).containsOnly(Optional.empty());
   }
 }

@@ -27,26 +27,6 @@ import org.u2sa.interfaces.time.Clock;
 public final class Authenticator implements AutoCloseable {
   private static final int RESTS_PER_WORK = 3;
 
-  /**
-   * The result: a user, or the reason for the refusal.
-   *
-   * @param isFinal whether retrying with the same password is pointless
-   */
-  public record Verdict(Optional<User> user, String reason, boolean isFinal) {
-    static Verdict wrong(String reason) {
-      return new Verdict(Optional.empty(), reason, true);
-    }
-
-    /** Undecided: the client may try again later. */
-    public static Verdict later(String reason) {
-      return new Verdict(Optional.empty(), reason, false);
-    }
-
-    static Verdict of(User user) {
-      return new Verdict(Optional.of(user), "", true);
-    }
-  }
-
   /** MAC of a correct password under this run's random key. */
   private record Proven(PasswordHash hash, byte[] mac) {}
 
@@ -83,20 +63,22 @@ public final class Authenticator implements AutoCloseable {
    * Checks a password; the answer comes immediately or, if it takes work, on the authenticator's
    * thread.
    */
-  public void check(String name, byte[] password, InetAddress from, Consumer<Verdict> answer) {
+  public void check(
+      String name, byte[] password, InetAddress from, Consumer<LoginApplication.Verdict> answer) {
     LoginApplication application = new LoginApplication(name, password.clone(), from, answer);
     Optional<User> user = users.named(name);
     if (user.isPresent() && isProven(user.get(), password)) {
-      answer.accept(Verdict.of(user.get()));
+      answer.accept(LoginApplication.Verdict.of(user.get()));
       return;
     }
     if (failures.mustWait(application)) {
-      answer.accept(Verdict.later("too soon after a wrong password"));
+      answer.accept(LoginApplication.Verdict.later("too soon after a wrong password"));
       return;
     }
     queue
         .add(application)
-        .ifPresent(out -> out.answer().accept(Verdict.later("too many log in at once")));
+        .ifPresent(
+            out -> out.answer().accept(LoginApplication.Verdict.later("too many log in at once")));
     waiter.signal();
   }
 
@@ -147,9 +129,11 @@ public final class Authenticator implements AutoCloseable {
   private void judge(LoginApplication application) {
     Optional<User> user = users.named(application.name());
     if (user.isPresent() && isProven(user.get(), application.password())) {
-      application.answer().accept(Verdict.of(user.get()));
+      application.answer().accept(LoginApplication.Verdict.of(user.get()));
     } else if (failures.mustWait(application)) {
-      application.answer().accept(Verdict.later("too soon after a wrong password"));
+      application
+          .answer()
+          .accept(LoginApplication.Verdict.later("too soon after a wrong password"));
     } else {
       long begun = clock.micros();
       application.answer().accept(checked(user, application));
@@ -158,17 +142,17 @@ public final class Authenticator implements AutoCloseable {
     }
   }
 
-  private Verdict checked(Optional<User> user, LoginApplication application) {
+  private LoginApplication.Verdict checked(Optional<User> user, LoginApplication application) {
     PasswordHash hash = user.map(User::password).orElse(nobodys);
     String text = new String(application.password(), StandardCharsets.UTF_8);
     boolean right = hash.matches(text.toCharArray());
     if (right && user.isPresent()) {
       proven.put(application.name(), new Proven(hash, mac(application.password())));
       failures.forget(application);
-      return Verdict.of(user.get());
+      return LoginApplication.Verdict.of(user.get());
     }
     failures.add(application);
-    return Verdict.wrong(user.isPresent() ? "wrong password" : "no such user");
+    return LoginApplication.Verdict.wrong(user.isPresent() ? "wrong password" : "no such user");
   }
 
   @Override
