@@ -456,11 +456,6 @@ final class ConnectionFilter implements AutoCloseable {
     }
   }
 
-  /** Number of open connections. */
-  int open() {
-    return open.get();
-  }
-
   @Override
   public void close() {
     if (authenticator != null) {

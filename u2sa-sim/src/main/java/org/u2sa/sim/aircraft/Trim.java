@@ -56,11 +56,6 @@ public record Trim(
     return trueAirspeedMps * StrictMath.sin(flightPathRad);
   }
 
-  /** Calibrated airspeed [m/s]. */
-  public double calibratedAirspeedMps() {
-    return StandardAtmosphere.at(altitudeM).calibratedAirspeedMps(trueAirspeedMps);
-  }
-
   /** Initial condition in this trim; a turn starts with its bank but without its rotation. */
   public FlightStart start(
       double longitudeDeg, double latitudeDeg, double groundElevationM, double headingRad) {

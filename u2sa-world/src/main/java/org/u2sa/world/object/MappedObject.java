@@ -265,10 +265,6 @@ final class MappedObject {
     return existence;
   }
 
-  long seenMicros() {
-    return seenMicros;
-  }
-
   /** Position in map coordinates [m]. */
   Point place() {
     return filter.place();
