@@ -18,7 +18,7 @@ import org.u2sa.messages.safety.FailsafeAction;
 final class FailsafeMissions {
   private final MissionManager manager;
   private final MissionFiles files;
-  private final Supplier<MissionSettings> settings;
+  private final Supplier<MissionVariables> settings;
   private final Map<FailsafeAction, List<GoalInformation>> goals =
       new EnumMap<>(FailsafeAction.class);
   private final Map<FailsafeAction, GoalInformation> homes = new EnumMap<>(FailsafeAction.class);
@@ -28,7 +28,8 @@ final class FailsafeMissions {
    *
    * @throws org.u2sa.interfaces.BadInputException if one is wrong
    */
-  FailsafeMissions(MissionManager manager, MissionFiles files, Supplier<MissionSettings> settings) {
+  FailsafeMissions(
+      MissionManager manager, MissionFiles files, Supplier<MissionVariables> settings) {
     this.manager = manager;
     this.files = files;
     this.settings = settings;
@@ -36,9 +37,9 @@ final class FailsafeMissions {
   }
 
   static boolean areConfiguredBy(Set<String> variables) {
-    return variables.contains(MissionSettings.RETURN_MISSION)
-        || variables.contains(MissionSettings.LAND_MISSION)
-        || variables.contains(MissionSettings.DEFAULT_THRESHOLD);
+    return variables.contains(MissionVariables.RETURN_MISSION)
+        || variables.contains(MissionVariables.LAND_MISSION)
+        || variables.contains(MissionVariables.DEFAULT_THRESHOLD);
   }
 
   /** Number of goals for LAND. */
@@ -52,11 +53,11 @@ final class FailsafeMissions {
    * @throws org.u2sa.interfaces.BadInputException if one is wrong; then nothing has changed
    */
   void load() {
-    MissionSettings now = settings.get();
+    MissionVariables now = settings.get();
     List<GoalInformation> returning =
-        load(FailsafeAction.RETURN, MissionSettings.RETURN_MISSION, now.returnMission());
+        load(FailsafeAction.RETURN, MissionVariables.RETURN_MISSION, now.returnMission());
     List<GoalInformation> landing =
-        load(FailsafeAction.LAND, MissionSettings.LAND_MISSION, now.landMission());
+        load(FailsafeAction.LAND, MissionVariables.LAND_MISSION, now.landMission());
     goals.put(FailsafeAction.RETURN, returning);
     goals.put(FailsafeAction.LAND, landing);
   }

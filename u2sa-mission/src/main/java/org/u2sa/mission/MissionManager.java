@@ -59,7 +59,7 @@ public final class MissionManager extends PeriodicService {
   private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
 
-  private final Settings<MissionSettings> settings = settings(MissionSettings.class);
+  private final Settings<MissionVariables> settings = settings(MissionVariables.class);
   private final Settings<Defaults> defaults = settings(Defaults.class);
   private final FailsafeMissions failsafes;
   private final MissionFiles files;
@@ -102,7 +102,7 @@ public final class MissionManager extends PeriodicService {
   }
 
   private GoalSequence load() {
-    mission = files.load(MissionSettings.MISSION, settings.get().mission(), thresholdM());
+    mission = files.load(MissionVariables.MISSION, settings.get().mission(), thresholdM());
     log("mission " + mission.origin() + " with goals " + names(mission.goals()));
     mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
     GoalSequence loaded =
@@ -136,8 +136,8 @@ public final class MissionManager extends PeriodicService {
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    if (variableNames.contains(MissionSettings.MISSION)
-        || variableNames.contains(MissionSettings.DEFAULT_THRESHOLD)) {
+    if (variableNames.contains(MissionVariables.MISSION)
+        || variableNames.contains(MissionVariables.DEFAULT_THRESHOLD)) {
       beginAnew();
     }
     if (FailsafeMissions.areConfiguredBy(variableNames)) {
@@ -171,8 +171,8 @@ public final class MissionManager extends PeriodicService {
 
   @Override
   protected void handOver(HandOver state) {
-    state.text(MissionSettings.MISSION, settings.get().mission());
-    state.number(MissionSettings.DEFAULT_THRESHOLD, thresholdM());
+    state.text(MissionVariables.MISSION, settings.get().mission());
+    state.number(MissionVariables.DEFAULT_THRESHOLD, thresholdM());
     limits.handOver(state);
     progress.handOver(state);
   }
@@ -180,8 +180,8 @@ public final class MissionManager extends PeriodicService {
   @Override
   protected void takeOver(HandOver state) {
     boolean same =
-        state.text(MissionSettings.MISSION).filter(settings.get().mission()::equals).isPresent()
-            && state.number(MissionSettings.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
+        state.text(MissionVariables.MISSION).filter(settings.get().mission()::equals).isPresent()
+            && state.number(MissionVariables.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
     if (!same) {
       log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");
       return;

@@ -6,7 +6,7 @@ import java.nio.file.Paths;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.log.LogLevelEnum;
-import org.u2sa.mission.MissionSettings.Resumption;
+import org.u2sa.mission.MissionVariables.Resumption;
 
 /**
  * Saves mission progress and restores that of an earlier process, as configured by RESUME. Not
@@ -15,12 +15,12 @@ import org.u2sa.mission.MissionSettings.Resumption;
 final class Resumable {
   private final MissionManager manager;
   private final SavedMission saved;
-  private final Supplier<MissionSettings> settings;
+  private final Supplier<MissionVariables> settings;
   private Optional<MissionProgress> found = Optional.empty();
   private String foundDigest = ""; // of the mission whose progress was loaded
   private long notSaved;
 
-  Resumable(MissionManager manager, SavedMission saved, Supplier<MissionSettings> settings) {
+  Resumable(MissionManager manager, SavedMission saved, Supplier<MissionVariables> settings) {
     this.manager = manager;
     this.saved = saved;
     this.settings = settings;

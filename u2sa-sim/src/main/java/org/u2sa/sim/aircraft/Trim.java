@@ -1,6 +1,5 @@
 package org.u2sa.sim.aircraft;
 
-import org.u2sa.sim.atmosphere.StandardAtmosphere;
 
 /**
  * A trimmed flight condition of the Cessna 172 in still air: all accelerations are zero.

@@ -6,7 +6,7 @@ import java.util.TreeSet;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Variables of the {@link ObjectMapModeller}. */
-record ObjectMapSettings(
+record ObjectMapVariables(
     @Variable(
             ifAbsentText = "",
             text =
@@ -154,7 +154,7 @@ record ObjectMapSettings(
             text =
                 "OBJECTS: most objects kept besides those of WORLD; the least certain are dropped.")
         int mostObjects) {
-  ObjectMapSettings {
+  ObjectMapVariables {
     if (confirmHits > confirmWindow) {
       throw new IllegalArgumentException(
           "CONFIRM HITS: " + confirmHits + " of CONFIRM WINDOW " + confirmWindow + " never happen");
