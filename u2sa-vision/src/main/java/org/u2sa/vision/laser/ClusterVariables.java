@@ -3,7 +3,7 @@ package org.u2sa.vision.laser;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Settings of {@link ScanClusters}. */
-record ClusterSettings(
+record ClusterVariables(
     @Variable(
             unit = "m",
             min = 0.01,
@@ -62,7 +62,7 @@ record ClusterSettings(
   /**
    * @throws IllegalArgumentException if the radius range is empty
    */
-  ClusterSettings {
+  ClusterVariables {
     if (!(largestRadius > smallestRadius)) {
       throw new IllegalArgumentException(
           "LARGEST RADIUS, "
