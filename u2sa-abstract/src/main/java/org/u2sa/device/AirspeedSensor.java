@@ -32,7 +32,7 @@ public final class AirspeedSensor extends DeviceSensor<PitotTube.Impact> {
           50.0, // Hz
           1.0); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "Pa",
               min = -1000,
@@ -54,7 +54,7 @@ public final class AirspeedSensor extends DeviceSensor<PitotTube.Impact> {
               text = "Standard deviation of the pressure difference.")
           double pressureSigma) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private final OwnAltitude altitude = new OwnAltitude(this);
 
   /** Launcher constructor: opens the configured pitot tube. */
@@ -69,7 +69,7 @@ public final class AirspeedSensor extends DeviceSensor<PitotTube.Impact> {
 
   @Override
   protected Stream<StateInformation> messages(PitotTube.Impact impact) {
-    Tuning now = tuning.get();
+    Variables now = tuning.get();
     double altitudeM = altitude.metres();
     double staticPa =
         or(impact.staticPa(), PressureAltitude.pascalsAt(altitudeM, PressureAltitude.SEA_LEVEL_PA));

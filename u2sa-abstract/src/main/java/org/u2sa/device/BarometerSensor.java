@@ -31,7 +31,7 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
           50.0, // Hz
           1.0); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "Pa",
               min = 85_000,
@@ -48,7 +48,7 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
                   "Standard deviation of the altitude; with an outdated QNH, weather causes errors of up to 100 m.")
           double altitudeSigma) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private long refused;
 
   /** Launcher constructor: opens the configured barometer. */

@@ -23,7 +23,7 @@ public final class CompassSensor extends DeviceSensor<Heading> {
           50.0, // Hz
           1.5); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "s",
               min = 0,
@@ -47,7 +47,7 @@ public final class CompassSensor extends DeviceSensor<Heading> {
               text = "Standard deviation of the heading, from the data sheet.")
           double headingSigma) {}
 
-  private final HeadingMapping headings = headings(settings(Tuning.class).get());
+  private final HeadingMapping headings = headings(settings(Variables.class).get());
   private boolean isWaitReported;
 
   /** Launcher constructor: opens the configured compass. */
@@ -60,7 +60,7 @@ public final class CompassSensor extends DeviceSensor<Heading> {
     super(context, KIND, compass);
   }
 
-  private HeadingMapping headings(Tuning tuning) {
+  private HeadingMapping headings(Variables tuning) {
     return new HeadingMapping(
         sensorName(),
         new TrueNorth(this, clock()),

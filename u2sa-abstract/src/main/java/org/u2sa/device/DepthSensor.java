@@ -36,7 +36,7 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
     LOCAL_NED
   }
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "kg/m^3",
               min = 900,
@@ -80,7 +80,7 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
                   "GLOBAL: z is the altitude; LOCAL_ENU: z is minus the depth; LOCAL_NED: z is the depth.")
           DepthFrame depthFrame) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
 
   /** Launcher constructor: opens the configured gauge. */
   public DepthSensor(ServiceContext context) {
@@ -94,7 +94,7 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
 
   @Override
   protected Stream<StateInformation> messages(Pressure pressure) {
-    Tuning now = tuning.get();
+    Variables now = tuning.get();
     double gaugePa = pressure.pascals() - now.surfacePressure();
     // p = ρ g h (White, Fluid Mechanics, chapter 2); assumes level: roll and pitch are unknown
     double depthM = gaugePa / (now.waterDensity() * Gravity.STANDARD_MPS2) - now.mountedZ();

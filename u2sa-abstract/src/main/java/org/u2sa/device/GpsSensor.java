@@ -22,7 +22,7 @@ public final class GpsSensor extends DeviceSensor<GpsFix> {
           50.0, // Hz
           2.5); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "s",
               min = 0,
@@ -33,7 +33,7 @@ public final class GpsSensor extends DeviceSensor<GpsFix> {
           double delay) {}
 
   private final FixMapping fixes =
-      new FixMapping(this, sensorName(), settings(Tuning.class).get().delay());
+      new FixMapping(this, sensorName(), settings(Variables.class).get().delay());
 
   /** Launcher constructor: opens the configured receiver. */
   public GpsSensor(ServiceContext context) {

@@ -30,7 +30,7 @@ public final class ImuSensor extends DeviceSensor<Orientation> {
           100.0, // Hz
           0.5); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "rad",
               min = 0,
@@ -65,7 +65,7 @@ public final class ImuSensor extends DeviceSensor<Orientation> {
               text = "Standard deviation of a specific force, from the data sheet.")
           double forceSigma) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private final TrueNorth north = new TrueNorth(this, clock());
 
   /** Launcher constructor: opens the configured IMU. */

@@ -26,7 +26,7 @@ public final class LidarSensor extends DeviceSensor<LaserScanner.Scan> {
           100.0, // Hz
           1.0); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(min = 1, max = 1000, ifAbsent = 1, text = "Publish every Nth scan.")
           int publishEvery,
       @Variable(
@@ -45,7 +45,7 @@ public final class LidarSensor extends DeviceSensor<LaserScanner.Scan> {
           double farthest) {}
 
   private final MountingPose mounted = settings(MountingPose.class).get();
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private long scans;
 
   /** Launcher constructor: opens the configured lidar. */

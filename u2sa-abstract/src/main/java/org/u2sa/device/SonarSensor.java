@@ -25,7 +25,7 @@ public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
           50.0, // Hz
           4.0); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               min = 1,
               max = 255,
@@ -43,7 +43,7 @@ public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
           int pingsPerScan) {}
 
   private final MountingPose mounted = settings(MountingPose.class).get();
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private final List<RangeScan.Beam> beams = new ArrayList<>();
   private long beganMicros;
   private long lastMicros;

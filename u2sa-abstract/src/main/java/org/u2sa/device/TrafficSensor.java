@@ -35,7 +35,7 @@ public final class TrafficSensor extends DeviceSensor<TrafficReceiver.Traffic> {
           20.0, // Hz
           10.0); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "m",
               min = 1,
@@ -84,7 +84,7 @@ public final class TrafficSensor extends DeviceSensor<TrafficReceiver.Traffic> {
               text = "ID of the vehicle's own transponder, which is not traffic; empty: none.")
           String ownId) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private final OwnAltitude ownAltitude = new OwnAltitude(this);
   private final Map<String, Long> published = new HashMap<>(); // time of each target's last report
 
@@ -114,7 +114,7 @@ public final class TrafficSensor extends DeviceSensor<TrafficReceiver.Traffic> {
   }
 
   private MovingSphere object(TrafficTarget target) {
-    Tuning now = tuning.get();
+    Variables now = tuning.get();
     double sigmaM = target.horizontalSigmaM().orElse(now.positionSigma());
     OptionalDouble altitudeM = altitudeM(target, now.qnh());
     MovingSphere sphere = new MovingSphere().radius(now.separation());

@@ -27,7 +27,7 @@ public final class WaterSpeedSensor extends DeviceSensor<VelocityLog.Speeds> {
           50.0, // Hz
           2.0); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "m/s",
               min = 0.0001,
@@ -43,7 +43,7 @@ public final class WaterSpeedSensor extends DeviceSensor<VelocityLog.Speeds> {
               text = "Standard deviation of each speed through the water, from the data sheet.")
           double waterSigma) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
 
   /** Launcher constructor: opens the configured log. */
   public WaterSpeedSensor(ServiceContext context) {

@@ -28,7 +28,7 @@ public final class WheelEncoderSensor extends DeviceSensor<WheelEncoder.Ticks> {
           50.0, // Hz
           0.5); // s
 
-  private record Tuning(
+  private record Variables(
       @Variable(ifAbsentText = "false", text = "Whether the left wheel counts backwards.")
           boolean leftReversed,
       @Variable(ifAbsentText = "false", text = "Whether the right wheel counts backwards.")
@@ -36,7 +36,7 @@ public final class WheelEncoderSensor extends DeviceSensor<WheelEncoder.Ticks> {
       @Variable(unit = "Hz", min = 0.1, max = 50, ifAbsent = 10, text = "Rate of published speeds.")
           double stateRate) {}
 
-  private final Tuning tuning = settings(Tuning.class).get();
+  private final Variables tuning = settings(Variables.class).get();
   private final WheelOdometry odometry = settings(OdometryVariables.class).get().odometry();
   private int connections;
   private long dueMicros = Long.MIN_VALUE;

@@ -38,7 +38,7 @@ class DevicesTest {
 
   /** Two that offer the same name. */
   public static class One extends DeviceProvider<RangeFinder> {
-    private record Tuning(@Variable(ifAbsent = 0.5, text = "Gain.") double gain) {}
+    private record Variables(@Variable(ifAbsent = 0.5, text = "Gain.") double gain) {}
 
     /** For {@link java.util.ServiceLoader}. */
     public One() {
@@ -47,7 +47,7 @@ class DevicesTest {
 
     @Override
     protected List<Class<?>> variables() {
-      return List.of(Tuning.class);
+      return List.of(Variables.class);
     }
 
     @Override

@@ -27,7 +27,7 @@ public final class VelocityControl extends ControlSystem {
 
   private static final double FULL_PERCENT = 100.0;
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "m/s",
               min = 0.01,
@@ -78,7 +78,7 @@ public final class VelocityControl extends ControlSystem {
               text = "Whether the vehicle can move sideways and backwards, like a multicopter.")
           boolean sideways) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
 
   /** Called by the launcher. */
   public VelocityControl(ServiceContext context) {
@@ -92,7 +92,7 @@ public final class VelocityControl extends ControlSystem {
       neutral().forEach(this::command);
       return;
     }
-    Tuning now = tuning.get();
+    Variables now = tuning.get();
     Point toGo = way.get(); // forward, left, up
     double distance = toGo.distance();
     double wanted = point.get().speed().orElse(now.cruiseSpeed());

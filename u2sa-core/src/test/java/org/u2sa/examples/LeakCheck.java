@@ -28,15 +28,15 @@ public final class LeakCheck implements SafetyCheck {
     }
   }
 
-  private record Tuning(
+  private record Variables(
       @Variable(unit = "m", min = 0, max = 1, ifAbsent = 0.01, text = "Water that counts as leak.")
           double leakDepth) {}
 
-  private final Settings<Tuning> tuning;
+  private final Settings<Variables> tuning;
   private double depthM;
 
   private LeakCheck(Configurator configuration) {
-    tuning = configuration.settings(Tuning.class);
+    tuning = configuration.settings(Variables.class);
   }
 
   @Override

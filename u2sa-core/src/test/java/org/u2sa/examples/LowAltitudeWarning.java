@@ -13,7 +13,7 @@ import org.u2sa.service.ServiceRole;
 
 /** Warns once each time that the vehicle gets too low. In: state. Out: altitude-warnings. */
 public final class LowAltitudeWarning extends EventDrivenService {
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "m",
               min = -500,
@@ -29,7 +29,7 @@ public final class LowAltitudeWarning extends EventDrivenService {
               text = "How far above the lowest altitude a warning ends.")
           double margin) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private boolean low; // touched by this service's thread only, like all that handlers use
 
   /** Called by the launcher. */

@@ -30,7 +30,7 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   private static final double EARTH_RADIUS_M = 6_371_000.0; // accurate enough for a correction
   private static final double DEG_PER_M = Math.toDegrees(1.0 / EARTH_RADIUS_M);
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "s",
               min = 0,
@@ -103,7 +103,7 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     }
   }
 
-  private final Tuning tuning;
+  private final Variables tuning;
   private final Channel longitude = new Channel();
   private final Channel latitude = new Channel();
   private final Channel altitude = new Channel();
@@ -114,7 +114,7 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   /** Launcher constructor. */
   public ComplementaryStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");
-    tuning = settings(Tuning.class).get(); // changes take effect at the next start
+    tuning = settings(Variables.class).get(); // changes take effect at the next start
   }
 
   @Override

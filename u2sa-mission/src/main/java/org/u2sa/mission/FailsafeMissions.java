@@ -20,7 +20,7 @@ final class FailsafeMissions {
   private final MissionRun run;
   private final Logger logger;
   private final MissionFiles files;
-  private final Supplier<MissionSettings> settings;
+  private final Supplier<MissionVariables> settings;
   private final Map<FailsafeAction, List<GoalInformation>> goals =
       new EnumMap<>(FailsafeAction.class);
   private final Map<FailsafeAction, GoalInformation> homes = new EnumMap<>(FailsafeAction.class);
@@ -31,7 +31,7 @@ final class FailsafeMissions {
    * @throws org.u2sa.interfaces.BadInputException if one is wrong
    */
   FailsafeMissions(
-      MissionRun run, MissionFiles files, Supplier<MissionSettings> settings, Logger logger) {
+      MissionRun run, MissionFiles files, Supplier<MissionVariables> settings, Logger logger) {
     this.run = run;
     this.logger = logger;
     this.files = files;
@@ -40,9 +40,9 @@ final class FailsafeMissions {
   }
 
   static boolean areConfiguredBy(Set<String> variables) {
-    return variables.contains(MissionSettings.RETURN_MISSION)
-        || variables.contains(MissionSettings.LAND_MISSION)
-        || variables.contains(MissionSettings.DEFAULT_THRESHOLD);
+    return variables.contains(MissionVariables.RETURN_MISSION)
+        || variables.contains(MissionVariables.LAND_MISSION)
+        || variables.contains(MissionVariables.DEFAULT_THRESHOLD);
   }
 
   /** Number of goals for LAND. */
@@ -56,11 +56,11 @@ final class FailsafeMissions {
    * @throws org.u2sa.interfaces.BadInputException if one is wrong; then nothing has changed
    */
   void load() {
-    MissionSettings now = settings.get();
+    MissionVariables now = settings.get();
     List<GoalInformation> returning =
-        load(FailsafeAction.RETURN, MissionSettings.RETURN_MISSION, now.returnMission());
+        load(FailsafeAction.RETURN, MissionVariables.RETURN_MISSION, now.returnMission());
     List<GoalInformation> landing =
-        load(FailsafeAction.LAND, MissionSettings.LAND_MISSION, now.landMission());
+        load(FailsafeAction.LAND, MissionVariables.LAND_MISSION, now.landMission());
     goals.put(FailsafeAction.RETURN, returning);
     goals.put(FailsafeAction.LAND, landing);
   }

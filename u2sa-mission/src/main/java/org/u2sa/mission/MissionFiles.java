@@ -18,7 +18,7 @@ import org.u2sa.service.ServiceContext;
 final class MissionFiles {
   private static final List<String> VARIABLES =
       List.of(
-          MissionSettings.MISSION, MissionSettings.RETURN_MISSION, MissionSettings.LAND_MISSION);
+          MissionVariables.MISSION, MissionVariables.RETURN_MISSION, MissionVariables.LAND_MISSION);
 
   private final ServiceContext context;
   private final Map<String, LoadedFile> loaded = new TreeMap<>(); // by variable
@@ -51,7 +51,7 @@ final class MissionFiles {
     try {
       return Mission.load(file, context.messageTypes(), thresholdM);
     } catch (BadInputException e) {
-      if (variable.equals(MissionSettings.MISSION)) {
+      if (variable.equals(MissionVariables.MISSION)) {
         throw e; // the main mission file needs no further context
       }
       throw new BadInputException("variable \"" + variable + "\": " + e.getMessage(), e);
@@ -79,12 +79,12 @@ final class MissionFiles {
    * @param before current values, whose files are not re-read
    */
   Optional<String> refusal(Map<String, Object> values, Configurator before) {
-    double thresholdM = (Double) values.get(MissionSettings.DEFAULT_THRESHOLD);
-    boolean others = thresholdM != (Double) before.getVariable(MissionSettings.DEFAULT_THRESHOLD);
+    double thresholdM = (Double) values.get(MissionVariables.DEFAULT_THRESHOLD);
+    boolean others = thresholdM != (Double) before.getVariable(MissionVariables.DEFAULT_THRESHOLD);
     try {
       for (String variable : VARIABLES) {
         String path = (String) values.get(variable);
-        boolean named = variable.equals(MissionSettings.MISSION) || !path.isEmpty();
+        boolean named = variable.equals(MissionVariables.MISSION) || !path.isEmpty();
         if (named && (others || !path.equals(before.getVariable(variable)))) {
           read(variable, context.configuration().resolve(path), thresholdM);
         }

@@ -56,7 +56,7 @@ public final class MissionManager extends PeriodicService {
   private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
 
-  private final Settings<MissionSettings> settings = settings(MissionSettings.class);
+  private final Settings<MissionVariables> settings = settings(MissionVariables.class);
   private final Settings<Defaults> defaults = settings(Defaults.class);
   private final FailsafeMissions failsafes;
   private final MissionFiles files;
@@ -100,7 +100,7 @@ public final class MissionManager extends PeriodicService {
   }
 
   private GoalSequence load() {
-    Mission mission = files.load(MissionSettings.MISSION, settings.get().mission(), thresholdM());
+    Mission mission = files.load(MissionVariables.MISSION, settings.get().mission(), thresholdM());
     run.mission(mission);
     log("mission " + mission.origin() + " with goals " + names(mission.goals()));
     mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
@@ -119,8 +119,8 @@ public final class MissionManager extends PeriodicService {
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    if (variableNames.contains(MissionSettings.MISSION)
-        || variableNames.contains(MissionSettings.DEFAULT_THRESHOLD)) {
+    if (variableNames.contains(MissionVariables.MISSION)
+        || variableNames.contains(MissionVariables.DEFAULT_THRESHOLD)) {
       beginAnew();
     }
     if (FailsafeMissions.areConfiguredBy(variableNames)) {
@@ -154,8 +154,8 @@ public final class MissionManager extends PeriodicService {
 
   @Override
   protected void handOver(HandOver state) {
-    state.text(MissionSettings.MISSION, settings.get().mission());
-    state.number(MissionSettings.DEFAULT_THRESHOLD, thresholdM());
+    state.text(MissionVariables.MISSION, settings.get().mission());
+    state.number(MissionVariables.DEFAULT_THRESHOLD, thresholdM());
     limits.handOver(state);
     run.progress().handOver(state);
   }
@@ -163,8 +163,8 @@ public final class MissionManager extends PeriodicService {
   @Override
   protected void takeOver(HandOver state) {
     boolean same =
-        state.text(MissionSettings.MISSION).filter(settings.get().mission()::equals).isPresent()
-            && state.number(MissionSettings.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
+        state.text(MissionVariables.MISSION).filter(settings.get().mission()::equals).isPresent()
+            && state.number(MissionVariables.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
     if (!same) {
       log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");
       return;

@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.log.Logger;
-import org.u2sa.mission.MissionSettings.Resumption;
+import org.u2sa.mission.MissionVariables.Resumption;
 
 /**
  * Saves mission progress and restores that of an earlier process, as configured by RESUME. Not
@@ -19,12 +19,13 @@ final class Resumable {
   private final MissionRun run;
   private final Logger logger;
   private final SavedMission saved;
-  private final Supplier<MissionSettings> settings;
+  private final Supplier<MissionVariables> settings;
   private Optional<MissionProgress> found = Optional.empty();
   private String foundDigest = ""; // of the mission whose progress was loaded
   private long notSaved;
 
-  Resumable(MissionRun run, SavedMission saved, Supplier<MissionSettings> settings, Logger logger) {
+  Resumable(
+      MissionRun run, SavedMission saved, Supplier<MissionVariables> settings, Logger logger) {
     this.run = run;
     this.logger = logger;
     this.saved = saved;

@@ -34,10 +34,6 @@ final class SavedMission {
     codec = new MessageCodec(context.messageTypes());
   }
 
-  Path path() {
-    return file;
-  }
-
   /**
    * Replaces the file.
    *

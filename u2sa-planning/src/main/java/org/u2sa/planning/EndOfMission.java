@@ -14,7 +14,7 @@ import org.u2sa.service.handover.HandOver;
 
 /** Behaviour of a planner without a goal: hold at a place, or nothing. */
 final class EndOfMission {
-  private final Supplier<PlanningSettings> settings;
+  private final Supplier<PlanningVariables> settings;
   private final Supplier<LineSettings> lines;
   private final WaypointGuidance guidance;
   private Optional<LoiterCircle> circle = Optional.empty();
@@ -25,7 +25,7 @@ final class EndOfMission {
    * @param guidance for the representation of the point passed to control
    */
   EndOfMission(
-      Supplier<PlanningSettings> settings,
+      Supplier<PlanningVariables> settings,
       Supplier<LineSettings> lines,
       WaypointGuidance guidance) {
     this.settings = settings;
@@ -65,12 +65,12 @@ final class EndOfMission {
    * @param place as in {@link #plan}
    */
   List<NavigationPoint> planFailsafe(Vehicle vehicle, Optional<Place> place) {
-    PlanningSettings now = settings.get();
+    PlanningVariables now = settings.get();
     return now.holdsAtEnd() || now.loiterRadius() > 0.0 ? hold(vehicle, place) : List.of();
   }
 
   private List<NavigationPoint> hold(Vehicle vehicle, Optional<Place> place) {
-    PlanningSettings now = settings.get();
+    PlanningVariables now = settings.get();
     if (circle.isEmpty()) {
       Place centre =
           place

@@ -13,7 +13,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.planning.avoidance.Avoidance;
-import org.u2sa.planning.avoidance.AvoidanceSettings;
+import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.seen.PlanningPlane;
@@ -25,10 +25,10 @@ import org.u2sa.planning.seen.SeenTarget;
  */
 final class ObjectGoalState implements PlannerState {
   private final Avoidance avoidance;
-  private final Supplier<AvoidanceSettings> settings;
+  private final Supplier<AvoidanceVariables> settings;
   private long unseenSinceMicros = Long.MIN_VALUE;
 
-  ObjectGoalState(Avoidance avoidance, Supplier<AvoidanceSettings> settings) {
+  ObjectGoalState(Avoidance avoidance, Supplier<AvoidanceVariables> settings) {
     this.avoidance = avoidance;
     this.settings = settings;
   }

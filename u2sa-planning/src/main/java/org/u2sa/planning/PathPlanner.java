@@ -16,7 +16,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.planning.avoidance.Avoidance;
-import org.u2sa.planning.avoidance.AvoidanceSettings;
+import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.guidance.AltitudeProfile;
 import org.u2sa.planning.guidance.ChosenGuidance;
 import org.u2sa.planning.guidance.LineSettings;
@@ -38,7 +38,7 @@ import org.u2sa.service.handover.HandOver;
  * 4.6.2.3).
  */
 public class PathPlanner extends EventDrivenService {
-  private final Settings<PlanningSettings> settings = settings(PlanningSettings.class);
+  private final Settings<PlanningVariables> settings = settings(PlanningVariables.class);
   private final PlannerStates states;
   private final EndOfMission end;
   private final Avoidance avoidance;
@@ -69,7 +69,7 @@ public class PathPlanner extends EventDrivenService {
   PathPlanner(ServiceContext context, Function<PathPlanner, WaypointGuidance> guide) {
     super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
     WaypointGuidance guidance = guide.apply(this);
-    Settings<AvoidanceSettings> seeing = settings(AvoidanceSettings.class);
+    Settings<AvoidanceVariables> seeing = settings(AvoidanceVariables.class);
     avoidance = new Avoidance(this, seeing, this::lines, this::say);
     states =
         new PlannerStates(
@@ -93,7 +93,7 @@ public class PathPlanner extends EventDrivenService {
    * profile.
    */
   final LineSettings lines() {
-    PlanningSettings configured = settings.get();
+    PlanningVariables configured = settings.get();
     return failsafe == FailsafeAction.LAND
         ? configured.lines(AltitudeProfile.LINEAR)
         : configured.lines();

@@ -12,7 +12,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.planning.avoidance.Avoidance;
-import org.u2sa.planning.avoidance.AvoidanceSettings;
+import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
@@ -42,9 +42,9 @@ final class WaypointState implements PlannerState {
   private static final double TURNS_TO_M = 2.0; // distance of the point to turn to
 
   private final WaypointGuidance guidance;
-  private final Supplier<PlanningSettings> settings;
+  private final Supplier<PlanningVariables> settings;
   private final Avoidance avoidance;
-  private final Supplier<AvoidanceSettings> seeing;
+  private final Supplier<AvoidanceVariables> seeing;
   private int attempts;
   private boolean
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
@@ -55,9 +55,9 @@ final class WaypointState implements PlannerState {
 
   WaypointState(
       WaypointGuidance guidance,
-      Supplier<PlanningSettings> settings,
+      Supplier<PlanningVariables> settings,
       Avoidance avoidance,
-      Supplier<AvoidanceSettings> seeing) {
+      Supplier<AvoidanceVariables> seeing) {
     this.guidance = guidance;
     this.settings = settings;
     this.avoidance = avoidance;
@@ -153,7 +153,7 @@ final class WaypointState implements PlannerState {
     if (waypoint.time().isEmpty()) {
       return waypoint.speed();
     }
-    AvoidanceSettings now = seeing.get();
+    AvoidanceVariables now = seeing.get();
     double most = waypoint.speed().orElse(Math.max(now.maxSpeed(), now.plannedSpeed()));
     double leftS = waypoint.time().getAsDouble() - pursuit.missionS();
     double needed =
@@ -165,7 +165,7 @@ final class WaypointState implements PlannerState {
   }
 
   /** Tail wind of a vehicle that cannot stop: ground speed minus airspeed [m/s]. */
-  private static double tailWindMps(StateInformation state, AvoidanceSettings now) {
+  private static double tailWindMps(StateInformation state, AvoidanceVariables now) {
     return now.stops() || state.fluidxDot().isEmpty()
         ? 0.0
         : Vehicle.of(state).orElseThrow().speedMps() - state.fluidxDot().getAsDouble();

@@ -9,7 +9,7 @@ import org.u2sa.planning.guidance.GuidanceLawProvider;
 
 /** An extension's guidance law: beside the line instead of on it. */
 public final class OffsetLaw implements GuidanceLawProvider {
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "m",
               min = -100,
@@ -25,7 +25,7 @@ public final class OffsetLaw implements GuidanceLawProvider {
 
   @Override
   public GuidanceLaw law(Configurator configuration) {
-    Settings<Tuning> tuning = configuration.settings(Tuning.class);
+    Settings<Variables> tuning = configuration.settings(Variables.class);
     return (leg, lookAheadM) -> {
       double along = leg.alongM(0.0, 0.0) + lookAheadM;
       double right = leg.bearingRad() + Math.PI / 2.0;

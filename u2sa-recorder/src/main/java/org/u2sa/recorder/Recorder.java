@@ -46,7 +46,7 @@ public final class Recorder extends EventDrivenService implements Execution.Keep
    */
   public Recorder(ServiceContext context, RecordingFacts facts) {
     super(context, ServiceRole.OBSERVER, "Recorder");
-    RecorderSettings settings = settings(RecorderSettings.class).get();
+    RecorderVariables settings = settings(RecorderVariables.class).get();
     facts.say("run", "system", context.systemId());
     facts.say("run", "seed", Long.toString(context.seed()));
     Path file = context.logDirectory().resolve(settings.file());

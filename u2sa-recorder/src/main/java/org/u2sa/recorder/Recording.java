@@ -56,7 +56,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private final boolean inRealTime;
   private final Clock stopwatch = new SystemClock();
   private final RecordingFiles files;
-  private final RecorderSettings settings;
+  private final RecorderVariables settings;
   private final Consumer<String> trouble;
   private final BlockingQueue<Waiting> waiting;
   private final AtomicLong waitingBytes = new AtomicLong(); // from other processes, in real time
@@ -81,7 +81,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   Recording(
       String systemId,
       Clock clock,
-      RecorderSettings settings,
+      RecorderVariables settings,
       RecordingFiles files,
       Consumer<String> trouble) {
     this.systemId = systemId;

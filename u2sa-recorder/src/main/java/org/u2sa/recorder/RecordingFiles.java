@@ -37,7 +37,7 @@ final class RecordingFiles {
 
   private final Disk disk;
   private final Path first;
-  private final RecorderSettings settings;
+  private final RecorderVariables settings;
   private final McapOptions options;
   private final RecordingFacts facts;
   private final Consumer<String> trouble;
@@ -64,7 +64,7 @@ final class RecordingFiles {
    */
   RecordingFiles(
       Path first,
-      RecorderSettings settings,
+      RecorderVariables settings,
       String library,
       RecordingFacts facts,
       Consumer<String> trouble) {
@@ -79,7 +79,7 @@ final class RecordingFiles {
 
   RecordingFiles(
       Path first,
-      RecorderSettings settings,
+      RecorderVariables settings,
       String library,
       RecordingFacts facts,
       Consumer<String> trouble,

@@ -21,7 +21,7 @@ final class WarmUp {
 
   private WarmUp() {}
 
-  static void run(RecorderSettings settings) {
+  static void run(RecorderVariables settings) {
     StateInformation message = new StateInformation().sensorName(SYSTEM).x(11.0).y(48.0).z(400.0);
     message.psi(0.5).timestamp(0);
     message.freeze();

@@ -171,7 +171,7 @@ class RecorderTest {
     RecordingFiles files =
         new RecordingFiles(
             folder.resolve("r.mcap"),
-            XmlConfiguration.inMemory("Recorder", values).settings(RecorderSettings.class).get(),
+            XmlConfiguration.inMemory("Recorder", values).settings(RecorderVariables.class).get(),
             "test",
             new RecordingFacts(),
             RecorderTest::fail);
@@ -229,8 +229,8 @@ class RecorderTest {
     values.put("FORM", "U2SA");
     values.put("COMPRESSION", "NONE");
     values.put("WAITING AT MOST", 100_000);
-    RecorderSettings settings =
-        XmlConfiguration.inMemory("Recorder", values).settings(RecorderSettings.class).get();
+    RecorderVariables settings =
+        XmlConfiguration.inMemory("Recorder", values).settings(RecorderVariables.class).get();
     RecordingFiles files =
         new RecordingFiles(
             folder.resolve("r.mcap"),
@@ -269,9 +269,9 @@ class RecorderTest {
 
   @Test
   void record_splitByTime_beginsAFileEachSoManySeconds() {
-    RecorderSettings settings =
+    RecorderVariables settings =
         XmlConfiguration.inMemory("Recorder", Map.of("SPLIT TIME", 2.0))
-            .settings(RecorderSettings.class)
+            .settings(RecorderVariables.class)
             .get();
     RecordingFiles files =
         new RecordingFiles(
@@ -312,9 +312,9 @@ class RecorderTest {
   @Test
   void receive_moreThanMayWait_dropsAndCountsAndSaysSoInTheFile() throws IOException {
     List<String> told = new ArrayList<>();
-    RecorderSettings settings =
+    RecorderVariables settings =
         XmlConfiguration.inMemory("Recorder", Map.of("WAITING AT MOST", 16, "FORM", "U2SA"))
-            .settings(RecorderSettings.class)
+            .settings(RecorderVariables.class)
             .get();
     RecordingFiles files =
         new RecordingFiles(
@@ -348,9 +348,9 @@ class RecorderTest {
           }
           told.add(what);
         };
-    RecorderSettings settings =
+    RecorderVariables settings =
         XmlConfiguration.inMemory("Recorder", Map.of("FORM", "U2SA"))
-            .settings(RecorderSettings.class)
+            .settings(RecorderVariables.class)
             .get();
     RecordingFiles files =
         new RecordingFiles(file, settings, "test", new RecordingFacts(), trouble);

@@ -41,8 +41,8 @@ class RecordingFilesBeginTest {
   private RecordingFiles files(String name, Map<String, Object> values, RecordingFiles.Disk on) {
     Map<String, Object> all = new HashMap<>(values);
     all.put("COMPRESSION", "NONE");
-    RecorderSettings settings =
-        XmlConfiguration.inMemory("Recorder", all).settings(RecorderSettings.class).get();
+    RecorderVariables settings =
+        XmlConfiguration.inMemory("Recorder", all).settings(RecorderVariables.class).get();
     return new RecordingFiles(folder.resolve(name), settings, "test", facts, troubles::add, on);
   }
 
@@ -294,8 +294,8 @@ class RecordingFilesBeginTest {
 
   @Test
   void at_usualDisk_createsAFileThatMustNotExist() throws IOException {
-    RecorderSettings settings =
-        XmlConfiguration.inMemory("Recorder", Map.of()).settings(RecorderSettings.class).get();
+    RecorderVariables settings =
+        XmlConfiguration.inMemory("Recorder", Map.of()).settings(RecorderVariables.class).get();
     RecordingFiles files =
         new RecordingFiles(
             folder.resolve("recording.mcap"), settings, "test", facts, troubles::add);

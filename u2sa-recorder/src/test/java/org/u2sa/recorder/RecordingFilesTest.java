@@ -39,8 +39,8 @@ class RecordingFilesTest {
   private RecordingFiles files(Map<String, Object> values) {
     Map<String, Object> all = new HashMap<>(values);
     all.put("COMPRESSION", "NONE");
-    RecorderSettings settings =
-        XmlConfiguration.inMemory("Recorder", all).settings(RecorderSettings.class).get();
+    RecorderVariables settings =
+        XmlConfiguration.inMemory("Recorder", all).settings(RecorderVariables.class).get();
     return new RecordingFiles(
         folder().resolve("recording.mcap"),
         settings,

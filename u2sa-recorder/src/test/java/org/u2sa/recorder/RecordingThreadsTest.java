@@ -31,9 +31,9 @@ class RecordingThreadsTest {
   private final SmallDisk disk = new SmallDisk(1L << 30);
 
   private Recording recording() {
-    RecorderSettings settings =
+    RecorderVariables settings =
         XmlConfiguration.inMemory("Recorder", Map.of("COMPRESSION", "NONE", "EXECUTIONS", false))
-            .settings(RecorderSettings.class)
+            .settings(RecorderVariables.class)
             .get();
     RecordingFiles files =
         new RecordingFiles(

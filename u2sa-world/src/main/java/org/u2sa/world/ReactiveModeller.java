@@ -24,7 +24,7 @@ import org.u2sa.world.modeller.Sighting;
  * scans as point clouds, together with the a priori objects.
  */
 final class ReactiveModeller implements Modeller {
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "s",
               min = 0.01,
@@ -39,13 +39,13 @@ final class ReactiveModeller implements Modeller {
 
   private record Memory(long micros, List<ObjectDescription> objects) {}
 
-  private final Settings<Tuning> tuning;
+  private final Settings<Variables> tuning;
   private final Map<String, Memory> bySensor = new TreeMap<>();
   private List<ObjectDescription> known = List.of();
   private long knownMicros;
 
   ReactiveModeller(Configurator configuration) {
-    tuning = configuration.settings(Tuning.class);
+    tuning = configuration.settings(Variables.class);
   }
 
   @Override

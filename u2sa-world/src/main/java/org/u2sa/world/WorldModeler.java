@@ -44,7 +44,7 @@ public final class WorldModeler extends PeriodicService {
   private static final double RATE_HZ = 10.0;
 
   private final ServiceContext context;
-  private final Settings<WorldSettings> settings = settings(WorldSettings.class);
+  private final Settings<WorldVariables> settings = settings(WorldVariables.class);
   private final ChosenModellers modellers = new ChosenModellers(this);
   private final PoseHistory poses = new PoseHistory();
   private final Arrivals arrivals = new Arrivals();
@@ -133,8 +133,8 @@ public final class WorldModeler extends PeriodicService {
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
     try {
-      modellers.names((String) values.get(WorldSettings.MODELLERS));
-      file((String) values.get(WorldSettings.WORLD));
+      modellers.names((String) values.get(WorldVariables.MODELLERS));
+      file((String) values.get(WorldVariables.WORLD));
       return Optional.empty();
     } catch (IllegalArgumentException | BadInputException e) {
       return Optional.of(e.getMessage());
@@ -143,9 +143,9 @@ public final class WorldModeler extends PeriodicService {
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    if (variableNames.contains(WorldSettings.WORLD)
-        || variableNames.contains(WorldSettings.WORLD_MOVERS)) {
-      if (variableNames.contains(WorldSettings.WORLD)) {
+    if (variableNames.contains(WorldVariables.WORLD)
+        || variableNames.contains(WorldVariables.WORLD_MOVERS)) {
+      if (variableNames.contains(WorldVariables.WORLD)) {
         known = known();
         knownMicros = clock().micros();
       } else {
@@ -153,7 +153,7 @@ public final class WorldModeler extends PeriodicService {
       }
       tellKnown(now());
     }
-    if (variableNames.contains(WorldSettings.MODELLERS)) {
+    if (variableNames.contains(WorldVariables.MODELLERS)) {
       choose();
     }
   }
@@ -309,7 +309,7 @@ public final class WorldModeler extends PeriodicService {
     ObjectList list =
         new ObjectList()
             .objects(
-                settings.get().relevant() == WorldSettings.Relevant.ALL
+                settings.get().relevant() == WorldVariables.Relevant.ALL
                     ? objects
                     : relevance.of(objects));
     list.timestamp(micros);

@@ -12,7 +12,7 @@ import org.u2sa.world.modeller.Sighting;
 
 /** An extension's modeller, found as one of another jar would be: it knows one lighthouse. */
 public final class LighthouseProvider implements ModellerProvider {
-  record Tuning(
+  record Variables(
       @Variable(unit = "m", ifAbsent = 100, text = "Where the lighthouse stands, northward.")
           double lighthouse) {}
 
@@ -23,7 +23,7 @@ public final class LighthouseProvider implements ModellerProvider {
 
   @Override
   public Modeller modeller(Configurator configuration) {
-    Settings<Tuning> tuning = configuration.settings(Tuning.class);
+    Settings<Variables> tuning = configuration.settings(Variables.class);
     return new Modeller() {
       @Override
       public List<ObjectDescription> objects(Sighting now) {

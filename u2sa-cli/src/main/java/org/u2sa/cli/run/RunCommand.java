@@ -16,7 +16,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.Setting;
 import org.u2sa.cli.record.RunFacts;
 import org.u2sa.cli.record.RunRecording;
-import org.u2sa.core.communication.ManagerSettings;
+import org.u2sa.core.communication.ManagerVariables;
 import org.u2sa.core.communication.discovery.BrokerSearch;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
@@ -178,11 +178,11 @@ public final class RunCommand implements Callable<Integer> {
     } catch (IllegalArgumentException e) {
       return; // rejected later, with all others
     }
-    if (ofManager.stream().anyMatch(each -> each.variable().equals(ManagerSettings.PORT))) {
+    if (ofManager.stream().anyMatch(each -> each.variable().equals(ManagerVariables.PORT))) {
       return;
     }
     ofManager.forEach(each -> configuration.override(each.variable(), each.value()));
-    ManagerSettings manager = configuration.settings(ManagerSettings.class).get();
+    ManagerVariables manager = configuration.settings(ManagerVariables.class).get();
     if (!manager.broker().equals("embedded") || !LOOPBACK.contains(manager.bindAddress())) {
       return;
     }
@@ -190,7 +190,7 @@ public final class RunCommand implements Callable<Integer> {
     OptionalInt free = TakenPort.replacement(manager.bindAddress(), port);
     if (free.isPresent()) {
       refuseSecondRun(system);
-      settings.add(MANAGER + ":" + ManagerSettings.PORT + "=" + free.getAsInt());
+      settings.add(MANAGER + ":" + ManagerVariables.PORT + "=" + free.getAsInt());
       out.println(
           String.format(
               "Port %s is taken by another program; the broker of this system listens on port %s.",

@@ -96,7 +96,7 @@ public final class AllocatingControl extends ControlSystem {
   }
 
   private final Settings<Choices> choices = settings(Choices.class);
-  private final CascadeSettings tuning = new CascadeSettings(this);
+  private final CascadeVariables tuning = new CascadeVariables(this);
   private final ActuatorRoster roster = new ActuatorRoster();
   private final Cascade cascade = new Cascade(tuning);
   private final SeenMotion seen = new SeenMotion();

@@ -17,7 +17,7 @@ final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
   private static final double LEVEL = 0.0; // roll and pitch [rad]
 
-  private final CascadeSettings settings;
+  private final CascadeVariables settings;
   private final AxisTuning[] tuning = new AxisTuning[DegreeOfFreedom.COUNT];
   private final Pid[] pids = new Pid[DegreeOfFreedom.COUNT];
   private final double[] wanted = new double[DegreeOfFreedom.COUNT]; // wanted velocities and rates
@@ -27,7 +27,7 @@ final class Cascade {
   private OptionalDouble headingRad = OptionalDouble.empty(); // heading to hold
   private boolean turnsFirst; // turns first, without moving sideways
 
-  Cascade(CascadeSettings settings) {
+  Cascade(CascadeVariables settings) {
     this.settings = settings;
     for (DegreeOfFreedom axis : AXES) {
       tuning[axis.ordinal()] = settings.of(axis);

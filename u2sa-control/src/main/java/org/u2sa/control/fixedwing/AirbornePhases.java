@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.u2sa.control.fixedwing.law.EnergyLaw;
 import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.control.fixedwing.law.GroundSteering;
-import org.u2sa.control.fixedwing.law.GuidanceParameters;
+import org.u2sa.control.fixedwing.law.GuidanceVariables;
 import org.u2sa.control.fixedwing.law.LateralGuidance;
 import org.u2sa.control.fixedwing.law.Limit;
 import org.u2sa.control.fixedwing.law.StallGuard;
@@ -15,8 +15,8 @@ final class AirbornePhases {
   private static final double NEAR_GROUND_M = 10.0;
   private static final double HEIGHT_FIRST_BELOW = 0.5; // of the safe height
 
-  private final Tuning tuning;
-  private final GuidanceParameters guidance;
+  private final AutopilotVariables tuning;
+  private final GuidanceVariables guidance;
   private final GroundSteering steering;
   private final InnerLoops loops;
   private final LateralGuidance lateral;
@@ -31,7 +31,7 @@ final class AirbornePhases {
   private double speedDemandMps; // calibrated
 
   AirbornePhases(
-      Tuning tuning,
+      AutopilotVariables tuning,
       GroundSteering steering,
       InnerLoops loops,
       WindEstimate wind,
@@ -63,12 +63,12 @@ final class AirbornePhases {
   }
 
   Surfaces climbOut(FlightState state, double dtS) {
-    Tuning.ClimbOut climb = tuning.climbOut();
+    AutopilotVariables.ClimbOut climb = tuning.climbOut();
     double look = climb.climbOutLookAhead();
     double bank =
         lateral.bankRad(state, steering.aheadNorthM(state, look), steering.aheadEastM(state, look));
     altitudeDemandM = safeAltitudeM(state);
-    speedDemandMps = Tuning.KNOT_MPS * climb.climbOutSpeed();
+    speedDemandMps = AutopilotVariables.KNOT_MPS * climb.climbOutSpeed();
     // Near the ground the nose keeps its take-off pitch, whatever the airspeed demands.
     double low = Limit.within(0.0, 2.0 - state.heightM() / NEAR_GROUND_M, 1.0);
     double lower = Math.toRadians(climb.climbOutPitchLowerLimit());

@@ -16,7 +16,7 @@ public final class Autopilot {
   private static final double GLIDE_SINK_MPS = 3.0; // above this sink rate the flare starts earlier
   private static final double SOONER_S = 1.0;
 
-  private final Tuning tuning;
+  private final AutopilotVariables tuning;
   private final TakeOffSequence sequence;
   private final GroundSteering steering;
   private final InnerLoops loops;
@@ -33,7 +33,7 @@ public final class Autopilot {
   private double lastTimeS = Double.NaN;
   private double navigatedS; // when navigation was last present
 
-  Autopilot(Tuning tuning) {
+  Autopilot(AutopilotVariables tuning) {
     this.tuning = tuning;
     sequence = new TakeOffSequence(tuning.takeOff());
     steering = new GroundSteering(tuning.ground());

@@ -38,7 +38,7 @@ public final class CessnaControl extends ControlSystem {
           double powerExpiry) {}
 
   private final Settings<Power> power = settings(Power.class);
-  private final Supplier<Tuning> tuning = Tuning.in(this);
+  private final Supplier<AutopilotVariables> tuning = AutopilotVariables.in(this);
   private final FlightStateReader reader = new FlightStateReader();
   private final ActuatorRoster roster = new ActuatorRoster();
   private SurfaceMixing mixing = SurfaceMixing.SOUND;

@@ -7,7 +7,7 @@ import org.u2sa.control.fixedwing.law.StallGuard;
 
 /** Ground phases before flight: run-up and take-off run. */
 final class GroundPhases {
-  private final Tuning tuning;
+  private final AutopilotVariables tuning;
   private final TakeOffSequence sequence;
   private final GroundSteering steering;
   private final InnerLoops loops;
@@ -15,7 +15,7 @@ final class GroundPhases {
   private final TakeOffRotation rotation;
 
   GroundPhases(
-      Tuning tuning,
+      AutopilotVariables tuning,
       TakeOffSequence sequence,
       GroundSteering steering,
       InnerLoops loops,

@@ -17,7 +17,7 @@ final class InnerLoops {
   private static final double RUDDER_RATE =
       2.0; // full travel a second is half a second stop to stop
 
-  private final Tuning tuning;
+  private final AutopilotVariables tuning;
   private final RollLaw roll;
   private final PitchLaw pitch;
   private final YawLaw yaw;
@@ -26,7 +26,7 @@ final class InnerLoops {
   private double rudder;
   private double throttle;
 
-  InnerLoops(Tuning tuning) {
+  InnerLoops(AutopilotVariables tuning) {
     this.tuning = tuning;
     roll = new RollLaw(tuning.roll());
     pitch = new PitchLaw(tuning.pitch());

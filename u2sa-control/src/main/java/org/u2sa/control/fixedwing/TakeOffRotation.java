@@ -6,23 +6,23 @@ package org.u2sa.control.fixedwing;
  * upward gusts.
  */
 final class TakeOffRotation {
-  private final Tuning tuning;
+  private final AutopilotVariables tuning;
   private final WindEstimate wind;
 
-  TakeOffRotation(Tuning tuning, WindEstimate wind) {
+  TakeOffRotation(AutopilotVariables tuning, WindEstimate wind) {
     this.tuning = tuning;
     this.wind = wind;
   }
 
   /** Calibrated airspeed at which rotation starts [m/s]. */
   double speedMps() {
-    return Tuning.KNOT_MPS * tuning.takeOff().rotationSpeed()
+    return AutopilotVariables.KNOT_MPS * tuning.takeOff().rotationSpeed()
         + tuning.guidance().gustShare() * wind.speedMps();
   }
 
   /** Pitch to which the nose is raised [rad]. */
   double pitchRad() {
-    double slower = Tuning.KNOT_MPS * tuning.takeOff().rotationSpeed() / speedMps();
+    double slower = AutopilotVariables.KNOT_MPS * tuning.takeOff().rotationSpeed() / speedMps();
     return Math.toRadians(tuning.climbOut().rotationPitch()) * slower * slower;
   }
 }

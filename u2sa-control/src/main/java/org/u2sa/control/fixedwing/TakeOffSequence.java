@@ -7,7 +7,7 @@ import org.u2sa.service.handover.HandOver;
 /** State machine of {@link FlightPhase}s. */
 final class TakeOffSequence {
   /** Transition thresholds of the phases. */
-  record Parameters(
+  record Variables(
       @Variable(
               unit = "rpm",
               min = 0,
@@ -38,16 +38,16 @@ final class TakeOffSequence {
   private static final double LIFTED_FOR_S = 0.3; // shorter lift-offs are hops
   private static final double LANDED_FOR_S = 1.0;
 
-  private final Parameters parameters;
+  private final Variables parameters;
   private final double rotationMps; // without wind
   private FlightPhase phase;
   private double readySinceS = Double.NaN;
   private double liftedSinceS = Double.NaN;
   private double landedSinceS = Double.NaN;
 
-  TakeOffSequence(Parameters parameters) {
+  TakeOffSequence(Variables parameters) {
     this.parameters = parameters;
-    rotationMps = Tuning.KNOT_MPS * parameters.rotationSpeed();
+    rotationMps = AutopilotVariables.KNOT_MPS * parameters.rotationSpeed();
   }
 
   void handOver(HandOver state) {

@@ -26,7 +26,7 @@ public final class ThesisControl extends ControlSystem {
   /** Called by the launcher. */
   public ThesisControl(ServiceContext context) {
     super(context, "Control");
-    law = new ThesisLaw(settings(ThesisLaw.Parameters.class).get());
+    law = new ThesisLaw(settings(ThesisLaw.Variables.class).get());
   }
 
   @Override
@@ -59,7 +59,7 @@ public final class ThesisControl extends ControlSystem {
    */
   static final class ThesisLaw {
     /** With BANK GAIN and PITCH GAIN at 0, this is the law of the thesis. */
-    record Parameters(
+    record Variables(
         @Variable(
                 min = 0,
                 max = 5,
@@ -101,9 +101,9 @@ public final class ThesisControl extends ControlSystem {
     private static final double FULL_DIFFERENTIAL_M = 1_000.0 * 0.3048; // 4.5.2.4: full climb
     private static final double MIN_DIFFERENTIAL_M = 10.0 * 0.3048; // 4.5.2.4: hold altitude
 
-    private final Parameters parameters;
+    private final Variables parameters;
 
-    ThesisLaw(Parameters parameters) {
+    ThesisLaw(Variables parameters) {
       this.parameters = parameters;
     }
 

@@ -16,8 +16,8 @@ import org.u2sa.service.handover.HandOver;
  * section 4: crosswind and short-field landing; FAA Airplane Flying Handbook, chapter 9).
  */
 final class TouchDown {
-  /** Parameters of the last metres, and the crosswind limit. */
-  record Parameters(
+  /** Variables of the last metres, and the crosswind limit. */
+  record Variables(
       @Variable(
               unit = "m",
               min = 0,
@@ -71,7 +71,7 @@ final class TouchDown {
   private static final double SPARE_SINK_MPS = 0.8; // excess sink rate without power
   private static final double MAX_THROTTLE = 0.6;
 
-  private final Parameters parameters;
+  private final Variables parameters;
   private final GroundSteering steering;
   private final InnerLoops loops;
   private final FlareLaw flare;
@@ -79,7 +79,7 @@ final class TouchDown {
   private boolean nosewheel; // is down and steers
 
   TouchDown(
-      Parameters parameters, FlareLaw.Parameters flare, GroundSteering steering, InnerLoops loops) {
+      Variables parameters, FlareLaw.Variables flare, GroundSteering steering, InnerLoops loops) {
     this.parameters = parameters;
     this.steering = steering;
     this.loops = loops;

@@ -74,9 +74,9 @@ public final class AckermannPursuitControl extends ControlSystem {
 
   private double misalignment; // learnt steering offset as curvature [1/m]; held at standstill
 
-  private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
+  private final Settings<PursuitVariables> tuning = settings(PursuitVariables.class);
   private final Settings<Steering> steering = settings(Steering.class);
-  private final Settings<StanleyLaw.Tuning> stanley = settings(StanleyLaw.Tuning.class);
+  private final Settings<StanleyLaw.Variables> stanley = settings(StanleyLaw.Variables.class);
   private final PathSteering path = new PathSteering();
   private final GroundControl ground =
       new GroundControl(

@@ -74,7 +74,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
   private static final double TIGHTEST = 10.0; // [1/m]; tighter is effectively a turn in place
 
-  private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
+  private final Settings<PursuitVariables> tuning = settings(PursuitVariables.class);
   private final Settings<Turning> turning = settings(Turning.class);
   private final Settings<SlopeHelp> slopes = settings(SlopeHelp.class);
   private final Settings<Motors> motors = settings(Motors.class);

@@ -16,7 +16,7 @@ final class PathSteering {
 
   /** Angle of the front wheels [rad], left positive; empty without target, position or path. */
   OptionalDouble steeringRad(
-      StanleyLaw.Tuning tuning,
+      StanleyLaw.Variables tuning,
       StateInformation state,
       Optional<GroundTarget> target,
       double wheelbaseM,

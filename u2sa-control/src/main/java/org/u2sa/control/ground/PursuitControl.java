@@ -10,7 +10,7 @@ import org.u2sa.service.handover.HandOver;
  * the measured motion, and rests stalled motors. Not thread-safe.
  */
 final class PursuitControl {
-  private final Supplier<PursuitTuning> tuning;
+  private final Supplier<PursuitVariables> tuning;
   private final PursuitLaw law;
   private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
   private final PickUp pickUp = new PickUp();
@@ -18,7 +18,7 @@ final class PursuitControl {
   private Drive due = Drive.STANDING; // expected motion by now, after the response lag
   private boolean atFullPower;
 
-  PursuitControl(Supplier<PursuitTuning> tuning, PursuitSettings settings) {
+  PursuitControl(Supplier<PursuitVariables> tuning, PursuitSettings settings) {
     this.tuning = tuning;
     law = new PursuitLaw(settings);
   }

@@ -5,7 +5,7 @@ package org.u2sa.control.ground;
  *
  * @param largestCurvature maximum curvature to drive [1/m]
  */
-record PursuitSettings(PursuitTuning tuning, double largestCurvature, SpotTurn spotTurn) {
+record PursuitSettings(PursuitVariables tuning, double largestCurvature, SpotTurn spotTurn) {
   /**
    * Settings of turns in place.
    *

@@ -11,7 +11,7 @@ import org.u2sa.interfaces.configuration.Variable;
  */
 final class StanleyLaw {
   /** Gains. */
-  record Tuning(
+  record Variables(
       @Variable(
               unit = "1/s",
               min = 0.01,
@@ -46,7 +46,7 @@ final class StanleyLaw {
    * @param yawRateErrorRadPerS measured yaw rate minus the path's, left positive
    */
   static double steeringRad(
-      Tuning tuning,
+      Variables tuning,
       double headingErrorRad,
       double rightOfPathM,
       double speedMps,

@@ -19,7 +19,7 @@ class SwitchedOffIntegralTest {
 
   @Test
   void restart_yawLawWithoutIntegral_keepsNoneOfAnother() {
-    YawLaw law = new YawLaw(new YawLaw.Parameters(0.5, 0.8, 0.0, 0.5, 0.45));
+    YawLaw law = new YawLaw(new YawLaw.Variables(0.5, 0.8, 0.0, 0.5, 0.45));
     HandOver state = new HandOver("test");
 
     law.restart(0.4);

@@ -20,7 +20,7 @@ class PursuitLawTest {
 
   private final PursuitLaw law = new PursuitLaw(SETTINGS);
 
-  private static PursuitTuning tuning(double turnRateRadPerS, double regulatedRadiusM) {
+  private static PursuitVariables tuning(double turnRateRadPerS, double regulatedRadiusM) {
     Map<String, Object> values =
         Map.of(
             "CRUISE SPEED", 1.0,
@@ -30,7 +30,7 @@ class PursuitLawTest {
             "REGULATED RADIUS", regulatedRadiusM,
             "TURN RATE", Math.toDegrees(turnRateRadPerS),
             "TURN RATE CHANGE", Math.toDegrees(2.0));
-    return XmlConfiguration.inMemory("test", values).settings(PursuitTuning.class).get();
+    return XmlConfiguration.inMemory("test", values).settings(PursuitVariables.class).get();
   }
 
   private static Optional<GroundTarget> at(double forwardM, double leftM) {

@@ -19,7 +19,7 @@ class StanleyLawTest {
   @ParameterizedTest
   @CsvSource({"1.0, 2.0", "2.0, 3.0", "0.5, 5.0"})
   void steeringRad_smallErrorWithoutSoftening_decaysExponentially(double k, double speed) {
-    StanleyLaw.Tuning tuning = new StanleyLaw.Tuning(k, 0.0, 0.0);
+    StanleyLaw.Variables tuning = new StanleyLaw.Variables(k, 0.0, 0.0);
     double right = 0.05; // of the path, front axle
     double heading = 0.0;
     double decayed = Double.NaN;
@@ -38,7 +38,7 @@ class StanleyLawTest {
 
   @Test
   void steeringRad_farFromThePath_headsStraightToIt() {
-    StanleyLaw.Tuning tuning = new StanleyLaw.Tuning(2.0, 0.0, 0.0);
+    StanleyLaw.Variables tuning = new StanleyLaw.Variables(2.0, 0.0, 0.0);
 
     assertThat(StanleyLaw.steeringRad(tuning, 0.0, 1000.0, 1.0, 0.0))
         .isCloseTo(Math.PI / 2.0, within(0.01));
@@ -46,7 +46,7 @@ class StanleyLawTest {
 
   @Test
   void steeringRad_yawRateBeyondThePaths_steersAgainst() {
-    StanleyLaw.Tuning tuning = new StanleyLaw.Tuning(2.0, 0.0, 0.1);
+    StanleyLaw.Variables tuning = new StanleyLaw.Variables(2.0, 0.0, 0.1);
 
     assertThat(StanleyLaw.steeringRad(tuning, 0.0, 0.0, 1.0, 0.5)).isCloseTo(-0.05, within(1e-9));
   }

@@ -21,7 +21,7 @@ import org.u2sa.interfaces.mqtt.BrokerAccess;
 /** Security of the embedded broker: users and encryption, or listening on this host only. */
 final class BrokerSecurity {
   /** The variables. */
-  record Settings(
+  record Variables(
       @Variable(
               ifAbsentText = "",
               text =
@@ -62,7 +62,7 @@ final class BrokerSecurity {
    * @throws BadInputException if that would expose an unsecured broker to a network, or a file is
    *     invalid
    */
-  static BrokerSecurity of(Settings settings, String bindAddress, int port, Consumer<String> log) {
+  static BrokerSecurity of(Variables settings, String bindAddress, int port, Consumer<String> log) {
     if (!settings.securityDirectory.isEmpty()) {
       return secured(settings.securityDirectory);
     }

@@ -73,12 +73,13 @@ public final class CommunicationManager implements AutoCloseable {
    */
   public static CommunicationManager start(
       String systemId, Configurator configuration, MessageTypes types, Consumer<String> log) {
-    ManagerSettings manager = configuration.settings(ManagerSettings.class).get();
+    ManagerVariables manager = configuration.settings(ManagerVariables.class).get();
     String bindAddress = manager.bindAddress();
     int port = manager.communicationManagerPort();
     double patienceS = manager.communicationManagerWait();
     BrokerLimits limits = configuration.settings(BrokerLimits.class).get();
-    BrokerSecurity.Settings settings = configuration.settings(BrokerSecurity.Settings.class).get();
+    BrokerSecurity.Variables settings =
+        configuration.settings(BrokerSecurity.Variables.class).get();
     BrokerAccess.Login login = configuration.settings(BrokerAccess.Login.class).get();
     Supplier<BrokerAccess> access = () -> access(login, settings.securityDirectory());
     MessageCodec codec = new MessageCodec(types, manager.form());

@@ -229,11 +229,6 @@ final class ConnectionFilter implements AutoCloseable {
     broker.users().ifPresent(Users::refresh);
   }
 
-  /** Number of open connections. */
-  int open() {
-    return open.get();
-  }
-
   @Override
   public void close() {
     broker.close();

@@ -37,8 +37,8 @@ public final class HealthMonitor extends PeriodicService {
   private static final double LOST_AFTER_PERIODS = 4.0;
 
   private final Map<String, WatchedService> services = new TreeMap<>();
-  private final Settings<MonitorSettings.Limits> limits = settings(MonitorSettings.Limits.class);
-  private MonitorSettings settings;
+  private final Settings<MonitorVariables.Limits> limits = settings(MonitorVariables.Limits.class);
+  private MonitorVariables settings;
   private final ReceptionCheck reception;
   private final ClockOffsets clocks = new ClockOffsets();
   private double lookedS = Double.NaN;
@@ -47,7 +47,7 @@ public final class HealthMonitor extends PeriodicService {
   /** Called by the launcher. */
   public HealthMonitor(ServiceContext context) {
     super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S);
-    settings = new MonitorSettings(limits.get(), this);
+    settings = new MonitorVariables(limits.get(), this);
     reception = new ReceptionCheck(nowS());
     registerPublisher(Channels.CONDITIONS);
     registerPublisher(Channels.SERVICE_ORDERS);
@@ -66,7 +66,7 @@ public final class HealthMonitor extends PeriodicService {
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    settings = new MonitorSettings(limits.get(), this);
+    settings = new MonitorVariables(limits.get(), this);
     services.keySet().stream().filter(name -> !settings.watches(name)).forEach(this::unwatch);
     services.keySet().removeIf(name -> !settings.watches(name));
     settings.watched().forEach(this::service);

@@ -132,7 +132,7 @@ final class HealthObservation {
   }
 
   /** Current condition of the service. */
-  Finding judge(MonitorSettings.Limits limits, double dataTimeoutS, double nowS) {
+  Finding judge(MonitorVariables.Limits limits, double dataTimeoutS, double nowS) {
     if (last == null) {
       return nowS - sinceS > limits.startWithin()
           ? finding(Condition.LOST, "not heard for " + seconds(nowS - sinceS))

@@ -103,7 +103,7 @@ final class WatchedService {
    *
    * @return whether to restart it now
    */
-  boolean look(MonitorSettings settings, double nowS) {
+  boolean look(MonitorVariables settings, double nowS) {
     HealthObservation.Finding found =
         observation.judge(settings.limits(), settings.dataTimeoutS(name), nowS);
     if (toldToStop && found.condition() == Condition.LOST) {
@@ -124,7 +124,7 @@ final class WatchedService {
     return BROKEN.contains(found.condition()) && !toldToStop && isDue(settings, nowS);
   }
 
-  private boolean isDue(MonitorSettings settings, double nowS) {
+  private boolean isDue(MonitorVariables settings, double nowS) {
     Policy policy = settings.policyOf(name);
     int before = restarts.within(settings.limits().restartWindow(), nowS);
     if (policy != Policy.RESTART) {

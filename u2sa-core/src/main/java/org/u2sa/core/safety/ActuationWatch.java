@@ -26,11 +26,11 @@ final class ActuationWatch implements Watch {
     private long refusedMicros; // time of the last refusal
   }
 
-  private final Supplier<SafetySettings> settings;
+  private final Supplier<SafetyVariables> settings;
   private final Map<String, Heard> services = new TreeMap<>();
   private boolean armed;
 
-  ActuationWatch(Supplier<SafetySettings> settings) {
+  ActuationWatch(Supplier<SafetyVariables> settings) {
     this.settings = settings;
   }
 

@@ -23,7 +23,7 @@ final class ArmingChecks {
   private static final double GONE_AFTER_S = 15.0;
 
   private final Configurator matrix;
-  private final Supplier<SafetySettings> settings;
+  private final Supplier<SafetyVariables> settings;
   private final List<Watch> watches;
   private final Conditions conditions;
   private final EmergencyLatch emergency;
@@ -34,7 +34,7 @@ final class ArmingChecks {
 
   ArmingChecks(
       Configurator matrix,
-      Supplier<SafetySettings> settings,
+      Supplier<SafetyVariables> settings,
       List<Watch> watches,
       Conditions conditions,
       EmergencyLatch emergency) {

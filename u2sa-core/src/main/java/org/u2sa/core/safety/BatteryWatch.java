@@ -21,38 +21,38 @@ final class BatteryWatch implements Watch {
   private record Low(long sinceMicros, String words) {}
 
   private final Hazard hazard;
-  private final Supplier<SafetySettings> settings;
-  private final ToDoubleFunction<SafetySettings> leastVolts;
-  private final ToDoubleFunction<SafetySettings> leastPercent;
+  private final Supplier<SafetyVariables> settings;
+  private final ToDoubleFunction<SafetyVariables> leastVolts;
+  private final ToDoubleFunction<SafetyVariables> leastPercent;
   private final Map<String, Low> low = new TreeMap<>();
   private final Set<String> chosenHeard = new TreeSet<>(); // of those that the settings name
   private boolean heard; // any that counts
 
   private BatteryWatch(
       Hazard hazard,
-      Supplier<SafetySettings> settings,
-      ToDoubleFunction<SafetySettings> leastVolts,
-      ToDoubleFunction<SafetySettings> leastPercent) {
+      Supplier<SafetyVariables> settings,
+      ToDoubleFunction<SafetyVariables> leastVolts,
+      ToDoubleFunction<SafetyVariables> leastPercent) {
     this.hazard = hazard;
     this.settings = settings;
     this.leastVolts = leastVolts;
     this.leastPercent = leastPercent;
   }
 
-  static BatteryWatch low(Supplier<SafetySettings> settings) {
+  static BatteryWatch low(Supplier<SafetyVariables> settings) {
     return new BatteryWatch(
         Hazard.LOW_BATTERY,
         settings,
-        SafetySettings::lowBatteryVoltage,
-        SafetySettings::lowBatteryRemaining);
+        SafetyVariables::lowBatteryVoltage,
+        SafetyVariables::lowBatteryRemaining);
   }
 
-  static BatteryWatch critical(Supplier<SafetySettings> settings) {
+  static BatteryWatch critical(Supplier<SafetyVariables> settings) {
     return new BatteryWatch(
         Hazard.CRITICAL_BATTERY,
         settings,
-        SafetySettings::criticalBatteryVoltage,
-        SafetySettings::criticalBatteryRemaining);
+        SafetyVariables::criticalBatteryVoltage,
+        SafetyVariables::criticalBatteryRemaining);
   }
 
   @Override
@@ -61,7 +61,7 @@ final class BatteryWatch implements Watch {
   }
 
   private boolean isConfigured() {
-    SafetySettings now = settings.get();
+    SafetyVariables now = settings.get();
     return leastVolts.applyAsDouble(now) > 0.0 || leastPercent.applyAsDouble(now) > 0.0;
   }
 
@@ -97,7 +97,7 @@ final class BatteryWatch implements Watch {
   }
 
   private String below(
-      String what, OptionalDouble value, ToDoubleFunction<SafetySettings> level, String unit) {
+      String what, OptionalDouble value, ToDoubleFunction<SafetyVariables> level, String unit) {
     double least = level.applyAsDouble(settings.get());
     return value.isPresent() && value.getAsDouble() < least
         ? ", " + what + " " + value.getAsDouble() + " below " + least + " " + unit

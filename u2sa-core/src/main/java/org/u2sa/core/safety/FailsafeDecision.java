@@ -24,7 +24,7 @@ final class FailsafeDecision {
   private static final String OVER = " (over; stays until armed again)";
 
   private final Configurator matrix;
-  private final Supplier<SafetySettings> settings;
+  private final Supplier<SafetyVariables> settings;
   private final List<Hazard> hazards;
   private final Map<Hazard, Cause> causes;
   private Cause kept; // most severe latched cause that is gone; null if none
@@ -32,7 +32,7 @@ final class FailsafeDecision {
   /**
    * @param hazards all hazards, in the order in which equal causes are reported
    */
-  FailsafeDecision(Configurator matrix, Supplier<SafetySettings> settings, List<Hazard> hazards) {
+  FailsafeDecision(Configurator matrix, Supplier<SafetyVariables> settings, List<Hazard> hazards) {
     this.matrix = matrix;
     this.settings = settings;
     this.hazards = hazards;

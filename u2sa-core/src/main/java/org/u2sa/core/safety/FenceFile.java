@@ -21,7 +21,7 @@ final class FenceFile {
    *
    * @throws BadInputException naming the variable, the file and the error
    */
-  Optional<Fence> load(SafetySettings settings) {
+  Optional<Fence> load(SafetyVariables settings) {
     String path = settings.fence();
     double marginM = settings.fenceMargin();
     if (path.isEmpty()) {
@@ -40,7 +40,7 @@ final class FenceFile {
       return drawnIn(file, FenceReader.read(file), marginM);
     } catch (BadInputException e) {
       throw new BadInputException(
-          "variable \"" + SafetySettings.FENCE + "\": " + e.getMessage(), e);
+          "variable \"" + SafetyVariables.FENCE + "\": " + e.getMessage(), e);
     }
   }
 
@@ -49,7 +49,7 @@ final class FenceFile {
       return fence.drawnInBy(marginM);
     } catch (IllegalArgumentException e) {
       throw new BadInputException(
-          file + ": " + SafetySettings.FENCE_MARGIN + ": " + e.getMessage(), e);
+          file + ": " + SafetyVariables.FENCE_MARGIN + ": " + e.getMessage(), e);
     }
   }
 
@@ -58,9 +58,9 @@ final class FenceFile {
    *
    * @param before current values; an unchanged fence is not read again
    */
-  Optional<String> refusal(Map<String, Object> values, SafetySettings before) {
-    String path = (String) values.get(SafetySettings.FENCE);
-    double marginM = (Double) values.get(SafetySettings.FENCE_MARGIN);
+  Optional<String> refusal(Map<String, Object> values, SafetyVariables before) {
+    String path = (String) values.get(SafetyVariables.FENCE);
+    double marginM = (Double) values.get(SafetyVariables.FENCE_MARGIN);
     boolean same = path.equals(before.fence()) && marginM == before.fenceMargin();
     if (path.isEmpty() || same) {
       return Optional.empty();

@@ -17,7 +17,7 @@ final class FenceWatch implements Watch {
   private static final double ROUNDING_M = 1e-3;
 
   private final Configurator matrix;
-  private final Supplier<SafetySettings> settings;
+  private final Supplier<SafetyVariables> settings;
   private final FenceFile file;
   private final PositionWatch states;
   private volatile Fence fence; // null if none; written by the Safety Manager's thread
@@ -33,7 +33,7 @@ final class FenceWatch implements Watch {
    */
   FenceWatch(
       Configurator matrix,
-      Supplier<SafetySettings> settings,
+      Supplier<SafetyVariables> settings,
       FenceFile file,
       PositionWatch states) {
     this.matrix = matrix;

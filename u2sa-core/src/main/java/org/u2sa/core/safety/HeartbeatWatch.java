@@ -30,7 +30,7 @@ final class HeartbeatWatch implements Watch {
   }
 
   /** Watches the link to the operators; any of them keeps it alive. */
-  static HeartbeatWatch ofOperators(Supplier<SafetySettings> settings) {
+  static HeartbeatWatch ofOperators(Supplier<SafetyVariables> settings) {
     return new HeartbeatWatch(
         Hazard.OPERATOR,
         () ->
@@ -43,7 +43,7 @@ final class HeartbeatWatch implements Watch {
   }
 
   /** Watches the health monitor, which watches all other services. */
-  static HeartbeatWatch ofMonitor(Supplier<SafetySettings> settings) {
+  static HeartbeatWatch ofMonitor(Supplier<SafetyVariables> settings) {
     return new HeartbeatWatch(
         Hazard.HEALTH_MONITOR,
         () ->

@@ -39,7 +39,7 @@ record Manoeuvre(
    * Creates the configured manoeuvre; room for the holding circle is needed only if the fence
    * action is to hold.
    */
-  static Manoeuvre of(SafetySettings settings, FailsafeAction onFence) {
+  static Manoeuvre of(SafetyVariables settings, FailsafeAction onFence) {
     return new Manoeuvre(
         settings.fenceManoeuvre().equals("TURN"),
         settings.reactionTime(),

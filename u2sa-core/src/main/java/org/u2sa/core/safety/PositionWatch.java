@@ -12,11 +12,11 @@ import org.u2sa.service.inbox.MessageAge;
  * uncertain.
  */
 final class PositionWatch implements Watch {
-  private final Supplier<SafetySettings> settings;
+  private final Supplier<SafetyVariables> settings;
   private StateInformation newest; // null until the first
   private long heardMicros; // arrival of the newest
 
-  PositionWatch(Supplier<SafetySettings> settings) {
+  PositionWatch(Supplier<SafetyVariables> settings) {
     this.settings = settings;
   }
 

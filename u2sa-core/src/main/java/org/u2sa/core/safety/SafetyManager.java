@@ -34,7 +34,7 @@ import org.u2sa.service.actuator.EmergencyLatch;
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;
 
-  private final Settings<SafetySettings> settings = settings(SafetySettings.class);
+  private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
   private final Conditions conditions = new Conditions();
   private final FenceFile fence;
@@ -99,8 +99,8 @@ public final class SafetyManager extends PeriodicService {
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    if (variableNames.contains(SafetySettings.FENCE)
-        || variableNames.contains(SafetySettings.FENCE_MARGIN)) {
+    if (variableNames.contains(SafetyVariables.FENCE)
+        || variableNames.contains(SafetyVariables.FENCE_MARGIN)) {
       try {
         fenceWatch.load();
         log("fence " + settings.get().fence() + " loaded");

@@ -12,7 +12,7 @@ final class Watches {
   private Watches() {}
 
   static List<Watch> standard(
-      Supplier<SafetySettings> settings, Conditions conditions, PositionWatch position) {
+      Supplier<SafetyVariables> settings, Conditions conditions, PositionWatch position) {
     return Stream.of(
             HeartbeatWatch.ofOperators(settings),
             position,

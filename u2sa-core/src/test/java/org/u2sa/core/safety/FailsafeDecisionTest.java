@@ -18,7 +18,7 @@ class FailsafeDecisionTest {
   private static FailsafeDecision decision(Map<String, ?> values) {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", values);
     return new FailsafeDecision(
-        configuration, configuration.settings(SafetySettings.class), Hazard.STANDARD);
+        configuration, configuration.settings(SafetyVariables.class), Hazard.STANDARD);
   }
 
   @Test

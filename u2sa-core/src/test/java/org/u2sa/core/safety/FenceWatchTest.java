@@ -55,7 +55,7 @@ class FenceWatchTest {
 
   private FenceWatch watch() {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", variables);
-    Supplier<SafetySettings> settings = configuration.settings(SafetySettings.class);
+    Supplier<SafetyVariables> settings = configuration.settings(SafetyVariables.class);
     states = new PositionWatch(settings);
     return new FenceWatch(configuration, settings, new FenceFile(configuration), states);
   }

@@ -27,8 +27,8 @@ class ManoeuvreTest {
     return new Manoeuvre(true, 1.0, 1.0, BANK_OF_ONE_G, leastRadiusM, windMps, 0.5);
   }
 
-  private static SafetySettings settings(Map<String, ?> values) {
-    return XmlConfiguration.inMemory("test", values).settings(SafetySettings.class).get();
+  private static SafetyVariables settings(Map<String, ?> values) {
+    return XmlConfiguration.inMemory("test", values).settings(SafetyVariables.class).get();
   }
 
   @Test

@@ -20,8 +20,8 @@ import org.u2sa.messages.safety.OperatorHeartbeat;
 class WatchLimitsTest {
   private static final long SECOND = 1_000_000; // µs
 
-  private static Supplier<SafetySettings> with(Map<String, ?> values) {
-    return XmlConfiguration.inMemory("test", values).settings(SafetySettings.class);
+  private static Supplier<SafetyVariables> with(Map<String, ?> values) {
+    return XmlConfiguration.inMemory("test", values).settings(SafetyVariables.class);
   }
 
   @Test

@@ -52,7 +52,7 @@ public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Came
 
   /** Provider of CAMERA = MJPEG. */
   public static final class Provider extends DeviceProvider<Camera> {
-    private record Tuning(
+    private record Variables(
         @Variable(
                 ifAbsentText = "/?action=stream",
                 text = "MJPEG: path of the stream on the camera; the default is mjpg-streamer's.")
@@ -65,13 +65,14 @@ public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Came
 
     @Override
     protected List<Class<?>> variables() {
-      return List.of(Tuning.class);
+      return List.of(Variables.class);
     }
 
     @Override
     protected Camera open(String name, ServiceContext context) {
       return new MjpegCamera(
-          ByteLinks.of(context), context.configuration().settings(Tuning.class).get().streamPath());
+          ByteLinks.of(context),
+          context.configuration().settings(Variables.class).get().streamPath());
     }
   }
 }

@@ -58,7 +58,7 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
 
   /** Provider of RECEIVER = NMEA, UBLOX 6 and UBLOX 8. */
   public static final class Provider extends DeviceProvider<GpsReceiver> {
-    private record Tuning(
+    private record Variables(
         @Variable(
                 unit = "m",
                 min = 0.01,
@@ -83,12 +83,12 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
 
     @Override
     protected List<Class<?>> variables() {
-      return List.of(Tuning.class);
+      return List.of(Variables.class);
     }
 
     @Override
     protected GpsReceiver open(String name, ServiceContext context) {
-      Tuning tuning = context.configuration().settings(Tuning.class).get();
+      Variables tuning = context.configuration().settings(Variables.class).get();
       ByteLink link = ByteLinks.of(context);
       return name.equals("NMEA")
           ? listening(link, new NmeaGps(tuning.rangeError()))

@@ -69,7 +69,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     PinPlan plan = variables.plan();
     commands = new CommandedActuators(this, outputs.keySet(), this::stopNow);
     motors = new MotorOutputs(outputs, descriptions, commands, variables.actuatorsTogether());
-    RcSwitch rcSwitch = new RcSwitch(settings(RcSwitch.Tuning.class).get());
+    RcSwitch rcSwitch = new RcSwitch(settings(RcSwitch.Variables.class).get());
     radio = plan.radio() == PinPlan.NONE ? Optional.empty() : Optional.of(rcSwitch);
     batteryDivider =
         plan.battery() == PinPlan.NONE

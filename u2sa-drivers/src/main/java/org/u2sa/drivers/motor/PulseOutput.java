@@ -10,7 +10,7 @@ public final class PulseOutput {
   private final PulseWidth width;
   private final SlewLimit slew;
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "%/s",
               min = 1,
@@ -28,7 +28,7 @@ public final class PulseOutput {
     String prefix = actuator + " ";
     PulseWidth width = variables.settings(PulseWidth.class, prefix).get();
     return new PulseOutput(
-        width, new SlewLimit(variables.settings(Tuning.class, prefix).get().slewLimit()));
+        width, new SlewLimit(variables.settings(Variables.class, prefix).get().slewLimit()));
   }
 
   /** Creates an output at neutral. */

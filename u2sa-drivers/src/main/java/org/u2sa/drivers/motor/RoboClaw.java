@@ -203,7 +203,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
 
   /** Provider of CONTROLLER = ROBOCLAW. */
   public static final class Provider extends DeviceProvider<MotorController> {
-    private record Tuning(
+    private record Variables(
         @Variable(
                 min = 128,
                 max = 135,
@@ -218,14 +218,14 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
 
     @Override
     protected List<Class<?>> variables() {
-      return List.of(Tuning.class);
+      return List.of(Variables.class);
     }
 
     @Override
     protected MotorController open(String name, ServiceContext context) {
       return new RoboClaw(
           ByteLinks.of(context),
-          context.configuration().settings(Tuning.class).get().address(),
+          context.configuration().settings(Variables.class).get().address(),
           (Double) context.configuration().getVariable("SERIAL TIMEOUT"));
     }
   }

@@ -144,7 +144,7 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
 
   /** Provider of THRUSTER = VESC. */
   public static final class Provider extends DeviceProvider<Thruster> {
-    private record Tuning(
+    private record Variables(
         @Variable(
                 min = 1,
                 max = 100,
@@ -160,13 +160,14 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
 
     @Override
     protected List<Class<?>> variables() {
-      return List.of(Tuning.class);
+      return List.of(Variables.class);
     }
 
     @Override
     protected Thruster open(String name, ServiceContext context) {
       return new Vesc(
-          ByteLinks.of(context), context.configuration().settings(Tuning.class).get().polePairs());
+          ByteLinks.of(context),
+          context.configuration().settings(Variables.class).get().polePairs());
     }
   }
 }

@@ -84,7 +84,7 @@ public final class AnalogRangeFinder extends FileDevice<RangeFinder.Distance>
 
   /** Provider of MODEL = LV ANALOG and SHARP. */
   public static final class Provider extends DeviceProvider<RangeFinder> {
-    private record Tuning(
+    private record Variables(
         @Variable(
                 unit = "V",
                 min = 0,
@@ -108,12 +108,12 @@ public final class AnalogRangeFinder extends FileDevice<RangeFinder.Distance>
 
     @Override
     protected List<Class<?>> variables() {
-      return List.of(Tuning.class);
+      return List.of(Variables.class);
     }
 
     @Override
     protected RangeFinder open(String name, ServiceContext context) {
-      Tuning tuning = context.configuration().settings(Tuning.class).get();
+      Variables tuning = context.configuration().settings(Variables.class).get();
       String connection = (String) context.configuration().getVariable("CONNECTION");
       return new AnalogRangeFinder(
           context.configuration().resolve(connection),

@@ -24,7 +24,7 @@ public final class RcSwitch {
   }
 
   /** Configuration variables of the switch. */
-  public record Tuning(
+  public record Variables(
       @Variable(
               name = "RC AUTOMATIC ABOVE",
               unit = "us",
@@ -57,13 +57,13 @@ public final class RcSwitch {
               text = "Time without a pulse after which the receiver counts as lost: manual.")
           double timeout) {}
 
-  private final Tuning tuning;
+  private final Variables tuning;
   private final long timeoutMicros;
   private Position position = Position.LOST;
   private int inRow;
   private long lastMicros;
 
-  public RcSwitch(Tuning tuning) {
+  public RcSwitch(Variables tuning) {
     this.tuning = tuning;
     timeoutMicros = Clock.micros(tuning.timeout());
   }

@@ -83,7 +83,7 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
 
   /** Provider of MODEL = PING1D. */
   public static final class Provider extends DeviceProvider<RangeFinder> {
-    private record Tuning(
+    private record Variables(
         @Variable(
                 unit = "%",
                 min = 0,
@@ -99,14 +99,14 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
 
     @Override
     protected List<Class<?>> variables() {
-      return List.of(Tuning.class);
+      return List.of(Variables.class);
     }
 
     @Override
     protected RangeFinder open(String name, ServiceContext context) {
       return new Ping1d(
           ByteLinks.of(context),
-          context.configuration().settings(Tuning.class).get().minConfidence());
+          context.configuration().settings(Variables.class).get().minConfidence());
     }
   }
 }

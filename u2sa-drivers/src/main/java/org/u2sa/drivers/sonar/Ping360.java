@@ -130,7 +130,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
 
   /** Provider of SONAR = PING360. */
   public static final class Provider extends DeviceProvider<Sonar> {
-    private record Tuning(
+    private record Variables(
         @Variable(unit = "m", min = 1, max = 75, ifAbsent = 20, text = "PING360: range.")
             double sonarReach,
         @Variable(
@@ -161,12 +161,12 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
 
     @Override
     protected List<Class<?>> variables() {
-      return List.of(Tuning.class);
+      return List.of(Variables.class);
     }
 
     @Override
     protected Sonar open(String name, ServiceContext context) {
-      Tuning tuning = context.configuration().settings(Tuning.class).get();
+      Variables tuning = context.configuration().settings(Variables.class).get();
       return new Ping360(
           ByteLinks.of(context),
           tuning.sonarReach(),

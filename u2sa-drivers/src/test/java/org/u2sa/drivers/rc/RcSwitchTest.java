@@ -15,7 +15,7 @@ class RcSwitchTest {
 
   private final RcSwitch rcSwitch =
       new RcSwitch(
-          XmlConfiguration.inMemory("the test", Map.of()).settings(RcSwitch.Tuning.class).get());
+          XmlConfiguration.inMemory("the test", Map.of()).settings(RcSwitch.Variables.class).get());
   private long nowMicros;
 
   private RcSwitch.Position after(double... pulsesUs) {

@@ -158,13 +158,6 @@ public final class Measurement {
     return this;
   }
 
-  /** Roll, right side down positive, and pitch, nose up positive [rad]. */
-  public Measurement tilt(double roll, double pitch, double sigma) {
-    set(SensedQuantity.TILT, 0, roll, sigma);
-    set(SensedQuantity.TILT, 1, pitch, sigma);
-    return this;
-  }
-
   /** Rate of the heading [rad/s], clockwise positive. */
   public Measurement turnRate(double radPerS, double sigma) {
     set(SensedQuantity.EULER_RATES, 2, radPerS, sigma);
@@ -195,16 +188,6 @@ public final class Measurement {
   /** Time of the measurement [µs]. */
   public long micros() {
     return micros;
-  }
-
-  /** Whether it holds no usable values. */
-  public boolean isEmpty() {
-    for (byte each : present) {
-      if (each != 0) {
-        return false;
-      }
-    }
-    return true;
   }
 
   /** Whether at least one component of the quantity is measured. */

@@ -8,39 +8,37 @@ public enum SensedQuantity {
   /**
    * Angular rates about BODY_FRD axes [rad/s]; with the specific force they drive the prediction.
    */
-  BODY_RATES("angular rates", 3),
+  BODY_RATES(3),
   /** Specific force along BODY_FRD [m/s²]. */
-  SPECIFIC_FORCE("specific force", 3),
+  SPECIFIC_FORCE(3),
   /** Latitude and longitude [rad]; standard deviations north and east [m]. */
-  PLACE("position", 2),
+  PLACE(2),
   /** Altitude, up [m]. */
-  ALTITUDE("altitude", 1),
+  ALTITUDE(1),
   /** Position north and east of a local origin [m]. */
-  LOCAL_PLACE("local position", 2),
+  LOCAL_PLACE(2),
   /** Position down from a local origin [m]. */
-  LOCAL_DOWN("local depth", 1),
+  LOCAL_DOWN(1),
   /** Velocity over ground: north, east, down [m/s]. */
-  VELOCITY("velocity", 3),
+  VELOCITY(3),
   /** Velocity over ground along BODY_FRD [m/s]. */
-  BODY_VELOCITY("speed along the vehicle", 3),
+  BODY_VELOCITY(3),
   /** Roll and pitch [rad]. */
-  TILT("roll and pitch", 2),
+  TILT(2),
   /** Heading [rad, clockwise from true north]. */
-  HEADING("heading", 1),
+  HEADING(1),
   /** Rates of roll, pitch and heading [rad/s]. */
-  EULER_RATES("turn rates", 3),
+  EULER_RATES(3),
   /** Velocity through the fluid along BODY_FRD [m/s]. */
-  FLUID_VELOCITY("speed through the fluid", 3),
+  FLUID_VELOCITY(3),
   /** Range [m] and bearing [rad, clockwise from the nose] of a landmark with a known position. */
-  LANDMARK("landmark", 2);
+  LANDMARK(2);
 
   private static final SensedQuantity[] ALL = values();
 
-  private final String text;
   private final int size;
 
-  SensedQuantity(String text, int size) {
-    this.text = text;
+  SensedQuantity(int size) {
     this.size = size;
   }
 
@@ -52,11 +50,6 @@ public enum SensedQuantity {
   /** Number of quantities. */
   public static int count() {
     return ALL.length;
-  }
-
-  /** Name for reports, such as "heading". */
-  String text() {
-    return text;
   }
 
   /** Number of components. */

@@ -41,11 +41,6 @@ final class RecordBinding<T> {
                         + Variable.class.getSimpleName()));
   }
 
-  /** {@link #of} without a prefix; empty if it is not a variables record. */
-  static <T> Optional<RecordBinding<T>> in(Class<T> type) {
-    return in(type, "");
-  }
-
   @SuppressWarnings("unchecked") // constructors of a class create its instances
   private static <T> Optional<RecordBinding<T>> in(Class<T> type, String prefix) {
     return Arrays.stream(type.getDeclaredConstructors())

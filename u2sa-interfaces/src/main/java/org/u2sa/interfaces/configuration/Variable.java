@@ -10,13 +10,13 @@ import java.lang.annotation.Target;
  * annotated:
  *
  * <pre>{@code
- * record Tuning(
+ * record Variables(
  *     @Variable(unit = "m/s", min = 30, max = 60, ifAbsent = 40, text = "Speed on legs.")
  *         double cruiseSpeed,
  *     @Variable(oneOf = {"HOLD", "STOP"}, ifAbsentText = "STOP", text = "What follows the last goal.")
  *         String atEnd) {}
  *
- * private final Settings<Tuning> tuning = settings(Tuning.class); // in the service
+ * private final Settings<Variables> tuning = settings(Variables.class); // in the service
  * }</pre>
  *
  * <p>Components are double, int, boolean, String or an enum, whose constants are the choices. The

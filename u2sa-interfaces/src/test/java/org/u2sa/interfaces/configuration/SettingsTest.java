@@ -29,7 +29,7 @@ class SettingsTest {
     STOP
   }
 
-  private record Tuning(
+  private record Variables(
       @Variable(unit = "m/s", min = 30, max = 60, ifAbsent = 40, text = "Speed on legs.")
           double cruiseSpeed,
       @Variable(name = "STALL", unit = "m/s", min = 0, minExcluded = true, text = "Stall speed.")
@@ -43,7 +43,7 @@ class SettingsTest {
           String mode,
       @Variable(ifAbsentText = "true", text = "Whether it loops.") boolean loop,
       @Variable(ifAbsentText = "STOP", text = "What follows.") End atEnd) {
-    Tuning {
+    Variables {
       if (stallSpeed >= cruiseSpeed) {
         throw new IllegalArgumentException("STALL must be below CRUISE SPEED");
       }
@@ -91,11 +91,11 @@ class SettingsTest {
                 STALL,
                 variable("AT END", "string", "HOLD")));
 
-    Tuning tuning = configuration.settings(Tuning.class).get();
+    Variables tuning = configuration.settings(Variables.class).get();
 
     assertThat(tuning.cruiseSpeed()).isCloseTo(46.3, within(0.001));
     assertThat(tuning)
-        .isEqualTo(new Tuning(tuning.cruiseSpeed(), 25.0, 3, "", "slow", true, End.HOLD));
+        .isEqualTo(new Variables(tuning.cruiseSpeed(), 25.0, 3, "", "slow", true, End.HOLD));
     configuration.refuseUndeclared();
   }
 
@@ -120,7 +120,7 @@ class SettingsTest {
             : new String[] {STALL, variable(name, type, value)};
     Path file = file(lines);
 
-    assertThatThrownBy(() -> XmlConfiguration.load(file).settings(Tuning.class))
+    assertThatThrownBy(() -> XmlConfiguration.load(file).settings(Variables.class))
         .isInstanceOf(ConfigurationException.class)
         .hasMessageContainingAll(file + ", line 3", "variable \"" + name + "\"", why);
   }
@@ -129,7 +129,7 @@ class SettingsTest {
   void settings_requiredVariableAbsent_isRefusedWithWhatItIs() throws IOException {
     Path file = file(variable("LOOP", "boolean", "false"));
 
-    assertThatThrownBy(() -> XmlConfiguration.load(file).settings(Tuning.class))
+    assertThatThrownBy(() -> XmlConfiguration.load(file).settings(Variables.class))
         .isInstanceOf(ConfigurationException.class)
         .hasMessageContainingAll(
             file.toString(), "\"STALL\": is required and missing", "in m/s", "Stall speed.");
@@ -139,7 +139,7 @@ class SettingsTest {
   void refuseUndeclared_misspeltVariable_namesLineAndTheNearest() throws IOException {
     XmlConfiguration configuration =
         XmlConfiguration.load(file(STALL, variable("CRUISE SPED", "double", "40")));
-    configuration.settings(Tuning.class);
+    configuration.settings(Variables.class);
 
     assertThatThrownBy(configuration::refuseUndeclared)
         .hasMessageContainingAll("line 3", "\"CRUISE SPED\"", "CRUISE SPEED\"");
@@ -149,7 +149,7 @@ class SettingsTest {
   void settings_valuesThatDoNotGoTogether_areRefusedWithLinesAndValues() throws IOException {
     Path file = file(variable("STALL", "double", "50"), variable("LOOP", "boolean", "true"));
 
-    assertThatThrownBy(() -> XmlConfiguration.load(file).settings(Tuning.class))
+    assertThatThrownBy(() -> XmlConfiguration.load(file).settings(Variables.class))
         .isInstanceOf(ConfigurationException.class)
         .hasMessage(
             file
@@ -161,7 +161,7 @@ class SettingsTest {
   void change_thatTheRecordRefuses_isNotWritten() throws IOException {
     Path file = file(STALL);
     XmlConfiguration configuration = XmlConfiguration.load(file);
-    Settings<Tuning> tuning = configuration.settings(Tuning.class);
+    Settings<Variables> tuning = configuration.settings(Variables.class);
 
     assertThat(configuration.change("STALL", 45.0).orElseThrow())
         .contains(file.toString(), "STALL must be below CRUISE SPEED", "\"STALL\" is 45 m/s");
@@ -172,8 +172,8 @@ class SettingsTest {
   @Test
   void get_afterChangesTogetherAndUndo_followsThem() throws IOException {
     XmlConfiguration configuration = XmlConfiguration.load(file(STALL));
-    Settings<Tuning> tuning = configuration.settings(Tuning.class);
-    Tuning before = tuning.get();
+    Settings<Variables> tuning = configuration.settings(Variables.class);
+    Variables before = tuning.get();
     ChangeOrigin here = ChangeOrigin.here();
 
     configuration.change(
@@ -191,7 +191,7 @@ class SettingsTest {
   @Test
   void get_changeThatIsWrittenButNotInEffect_isNotSeenYet() throws IOException {
     XmlConfiguration configuration = XmlConfiguration.load(file(STALL));
-    Settings<Tuning> tuning = configuration.settings(Tuning.class);
+    Settings<Variables> tuning = configuration.settings(Variables.class);
     WrittenChange written =
         configuration.write(
             Map.of("STALL", 26.0),
@@ -207,7 +207,7 @@ class SettingsTest {
   @Test
   void get_nothingChanged_isTheSameObject() {
     XmlConfiguration configuration = XmlConfiguration.inMemory("here", Map.of("STALL", 25.0));
-    Settings<Tuning> tuning = configuration.settings(Tuning.class);
+    Settings<Variables> tuning = configuration.settings(Variables.class);
 
     assertThat(tuning.get()).isSameAs(tuning.get());
   }
@@ -250,10 +250,10 @@ class SettingsTest {
   @Test
   void settings_ofASuccessor_followItsOwnConfiguration() {
     XmlConfiguration old = XmlConfiguration.inMemory("here", Map.of("STALL", 25.0));
-    old.settings(Tuning.class);
+    old.settings(Variables.class);
     old.change("STALL", 27.0);
 
-    assertThat(old.forSuccessor().settings(Tuning.class).get().stallSpeed()).isEqualTo(27.0);
+    assertThat(old.forSuccessor().settings(Variables.class).get().stallSpeed()).isEqualTo(27.0);
   }
 
   @Test

@@ -115,9 +115,6 @@ public abstract class MessageField<T extends U2SAData> {
    */
   public abstract void setTexts(T message, List<String> texts);
 
-  /** Whether an encoder must write the field. */
-  abstract boolean isWritten(T message);
-
   /** Reads the value; false if skipped because only later versions define it. */
   abstract boolean read(CborReader in, T message) throws MalformedMessageException;
 

@@ -93,17 +93,13 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
 
   @Override
   public Optional<Object> get(T message) {
-    return isWritten(message) ? Optional.of(message.storage().get(this)) : Optional.empty();
+    boolean hasValue = isSet(message) || !Double.isNaN(ifUnset);
+    return hasValue ? Optional.of(message.storage().get(this)) : Optional.empty();
   }
 
   @Override
   public boolean isSet(T message) {
     return message.storage().has(this);
-  }
-
-  @Override
-  boolean isWritten(T message) {
-    return !Double.isNaN(ifUnset) || message.storage().has(this);
   }
 
   @Override

@@ -78,11 +78,6 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
   }
 
   @Override
-  final boolean isWritten(T message) {
-    return ifUnset != null || isSet(message);
-  }
-
-  @Override
   public final void set(T message, Object value) {
     put(message, checked(value));
   }
@@ -103,7 +98,7 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     set(message, value);
   }
 
-  /** Writes key and value if {@link #isWritten}. */
+  /** Writes key and value if the field is set or has a default. */
   void write(CborOutput out, FieldKey key, T message) {
     V value = valueIn(message);
     if (value != null) {

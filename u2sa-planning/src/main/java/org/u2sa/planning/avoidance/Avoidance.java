@@ -40,7 +40,7 @@ public final class Avoidance {
   private static final double SHARE_FLYING = 0.5;
 
   private final Supplier<String> chosen;
-  private final Supplier<AvoidanceSettings> settings;
+  private final Supplier<AvoidanceVariables> settings;
   private final Supplier<LineSettings> lines;
   private final BiConsumer<String, Boolean> say; // message, and whether it is a warning
   private final SeenWorld world;
@@ -76,7 +76,7 @@ public final class Avoidance {
    */
   public Avoidance(
       Configurator configuration,
-      Supplier<AvoidanceSettings> settings,
+      Supplier<AvoidanceVariables> settings,
       Supplier<LineSettings> lines,
       BiConsumer<String, Boolean> say) {
     this.settings = settings;
@@ -131,7 +131,7 @@ public final class Avoidance {
 
   /** Called when a waypoint was reached: closes the way back. */
   public void reached(Vehicle vehicle, StateInformation state) {
-    AvoidanceSettings now = settings.get();
+    AvoidanceVariables now = settings.get();
     if (now.closeBehind() > 0.0) {
       lieOn(world.plane(state));
       Point at = vehicle.on(plane);
@@ -152,19 +152,19 @@ public final class Avoidance {
     return news.take();
   }
 
-  private BodyDiscs body(AvoidanceSettings now) {
+  private BodyDiscs body(AvoidanceVariables now) {
     return now.body(turnsOnTheSpot());
   }
 
   private double turnRadiusM(double speedMps) {
-    AvoidanceSettings now = settings.get();
+    AvoidanceVariables now = settings.get();
     double speed = Math.max(speedMps, Math.max(now.plannedSpeed(), now.minSpeed()));
     return now.turnRadius() > 0.0 ? now.turnRadius() : lines.get().turns().radiusM(speed);
   }
 
   /** Plans the next step to a goal. */
   public Step step(Vehicle vehicle, StateInformation state, Wanted wanted) {
-    AvoidanceSettings now = settings.get();
+    AvoidanceVariables now = settings.get();
     long micros = vehicle.timestampMicros();
     lieOn(world.plane(state));
     Point at = vehicle.on(plane);
@@ -204,11 +204,11 @@ public final class Avoidance {
   }
 
   /** Wanted speed of the vehicle; airspeed for aircraft [m/s]. */
-  private static double wantedMps(Wanted wanted, AvoidanceSettings now) {
+  private static double wantedMps(Wanted wanted, AvoidanceVariables now) {
     return Math.max(now.minSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
   }
 
-  private MotionLimits limits(Vehicle vehicle, Wanted wanted, AvoidanceSettings now) {
+  private MotionLimits limits(Vehicle vehicle, Wanted wanted, AvoidanceVariables now) {
     double wantedMps = wantedMps(wanted, now);
     // Wind adds to an aircraft's speed: plan with its ground speed.
     boolean drifts = !now.stops() && vehicle.speedMps() > SHARE_FLYING * wantedMps;

@@ -53,7 +53,7 @@ final class GoalAttempt {
    * Whether to ignore obstacles that are guessed rather than seen: for a while whenever none of the
    * remaining routes was free for a while, because a gap may have been closed in error.
    */
-  boolean overlooks(AvoidanceSettings settings, long micros) {
+  boolean overlooks(AvoidanceVariables settings, long micros) {
     if (at(micros) instanceof Searching search && search.doubtsObstacles(settings, micros)) {
       if (micros >= overlooksUntil) {
         say.accept("no route: passing through doubtful obstacles", false);

@@ -10,18 +10,18 @@ import org.u2sa.planning.seen.SeenWorld;
  * thread.
  */
 final class Passages {
-  private final Supplier<AvoidanceSettings> settings;
+  private final Supplier<AvoidanceVariables> settings;
   private final BooleanSupplier turnsOnTheSpot;
   private boolean isNarrow;
   private SeenWorld.Reading reading; // for the current settings
-  private AvoidanceSettings readBy;
+  private AvoidanceVariables readBy;
   private boolean isReadOnTheSpot;
   private boolean isReadNarrow;
 
   /**
    * @param turnsOnTheSpot whether the vehicle can turn in place
    */
-  Passages(Supplier<AvoidanceSettings> settings, BooleanSupplier turnsOnTheSpot) {
+  Passages(Supplier<AvoidanceVariables> settings, BooleanSupplier turnsOnTheSpot) {
     this.settings = settings;
     this.turnsOnTheSpot = turnsOnTheSpot;
   }
@@ -43,7 +43,7 @@ final class Passages {
 
   /** How the world is read; recomputed only on changes. */
   SeenWorld.Reading reading() {
-    AvoidanceSettings now = settings.get();
+    AvoidanceVariables now = settings.get();
     boolean onTheSpot = turnsOnTheSpot.getAsBoolean();
     if (now != readBy || onTheSpot != isReadOnTheSpot || isNarrow != isReadNarrow) {
       readBy = now;

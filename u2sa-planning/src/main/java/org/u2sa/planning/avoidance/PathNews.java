@@ -13,7 +13,7 @@ import org.u2sa.planning.seen.PlanningPlane;
 
 /** Reports path changes to the log and displays. Confined to the planner's thread. */
 final class PathNews {
-  private final Supplier<AvoidanceSettings> settings;
+  private final Supplier<AvoidanceVariables> settings;
   private final BiConsumer<String, Boolean> say;
   private Optional<PlannedPath> path = Optional.empty(); // not yet taken
   private PathStatus status = PathStatus.FOLLOWED;
@@ -23,7 +23,7 @@ final class PathNews {
   /**
    * @param say reports a message to the operator; true for a warning
    */
-  PathNews(Supplier<AvoidanceSettings> settings, BiConsumer<String, Boolean> say) {
+  PathNews(Supplier<AvoidanceVariables> settings, BiConsumer<String, Boolean> say) {
     this.settings = settings;
     this.say = say;
   }

@@ -148,7 +148,7 @@ final class RouteKeeper {
     if (!searches) {
       triedRevision = world.revision();
     }
-    AvoidanceSettings settings = now.settings();
+    AvoidanceVariables settings = now.settings();
     return planner
         .get()
         .plan(

@@ -25,13 +25,13 @@ final class Searching implements Behaviour {
   }
 
   /** Whether it lasts so long that obstacles which are only guessed are to be ignored. */
-  boolean doubtsObstacles(AvoidanceSettings settings, long micros) {
+  boolean doubtsObstacles(AvoidanceVariables settings, long micros) {
     return settings.overlookAfter() > 0.0 && micros - sinceMicros > settings.overlookMicros();
   }
 
   @Override
   public ArcChoice choose(ArcChooser arcs, Situation now) {
-    AvoidanceSettings settings = now.settings();
+    AvoidanceVariables settings = now.settings();
     boolean looks =
         settings.overlookAfter() > 0.0
             && now.micros() - sinceMicros > 2 * settings.overlookMicros();

@@ -28,7 +28,7 @@ record Situation(
     double cellM,
     BodyDiscs body,
     double slowRadiusM,
-    AvoidanceSettings settings,
+    AvoidanceVariables settings,
     long micros) {
   private static final double PROGRESS_CELLS = 2.0;
 

@@ -55,7 +55,7 @@ final class VirtualObstacles {
 
   /** Closes the wrong sides of marks to be passed on one side. */
   void keepSides(
-      Pose pose, StateInformation state, Optional<RouteTrack> track, AvoidanceSettings now) {
+      Pose pose, StateInformation state, Optional<RouteTrack> track, AvoidanceVariables now) {
     Map<PassSides.Side, List<PlanarShape>> seen = new EnumMap<>(PassSides.Side.class);
     PassSides.parse(now.passSides())
         .forEach(

@@ -94,11 +94,6 @@ public final class HybridAStar {
   private int nextShot;
   private Optional<Way> found = Optional.empty();
 
-  /** Number of nodes created by the last search. */
-  public int nodes() {
-    return nodes.count();
-  }
-
   /** Runs a whole search and returns the cheapest path found; parameters as of {@link #begin}. */
   public Optional<Way> plan(
       CostGrid costs, BodyDiscs discs, double within, Motion can, Pose from, Goal to) {

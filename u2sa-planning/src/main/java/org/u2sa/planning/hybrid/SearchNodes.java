@@ -28,10 +28,6 @@ final class SearchNodes {
     waiting = 0;
   }
 
-  int count() {
-    return count;
-  }
-
   /** Node with a key, which is at least 1; {@link #NONE} if absent. */
   int find(long key) {
     int at = slot(key);

@@ -67,11 +67,6 @@ public final class RouteTrack {
     return at[at.length - 1] - alongM;
   }
 
-  /** Distance along the route so far [m]. */
-  public double alongM() {
-    return alongM;
-  }
-
   /**
    * Updates with the vehicle's position.
    *

@@ -31,14 +31,6 @@ final class CellHeap {
     return keys[0];
   }
 
-  int first() {
-    return heap[0];
-  }
-
-  boolean contains(int cell) {
-    return place[cell] != 0;
-  }
-
   /** Adds a cell or changes its key. */
   void put(int cell, double key) {
     int at = place[cell] - 1;

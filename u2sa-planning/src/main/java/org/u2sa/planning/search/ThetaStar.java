@@ -27,7 +27,6 @@ public final class ThetaStar {
   private int[] known = new int[0]; // number of the search that has given it a g
   private CellHeap open = new CellHeap(0);
   private int search;
-  private int expanded;
 
   /** Creates an any-angle search. */
   public ThetaStar() {
@@ -67,7 +66,6 @@ public final class ThetaStar {
         continue; // costs more than assumed; it was requeued
       }
       closed[cell] = search;
-      expanded++;
       if (cell == goal) {
         return Optional.of(path(frame, cell, g[cell]));
       }
@@ -90,11 +88,6 @@ public final class ThetaStar {
     return exit == OUTSIDE ? Optional.empty() : Optional.of(path(frame, exit, best));
   }
 
-  /** Number of cells expanded by the last search. */
-  public int expanded() {
-    return expanded;
-  }
-
   private void begin(int cells) {
     if (g.length != cells) {
       g = new double[cells];
@@ -106,7 +99,6 @@ public final class ThetaStar {
     }
     open.clear();
     search++;
-    expanded = 0;
   }
 
   private void reach(int cell, int from, double cost, double rest) {

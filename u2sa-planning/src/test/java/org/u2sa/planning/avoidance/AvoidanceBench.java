@@ -28,9 +28,9 @@ final class AvoidanceBench {
   private static final double GOAL_M = 8.0;
   private static final double CELL_M = 0.1;
 
-  final AvoidanceSettings settings =
+  final AvoidanceVariables settings =
       XmlConfiguration.inMemory("PathPlanner", Map.of("OVERLOOK AFTER", 10.0, "RECOVERIES", 2))
-          .settings(AvoidanceSettings.class)
+          .settings(AvoidanceVariables.class)
           .get();
   final List<RouteRequest> requests = new ArrayList<>();
   final List<String> said = new ArrayList<>();

@@ -25,7 +25,8 @@ class PathNewsTest {
   private final List<String> said = new ArrayList<>();
   private final PathNews news =
       new PathNews(
-          XmlConfiguration.inMemory("PathPlanner", Map.of()).settings(AvoidanceSettings.class)::get,
+          XmlConfiguration.inMemory("PathPlanner", Map.of()).settings(AvoidanceVariables.class)
+              ::get,
           (text, isTrouble) -> said.add((isTrouble ? "trouble: " : "") + text));
 
   private static Optional<RouteTrack> eastTo(double eastM) {

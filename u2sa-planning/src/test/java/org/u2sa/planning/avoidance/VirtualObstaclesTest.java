@@ -117,9 +117,9 @@ class VirtualObstaclesTest {
   @Test
   void keepSides_markToPassOnItsLeft_itsRightIsClosed() {
     see(post(3.0, 0.0));
-    AvoidanceSettings settings =
+    AvoidanceVariables settings =
         XmlConfiguration.inMemory("PathPlanner", Map.of("PASS SIDES", "post: LEFT"))
-            .settings(AvoidanceSettings.class)
+            .settings(AvoidanceVariables.class)
             .get();
     assertThat(isFree(3.0, 2.0)).isTrue();
     obstacles.keepSides(new Pose(0.0, 0.0, 0.0), state, Optional.of(northward), settings);

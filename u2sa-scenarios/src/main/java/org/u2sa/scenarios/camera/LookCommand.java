@@ -18,8 +18,8 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.vision.camera.CourseSettings;
 import org.u2sa.vision.camera.CourseSight.Seen;
+import org.u2sa.vision.camera.CourseVariables;
 import org.u2sa.vision.camera.PictureReading;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -82,7 +82,7 @@ final class LookCommand implements Callable<Integer> {
             : XmlConfiguration.load(configuration);
     PictureReading reading =
         new PictureReading(
-            settings.settings(CourseSettings.class).get(),
+            settings.settings(CourseVariables.class).get(),
             mounted(settings.settings(MountingPose.class).get()),
             "Camera",
             settings::resolve);

@@ -43,11 +43,6 @@ public final class WorkerProcess implements AutoCloseable {
     return ManagementFactory.getRuntimeMXBean().getInputArguments();
   }
 
-  /** Process identifier. */
-  long pid() {
-    return process.pid();
-  }
-
   /**
    * Executes a run.
    *

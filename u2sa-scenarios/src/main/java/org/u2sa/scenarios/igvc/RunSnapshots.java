@@ -13,8 +13,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.picture.PictureFile;
 import org.u2sa.scenarios.camera.SeenPicture;
-import org.u2sa.vision.camera.CourseSettings;
 import org.u2sa.vision.camera.CourseSight.Seen;
+import org.u2sa.vision.camera.CourseVariables;
 import org.u2sa.vision.camera.PictureReading;
 import org.u2sa.vision.ground.AttitudeHistory;
 
@@ -52,7 +52,7 @@ final class RunSnapshots {
   WatchedCamera watch(WatchedCamera watched, XmlConfiguration configuration) {
     reading =
         new PictureReading(
-            configuration.settings(CourseSettings.class).get(),
+            configuration.settings(CourseVariables.class).get(),
             configuration.settings(MountingPose.class).get(),
             "Snapshot",
             configuration::resolve);

@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 import org.u2sa.cli.run.TakenPort;
 import org.u2sa.cli.terminal.Terminal;
-import org.u2sa.core.communication.ManagerSettings;
+import org.u2sa.core.communication.ManagerVariables;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -56,19 +56,19 @@ final class BrokerPort {
     if (asked == null) {
       evadeTakenPort(system, launch, terminal);
     } else if (asked == 0) {
-      launch.override(MANAGER, ManagerSettings.BROKER, "none");
+      launch.override(MANAGER, ManagerVariables.BROKER, "none");
     } else {
-      launch.override(MANAGER, ManagerSettings.PORT, asked);
+      launch.override(MANAGER, ManagerVariables.PORT, asked);
     }
   }
 
   private static void evadeTakenPort(SystemFile system, LaunchOptions launch, Terminal terminal) {
-    ManagerSettings configured =
+    ManagerVariables configured =
         system
             .communication()
             .map(XmlConfiguration::load)
             .orElseGet(() -> XmlConfiguration.inMemory(MANAGER, Map.of()))
-            .settings(ManagerSettings.class)
+            .settings(ManagerVariables.class)
             .get();
     int port = configured.communicationManagerPort();
     OptionalInt free =
@@ -76,7 +76,7 @@ final class BrokerPort {
             ? TakenPort.replacement(configured.bindAddress(), port)
             : OptionalInt.empty();
     if (free.isPresent()) {
-      launch.override(MANAGER, ManagerSettings.PORT, free.getAsInt());
+      launch.override(MANAGER, ManagerVariables.PORT, free.getAsInt());
       terminal
           .out()
           .println(

@@ -30,14 +30,15 @@ class CessnaControlTest {
 
   @Test
   void tuning_ofTheShippedFile_isThatOfTheDeclaredDefaults() {
-    Tuning declared = Tuning.in(XmlConfiguration.inMemory("none", Map.of())).get();
+    AutopilotVariables declared =
+        AutopilotVariables.in(XmlConfiguration.inMemory("none", Map.of())).get();
     assertThat(TestTuning.standard().toString()).isEqualTo(declared.toString());
   }
 
   @Test
   void refuseUndeclared_shippedFile_passes() {
     XmlConfiguration file = XmlConfiguration.load(TestTuning.FILE);
-    Tuning.in(file);
+    AutopilotVariables.in(file);
     file.getVariable(
         org.u2sa.interfaces.configuration.VariableDeclaration.number("STALE AFTER", "s"));
     file.getVariable(

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.control.fixedwing.law.EnergyLaw;
-import org.u2sa.control.fixedwing.law.EnergyParameters;
+import org.u2sa.control.fixedwing.law.EnergyVariables;
 import org.u2sa.control.fixedwing.law.FlightState;
 
 class EnergyLawTest {
@@ -38,7 +38,7 @@ class EnergyLawTest {
 
   @Test
   void step_tooLowAndTooFastByTheSameEnergyRate_movesPitchAndLeavesThrottle() {
-    EnergyParameters p = TestTuning.standard().energy();
+    EnergyVariables p = TestTuning.standard().energy();
     double climb = 1.0; // demanded climb that equals the demanded loss of speed in energy
     double up = climb * p.altitudeTimeConstant();
     double slower = climb / 43.0 * 9.80665 * p.speedTimeConstant();

@@ -45,7 +45,8 @@ final class SimulatedFlight {
   double failsAtS = Double.POSITIVE_INFINITY;
   boolean knows = true; // the control hears of it
 
-  SimulatedFlight(Tuning tuning, Course course, Wind wind, Loop loop, double elevationM) {
+  SimulatedFlight(
+      AutopilotVariables tuning, Course course, Wind wind, Loop loop, double elevationM) {
     this.course = course;
     this.loop = loop;
     this.elevationM = elevationM;

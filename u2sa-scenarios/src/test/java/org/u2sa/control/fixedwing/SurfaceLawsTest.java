@@ -15,10 +15,10 @@ class SurfaceLawsTest {
   private static final double DT_S = 0.05;
   private static final RateLoop.Gains GAINS = new RateLoop.Gains(0.5, 0.25, 0.8, 0.4);
 
-  private final RollLaw roll = new RollLaw(new RollLaw.Parameters(0.8, 20.0, 0.5, 0.25, 0.8, 0.4));
+  private final RollLaw roll = new RollLaw(new RollLaw.Variables(0.8, 20.0, 0.5, 0.25, 0.8, 0.4));
   private final PitchLaw pitch =
-      new PitchLaw(new PitchLaw.Parameters(0.8, 10.0, 0.5, 0.25, 0.8, 0.4));
-  private final YawLaw yaw = new YawLaw(new YawLaw.Parameters(0.5, 0.8, 0.4, 0.5, 0.45));
+      new PitchLaw(new PitchLaw.Variables(0.8, 10.0, 0.5, 0.25, 0.8, 0.4));
+  private final YawLaw yaw = new YawLaw(new YawLaw.Variables(0.5, 0.8, 0.4, 0.5, 0.45));
 
   @Test
   void aileron_bankWantedToTheRight_isPositive() {

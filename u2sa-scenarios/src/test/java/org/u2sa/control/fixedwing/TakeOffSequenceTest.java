@@ -9,7 +9,7 @@ class TakeOffSequenceTest {
   private static final double ROTATION_MPS = 28.3;
 
   private final TakeOffSequence sequence =
-      new TakeOffSequence(new TakeOffSequence.Parameters(600.0, 1.0, 0.5, 55.0, 100.0));
+      new TakeOffSequence(new TakeOffSequence.Variables(600.0, 1.0, 0.5, 55.0, 100.0));
   private double timeS;
 
   @Test

@@ -11,7 +11,7 @@ final class TestTuning {
 
   private TestTuning() {}
 
-  static Tuning standard() {
-    return Tuning.in(XmlConfiguration.load(FILE)).get();
+  static AutopilotVariables standard() {
+    return AutopilotVariables.in(XmlConfiguration.load(FILE)).get();
   }
 }

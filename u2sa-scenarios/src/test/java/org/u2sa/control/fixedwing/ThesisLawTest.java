@@ -23,7 +23,7 @@ class ThesisLawTest {
   private final ThesisControl.ThesisLaw law =
       new ThesisControl.ThesisLaw(
           XmlConfiguration.inMemory("none", Map.of())
-              .settings(ThesisControl.ThesisLaw.Parameters.class)
+              .settings(ThesisControl.ThesisLaw.Variables.class)
               .get());
 
   @Test

@@ -22,8 +22,8 @@ import org.u2sa.sim.camera.Renderer;
 import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
-import org.u2sa.vision.camera.CourseSettings;
 import org.u2sa.vision.camera.CourseSight;
+import org.u2sa.vision.camera.CourseVariables;
 import org.u2sa.vision.ground.CameraMount;
 import org.u2sa.vision.lens.LensCalibration;
 
@@ -40,8 +40,8 @@ class SightCampaignTest {
 
   @Test
   void look_randomCoursesAndLight_linesAreFoundAndNothingElse() {
-    CourseSettings settings =
-        XmlConfiguration.inMemory("the campaign", Map.of()).settings(CourseSettings.class).get();
+    CourseVariables settings =
+        XmlConfiguration.inMemory("the campaign", Map.of()).settings(CourseVariables.class).get();
     CourseSight sight = new CourseSight(settings);
     SightScore score =
         new SightScore(settings.nearest(), settings.farthest(), settings.toEachSide(), OBJECTS_M);

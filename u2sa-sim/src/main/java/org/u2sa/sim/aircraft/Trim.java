@@ -1,7 +1,5 @@
 package org.u2sa.sim.aircraft;
 
-import org.u2sa.sim.atmosphere.StandardAtmosphere;
-
 /**
  * A trimmed flight condition of the Cessna 172 in still air: all accelerations are zero.
  *
@@ -54,11 +52,6 @@ public record Trim(
   /** Climb rate [m/s]. */
   public double climbMps() {
     return trueAirspeedMps * StrictMath.sin(flightPathRad);
-  }
-
-  /** Calibrated airspeed [m/s]. */
-  public double calibratedAirspeedMps() {
-    return StandardAtmosphere.at(altitudeM).calibratedAirspeedMps(trueAirspeedMps);
   }
 
   /** Initial condition in this trim; a turn starts with its bank but without its rotation. */

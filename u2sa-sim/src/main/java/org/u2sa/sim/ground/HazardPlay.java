@@ -27,10 +27,6 @@ final class HazardPlay {
     vehicle.enter(world.with(hazards.on(world.surface())));
   }
 
-  List<DrivingHazard> all() {
-    return all;
-  }
-
   /** Applies forces and battery changes before the tick that ends now. */
   void act(double timeS) {
     if (!pushes.isEmpty()) {

@@ -172,11 +172,6 @@ public final class MiniMolle implements Pins {
     return command;
   }
 
-  /** Hazards of the run. */
-  public List<DrivingHazard> hazards() {
-    return hazards.all();
-  }
-
   /**
    * IOIO pin assignment and battery divider. {@code …Receive} is the board's RX pin.
    *

@@ -53,7 +53,7 @@ public final class CourseCamera extends CameraSensor {
   private PictureReading reading(ServiceContext context) {
     subscribe(Channels.STATE, attitudes::add);
     return new PictureReading(
-        settings(CourseSettings.class).get(),
+        settings(CourseVariables.class).get(),
         settings(MountingPose.class).get(),
         sensorName(),
         context.configuration()::resolve);

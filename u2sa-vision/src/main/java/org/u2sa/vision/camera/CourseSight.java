@@ -22,7 +22,7 @@ import org.u2sa.vision.picture.Shades;
  * buffers, so results are valid until the next image.
  */
 public final class CourseSight {
-  private final CourseSettings settings;
+  private final CourseVariables settings;
   private final Shades shades = new Shades();
   private final TopView top;
   private final PaintFinder paint;
@@ -44,7 +44,7 @@ public final class CourseSight {
       List<SeenObject> objects) {}
 
   /** Creates a detector with these settings. */
-  public CourseSight(CourseSettings settings) {
+  public CourseSight(CourseVariables settings) {
     this.settings = settings;
     top =
         new TopView(

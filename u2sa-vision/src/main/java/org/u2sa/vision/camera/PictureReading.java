@@ -23,7 +23,7 @@ import org.u2sa.vision.picture.JpegDecoder;
  * converts detections to messages. Not thread-safe.
  */
 public final class PictureReading {
-  private final CourseSettings settings;
+  private final CourseVariables settings;
   private final CameraMount mount;
   private final LensChoice lenses;
   private final CourseSight sight;
@@ -36,7 +36,7 @@ public final class PictureReading {
    * @throws BadInputException if the calibration file is wrong, or the camera below the ground
    */
   public PictureReading(
-      CourseSettings settings,
+      CourseVariables settings,
       MountingPose mounted,
       String sensorName,
       Function<String, Path> resolve) {

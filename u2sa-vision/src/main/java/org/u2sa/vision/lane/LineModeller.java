@@ -27,7 +27,7 @@ final class LineModeller implements Modeller {
   private static final double FORGET = 3.0; // in LINE REACH: farther lines are dropped
   private static final long UNSURE_MICROS = 3 * Clock.MICROS_PER_SECOND;
 
-  private final Settings<LineModelSettings> settings;
+  private final Settings<LineModelVariables> settings;
   private final LineSamples samples = new LineSamples();
   private final HiddenGround hidden = new HiddenGround();
   private final LookedGround looked = new LookedGround();
@@ -39,12 +39,12 @@ final class LineModeller implements Modeller {
   private int published;
 
   LineModeller(Configurator configuration) {
-    settings = configuration.settings(LineModelSettings.class);
+    settings = configuration.settings(LineModelVariables.class);
   }
 
   @Override
   public void objects(List<ObjectDescription> seen, Sighting sighting) {
-    LineModelSettings tuning = settings.get();
+    LineModelVariables tuning = settings.get();
     Set<String> types = tuning.types();
     if (sighting.vehicle().isEmpty()) {
       looked.clear();
@@ -100,7 +100,7 @@ final class LineModeller implements Modeller {
   }
 
   /** Counts against lines that should have been seen just now but were not. */
-  private void doubt(Sighting sighting, LineModelSettings tuning) {
+  private void doubt(Sighting sighting, LineModelVariables tuning) {
     MapFrame map = sighting.frame();
     Point at = map.vehicle(sighting.vehicle());
     Point ahead = map.mapFromFrd(sighting.vehicle()).times(Point.of(1.0, 0.0, 0.0));
@@ -139,7 +139,7 @@ final class LineModeller implements Modeller {
 
   @Override
   public List<ObjectDescription> objects(Sighting now) {
-    LineModelSettings tuning = settings.get();
+    LineModelVariables tuning = settings.get();
     Point at = frame.vehicle(now.vehicle());
     int hits = frame.frame().isBody() ? 1 : tuning.lineHits();
     LineChains chains = LineChains.of(samples.certain(at.x(), at.y(), tuning.lineReach(), hits));
@@ -177,7 +177,7 @@ final class LineModeller implements Modeller {
 
   /** Sides of the driven lane; joints count as lines for this, extensions do not. */
   private List<DrivenLane.Inferred> sides(
-      LineChains chains, LineGaps gaps, LineModelSettings tuning) {
+      LineChains chains, LineGaps gaps, LineModelVariables tuning) {
     List<DrivenLane.Known> known = new ArrayList<>();
     chains.lines().forEach(line -> known.add(new DrivenLane.Known(line, chains.isSure(line))));
     gaps.joined().forEach(joint -> known.add(new DrivenLane.Known(joint.points(), false)));

@@ -15,9 +15,9 @@ import org.u2sa.messages.frame.Rotation;
 final class Clusters {
   private static final int BEAMS_PAST = 2; // missing beams within a cluster
 
-  private final ClusterSettings settings;
+  private final ClusterVariables settings;
 
-  Clusters(ClusterSettings settings) {
+  Clusters(ClusterVariables settings) {
     this.settings = settings;
   }
 

@@ -23,7 +23,7 @@ import org.u2sa.vision.ground.AttitudeHistory;
 public final class ScanClusters extends EventDrivenService {
   private static final double TIGHT = 3.0; // max. fit residual, in multiples of the range noise
 
-  private final ClusterSettings settings;
+  private final ClusterVariables settings;
   private final Clusters clusters;
   private final AttitudeHistory attitudes = new AttitudeHistory();
   private long scans;
@@ -31,7 +31,7 @@ public final class ScanClusters extends EventDrivenService {
   /** Launcher constructor. */
   public ScanClusters(ServiceContext context) {
     super(context, ServiceRole.EXTEROCEPTIVE_SENSOR, "ScanClusters");
-    settings = settings(ClusterSettings.class).get();
+    settings = settings(ClusterVariables.class).get();
     clusters = new Clusters(settings);
     registerPublisher(Channels.SENSED_OBJECTS);
     subscribe(Channels.STATE, attitudes::add);

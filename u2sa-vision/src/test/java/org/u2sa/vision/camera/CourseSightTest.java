@@ -32,7 +32,7 @@ class CourseSightTest {
   private final CourseSight sight =
       new CourseSight(
           XmlConfiguration.inMemory("the test", Map.of("FARTHEST", 5.0, "TO EACH SIDE", 2.5))
-              .settings(CourseSettings.class)
+              .settings(CourseVariables.class)
               .get());
 
   private Seen seen(PaintedScene scene) {

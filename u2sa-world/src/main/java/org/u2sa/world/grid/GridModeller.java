@@ -19,7 +19,7 @@ import org.u2sa.world.modeller.Sighting;
  */
 public final class GridModeller implements Modeller {
   /** Variables of the grid. */
-  public record Tuning(
+  public record Variables(
       @Variable(
               unit = "m",
               min = 0.01,
@@ -82,7 +82,7 @@ public final class GridModeller implements Modeller {
     private static final int MAX_CELLS = 4096;
 
     /** Validates the limits. */
-    public Tuning {
+    public Variables {
       if (gridSize / cellSize > MAX_CELLS) {
         throw new IllegalArgumentException(
             "GRID SIZE: " + gridSize + " m are more than 4096 cells of CELL SIZE " + cellSize);
@@ -103,8 +103,8 @@ public final class GridModeller implements Modeller {
     }
   }
 
-  private final Settings<Tuning> settings;
-  private Tuning tuning; // settings of the current grid
+  private final Settings<Variables> settings;
+  private Variables tuning; // settings of the current grid
   private GridWindow window;
   private ScanEntry entry;
   private MapFrame frame = MapFrame.BODY;
@@ -114,13 +114,13 @@ public final class GridModeller implements Modeller {
 
   /** Creates an empty grid. */
   public GridModeller(Configurator configuration) {
-    settings = configuration.settings(Tuning.class);
+    settings = configuration.settings(Variables.class);
   }
 
   /** Grid for the current configuration. */
   private void prepare() {
     if (!settings.get().equals(tuning)) {
-      Tuning before = tuning;
+      Variables before = tuning;
       tuning = settings.get();
       boolean sameCells =
           before != null

@@ -41,7 +41,7 @@ final class MappedObject {
   private long seenMicros;
 
   MappedObject(
-      String uid, Detection first, long micros, ObjectMapSettings settings, Source source) {
+      String uid, Detection first, long micros, ObjectMapVariables settings, Source source) {
     this.uid = uid;
     fromFile = source == Source.FILE;
     scanned = source == Source.ECHOES;
@@ -52,7 +52,7 @@ final class MappedObject {
     existence = fromFile ? SUREST : NEW;
   }
 
-  private static TrackFilter filter(Detection at, ObjectMapSettings settings) {
+  private static TrackFilter filter(Detection at, ObjectMapVariables settings) {
     return new TrackFilter(
         at.place(),
         at.sigma(),
@@ -67,7 +67,7 @@ final class MappedObject {
   }
 
   /** Predicts the estimate to a time; earlier times are ignored. */
-  void predict(long micros, ObjectMapSettings settings) {
+  void predict(long micros, ObjectMapVariables settings) {
     if (micros > filteredMicros) {
       double seconds = Clock.seconds(micros - filteredMicros);
       if (!fromFile) {
@@ -90,7 +90,7 @@ final class MappedObject {
    *
    * @return whether it was accepted
    */
-  boolean hit(Detection detection, long micros, Source source, ObjectMapSettings settings) {
+  boolean hit(Detection detection, long micros, Source source, ObjectMapVariables settings) {
     if (!fromFile) {
       if (isNear(detection, Point.ORIGIN, settings)) {
         filter.update(
@@ -114,7 +114,7 @@ final class MappedObject {
     return true;
   }
 
-  private boolean isNear(Detection detection, Point reach, ObjectMapSettings settings) {
+  private boolean isNear(Detection detection, Point reach, ObjectMapVariables settings) {
     Point sigma = detection.sigma();
     Point wider =
         Point.of(
@@ -125,7 +125,7 @@ final class MappedObject {
   }
 
   /** Distance it can have moved since it was last seen, 1 sigma per axis [m]. */
-  private Point reach(long micros, ObjectMapSettings settings) {
+  private Point reach(long micros, ObjectMapVariables settings) {
     double reach =
         settings.assumptions(template.objectType()).maxSpeed()
             * Math.max(0.0, Clock.seconds(micros - seenMicros));
@@ -160,7 +160,7 @@ final class MappedObject {
    * Records that a sensor covering its position did not see it. Objects of the world file are
    * unaffected unless these may be doubted, because not every sensor sees everything in a map.
    */
-  void miss(ObjectMapSettings settings) {
+  void miss(ObjectMapVariables settings) {
     if (fromFile && !settings.doubtFile()) {
       return;
     }
@@ -185,7 +185,7 @@ final class MappedObject {
   }
 
   /** Whether it failed to be confirmed, is too old, or no longer exists. */
-  boolean isGone(ObjectMapSettings settings, long nowMicros) {
+  boolean isGone(ObjectMapVariables settings, long nowMicros) {
     if (fromFile) {
       return settings.doubtFile() && existence < GONE;
     }
@@ -220,7 +220,7 @@ final class MappedObject {
   }
 
   /** Restarts the filter at a new position, e.g. in another map frame. */
-  void replace(Detection placed, ObjectMapSettings settings) {
+  void replace(Detection placed, ObjectMapVariables settings) {
     filter = filter(placed, settings);
     template = placed.object();
   }
@@ -263,10 +263,6 @@ final class MappedObject {
 
   double existence() {
     return existence;
-  }
-
-  long seenMicros() {
-    return seenMicros;
   }
 
   /** Position in map coordinates [m]. */

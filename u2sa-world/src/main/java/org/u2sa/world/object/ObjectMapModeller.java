@@ -31,8 +31,8 @@ public final class ObjectMapModeller implements Modeller {
   /** Maximum length of a UID to which a number may be appended. */
   private static final int MAX_NUMBERED_CHARS = 900;
 
-  private final Settings<ObjectMapSettings> settings;
-  private final Settings<GridModeller.Tuning> heights;
+  private final Settings<ObjectMapVariables> settings;
+  private final Settings<GridModeller.Variables> heights;
   private final List<MappedObject> tracks = new ArrayList<>();
   private final TrackReport report = new TrackReport();
   private final HiddenGround hidden = new HiddenGround();
@@ -47,8 +47,8 @@ public final class ObjectMapModeller implements Modeller {
 
   /** Creates an empty map. */
   public ObjectMapModeller(Configurator configuration) {
-    settings = configuration.settings(ObjectMapSettings.class);
-    heights = configuration.settings(GridModeller.Tuning.class);
+    settings = configuration.settings(ObjectMapVariables.class);
+    heights = configuration.settings(GridModeller.Variables.class);
   }
 
   @Override
@@ -57,7 +57,7 @@ public final class ObjectMapModeller implements Modeller {
   }
 
   private void take(List<ObjectDescription> all, Sighting sighting, MappedObject.Source source) {
-    ObjectMapSettings tuning = settings.get();
+    ObjectMapVariables tuning = settings.get();
     List<ObjectDescription> seen =
         all.stream()
             .filter(each -> !tuning.isUnmapped(each.objectType()))
@@ -99,13 +99,13 @@ public final class ObjectMapModeller implements Modeller {
   }
 
   /** Whether a flat object is occluded by something a scanner sees. */
-  private boolean isHidden(ObjectDescription object, Point place, ObjectMapSettings tuning) {
+  private boolean isHidden(ObjectDescription object, Point place, ObjectMapVariables tuning) {
     return tuning.isFlat(object.objectType())
         && hidden.hides(place.x(), place.y(), Double.POSITIVE_INFINITY);
   }
 
   private MappedObject begin(
-      Detection detection, long micros, ObjectMapSettings tuning, MappedObject.Source source) {
+      Detection detection, long micros, ObjectMapVariables tuning, MappedObject.Source source) {
     MappedObject track =
         new MappedObject(freeUid(detection.object().uid()), detection, micros, tuning, source);
     track.occasion(1);
@@ -128,7 +128,7 @@ public final class ObjectMapModeller implements Modeller {
 
   /** Counts against objects that this sensor should have seen but did not. */
   private void lookFor(
-      String sensor, Set<MappedObject> hit, Sighting sighting, ObjectMapSettings tuning) {
+      String sensor, Set<MappedObject> hit, Sighting sighting, ObjectMapVariables tuning) {
     FieldOfView field = FieldOfView.parse(tuning.fieldsOfView()).get(sensor);
     for (MappedObject track : tracks) {
       if (hit.contains(track) || isHidden(track.template(), track.place(), tuning)) {
@@ -155,7 +155,7 @@ public final class ObjectMapModeller implements Modeller {
 
   @Override
   public void scan(RangeScan scan, ScanPoses poses) {
-    ObjectMapSettings tuning = settings.get();
+    ObjectMapVariables tuning = settings.get();
     if (!tuning.flatTypes().trim().isEmpty()) {
       hidden.scan(scan, poses.at(scan, 0.5), poses.first().frame().up(), poses.first().micros());
     }
@@ -182,7 +182,7 @@ public final class ObjectMapModeller implements Modeller {
     tidy(poses.first().micros(), tuning);
   }
 
-  private void tidy(long micros, ObjectMapSettings tuning) {
+  private void tidy(long micros, ObjectMapVariables tuning) {
     tracks.removeIf(track -> track.isGone(tuning, micros));
     for (int i = 0; i < tracks.size(); i++) {
       for (int k = tracks.size() - 1; k > i; k--) {
@@ -199,7 +199,7 @@ public final class ObjectMapModeller implements Modeller {
     }
   }
 
-  private static boolean areOne(MappedObject a, MappedObject b, ObjectMapSettings tuning) {
+  private static boolean areOne(MappedObject a, MappedObject b, ObjectMapVariables tuning) {
     if (a.isFromFile() && b.isFromFile()
         || !a.isConfirmed()
         || !b.isConfirmed()
@@ -267,7 +267,7 @@ public final class ObjectMapModeller implements Modeller {
 
   @Override
   public List<ObjectDescription> objects(Sighting now) {
-    ObjectMapSettings tuning = settings.get();
+    ObjectMapVariables tuning = settings.get();
     tidy(now.micros(), tuning);
     List<ObjectDescription> objects = new ArrayList<>();
     for (MappedObject track : List.copyOf(tracks)) {

@@ -14,9 +14,9 @@ final class SightingMatch {
   static final int NONE = -1;
 
   private final List<MappedObject> tracks;
-  private final ObjectMapSettings settings;
+  private final ObjectMapVariables settings;
 
-  SightingMatch(List<MappedObject> tracks, ObjectMapSettings settings) {
+  SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
     this.tracks = tracks;
     this.settings = settings;
   }

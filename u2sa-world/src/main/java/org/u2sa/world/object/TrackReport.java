@@ -13,7 +13,7 @@ final class TrackReport {
 
   /** Creates the published message of a track. */
   ObjectDescription of(
-      MappedObject track, MapFrame frame, ObjectMapSettings settings, long micros) {
+      MappedObject track, MapFrame frame, ObjectMapVariables settings, long micros) {
     ObjectDescription object =
         track.filter().isMoving() && !track.isFromFile()
             ? moving(track, frame, settings)
@@ -40,7 +40,7 @@ final class TrackReport {
   }
 
   private static ObjectDescription moving(
-      MappedObject track, MapFrame frame, ObjectMapSettings settings) {
+      MappedObject track, MapFrame frame, ObjectMapVariables settings) {
     MovingSphere sphere = new MovingSphere().radius(track.radius() + settings.buffer());
     Point center = frame.point(track.place());
     sphere

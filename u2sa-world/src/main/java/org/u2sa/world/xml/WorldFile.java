@@ -21,11 +21,9 @@ import org.u2sa.messages.schema.MessageTypes;
 public final class WorldFile {
   private static final String REFERENCE = "reference";
 
-  private final String origin;
   private final List<ObjectDescription> objects;
 
-  private WorldFile(String origin, List<ObjectDescription> objects) {
-    this.origin = origin;
+  private WorldFile(List<ObjectDescription> objects) {
     this.objects = List.copyOf(objects);
   }
 
@@ -73,7 +71,7 @@ public final class WorldFile {
         objects.add(object);
       }
     }
-    return new WorldFile(root.origin(), objects);
+    return new WorldFile(objects);
   }
 
   private static ReferenceFrame frame(XmlElement element) {
@@ -113,11 +111,6 @@ public final class WorldFile {
   @SuppressWarnings("unchecked") // isObject has compared the message class
   private static MessageType<? extends ObjectDescription> asObject(MessageType<?> type) {
     return (MessageType<? extends ObjectDescription>) type;
-  }
-
-  /** File name as given by the user. */
-  public String origin() {
-    return origin;
   }
 
   /** The objects in the order of the file. */

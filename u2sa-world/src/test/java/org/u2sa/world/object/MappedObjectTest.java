@@ -15,11 +15,11 @@ class MappedObjectTest {
   private static final long SECOND = 1_000_000;
   private static final double SIGMA = 0.1;
 
-  private final ObjectMapSettings settings =
+  private final ObjectMapVariables settings =
       XmlConfiguration.inMemory(
               "test",
               Map.of("TRUST UIDS", true, "USUAL SPEED", 0.5, "MOVERS", "robot", "MANOEUVRES", 0.1))
-          .settings(ObjectMapSettings.class)
+          .settings(ObjectMapVariables.class)
           .get();
 
   private MappedObject standing(String type) {

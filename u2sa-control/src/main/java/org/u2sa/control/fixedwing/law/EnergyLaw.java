@@ -43,7 +43,7 @@ public final class EnergyLaw {
     }
   }
 
-  private final EnergyParameters parameters;
+  private final EnergyVariables parameters;
   private double filteredAirspeed = Double.NaN;
   private double climbDemand;
   private double pitchIntegral;
@@ -52,7 +52,7 @@ public final class EnergyLaw {
   private double pitch;
 
   /** Starts with empty integrators. */
-  public EnergyLaw(EnergyParameters parameters) {
+  public EnergyLaw(EnergyVariables parameters) {
     this.parameters = parameters;
   }
 

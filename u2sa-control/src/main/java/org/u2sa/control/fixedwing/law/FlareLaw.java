@@ -9,8 +9,8 @@ import org.u2sa.service.handover.HandOver;
  * attain that sink rate; after touchdown the nose is lowered.
  */
 public final class FlareLaw {
-  /** Parameters of the flare, which starts only if navigation leads to the ground. */
-  public record Parameters(
+  /** Variables of the flare, which starts only if navigation leads to the ground. */
+  public record Variables(
       @Variable(
               unit = "m",
               min = 1,
@@ -48,12 +48,12 @@ public final class FlareLaw {
   private static final double MIN_PITCH_RAD = Math.toRadians(-2.0);
   private static final double LET_DOWN_RAD_PER_S = Math.toRadians(3.0);
 
-  private final Parameters parameters;
+  private final Variables parameters;
   private double trimRad; // integral
   private double pitchRad;
 
   /** Starts with an empty integrator. */
-  public FlareLaw(Parameters parameters) {
+  public FlareLaw(Variables parameters) {
     this.parameters = parameters;
   }
 

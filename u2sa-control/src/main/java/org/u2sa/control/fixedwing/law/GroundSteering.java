@@ -11,7 +11,7 @@ import org.u2sa.service.handover.HandOver;
  */
 public final class GroundSteering {
   /** Gains on the runway. */
-  public record Parameters(
+  public record Variables(
       @Variable(
               unit = "s",
               min = 0.5,
@@ -92,7 +92,7 @@ public final class GroundSteering {
   private static final double REFERENCE_MPS = 10.0;
   private static final double AILERON_WORKS_MPS = 40.0; // needed aileron falls to zero here
 
-  private final Parameters parameters;
+  private final Variables parameters;
   private double northM;
   private double eastM;
   private double headingRad;
@@ -100,7 +100,7 @@ public final class GroundSteering {
   private boolean lined;
 
   /** Starts without a centre line. */
-  public GroundSteering(Parameters parameters) {
+  public GroundSteering(Variables parameters) {
     this.parameters = parameters;
   }
 

@@ -10,8 +10,8 @@ import org.u2sa.service.handover.HandOver;
  * Flight Mechanics, section 7) is added to the demand.
  */
 public final class PitchLaw {
-  /** Parameters of the pitch loop and its inner pitch-rate loop. */
-  public record Parameters(
+  /** Variables of the pitch loop and its inner pitch-rate loop. */
+  public record Variables(
       @Variable(unit = "s", min = 0.2, max = 5, ifAbsent = 0.8, text = "Pitch-error time constant.")
           double pitchTimeConstant,
       @Variable(
@@ -44,11 +44,11 @@ public final class PitchLaw {
       Math.toRadians(60.0); // maximum bank that is compensated
   private static final double SLOWEST_MPS = 20.0;
 
-  private final Parameters parameters;
+  private final Variables parameters;
   private final RateLoop loop;
 
   /** Starts with an empty integrator. */
-  public PitchLaw(Parameters parameters) {
+  public PitchLaw(Variables parameters) {
     this.parameters = parameters;
     this.loop =
         new RateLoop(

@@ -5,8 +5,8 @@ import org.u2sa.service.handover.HandOver;
 
 /** Holds a bank by the ailerons: proportional bank loop around a rate loop. */
 public final class RollLaw {
-  /** Parameters of the bank loop and its inner roll-rate loop. */
-  public record Parameters(
+  /** Variables of the bank loop and its inner roll-rate loop. */
+  public record Variables(
       @Variable(unit = "s", min = 0.2, max = 5, ifAbsent = 0.65, text = "Bank-error time constant.")
           double bankTimeConstant,
       @Variable(unit = "deg/s", min = 2, max = 60, ifAbsent = 20, text = "Maximum roll rate.")
@@ -30,11 +30,11 @@ public final class RollLaw {
       @Variable(min = 0, max = 1, ifAbsent = 0.4, text = "Maximum aileron of the integral.")
           double aileronTrimLimit) {}
 
-  private final Parameters parameters;
+  private final Variables parameters;
   private final RateLoop loop;
 
   /** Starts with an empty integrator. */
-  public RollLaw(Parameters parameters) {
+  public RollLaw(Variables parameters) {
     this.parameters = parameters;
     this.loop =
         new RateLoop(

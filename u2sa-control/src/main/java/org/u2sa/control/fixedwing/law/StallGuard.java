@@ -5,10 +5,10 @@ package org.u2sa.control.fixedwing.law;
  * CFR 23.2110; Cessna 172P handbook, figure 5-3).
  */
 public final class StallGuard {
-  private final GuidanceParameters parameters;
+  private final GuidanceVariables parameters;
 
   /** Guards by the stall speed of these parameters. */
-  public StallGuard(GuidanceParameters parameters) {
+  public StallGuard(GuidanceVariables parameters) {
     this.parameters = parameters;
   }
 

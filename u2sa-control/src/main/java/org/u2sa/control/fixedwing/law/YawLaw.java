@@ -11,7 +11,7 @@ import org.u2sa.service.handover.HandOver;
  */
 public final class YawLaw {
   /** Gains at the reference speed. */
-  public record Parameters(
+  public record Variables(
       @Variable(
               unit = "s/rad",
               min = 0,
@@ -35,11 +35,11 @@ public final class YawLaw {
 
   private static final double SLOWEST_MPS = 20.0;
 
-  private final Parameters parameters;
+  private final Variables parameters;
   private double integral;
 
   /** Starts with an empty integrator. */
-  public YawLaw(Parameters parameters) {
+  public YawLaw(Variables parameters) {
     this.parameters = parameters;
   }
 

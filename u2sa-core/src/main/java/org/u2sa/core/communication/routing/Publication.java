@@ -42,10 +42,6 @@ public final class Publication {
     return route.name();
   }
 
-  int payloadBytes() {
-    return payload.readableBytes();
-  }
-
   /** QoS 0 packet; to be released by the caller. */
   public ByteBuf packet(ByteBufAllocator memory) {
     if (unconfirmed == null) {

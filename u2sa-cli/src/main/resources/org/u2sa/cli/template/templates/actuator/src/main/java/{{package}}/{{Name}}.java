@@ -8,7 +8,7 @@ import org.u2sa.service.ServiceContext;
 
 /** Moves a servo. In: actuation of its ACTUATOR NAME. Out: actuators. */
 public final class {{Name}} extends Actuator {
-  private record Tuning(
+  private record Variables(
       @Variable(unit = "us", min = 500, max = 2500, ifAbsent = 1500, text = "Pulse at 0 %.")
           double neutral,
       @Variable(
@@ -19,7 +19,7 @@ public final class {{Name}} extends Actuator {
               text = "How much longer the pulse is at 100 %.")
           double full) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private final DoubleConsumer servo; // takes the length of its pulse [µs]
 
   /** Called by the launcher. Put your device in place of this one, which moves nothing. */

@@ -18,7 +18,7 @@ public final class {{Name}} extends ControlSystem {
   private static final String LEFT = "LEFT MOTOR";
   private static final String RIGHT = "RIGHT MOTOR";
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "%",
               min = 0,
@@ -34,7 +34,7 @@ public final class {{Name}} extends ControlSystem {
               text = "Power for each radian of the bearing, opposite on both sides.")
           double bearingGain) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
 
   /** Called by the launcher. */
   public {{Name}}(ServiceContext context) {

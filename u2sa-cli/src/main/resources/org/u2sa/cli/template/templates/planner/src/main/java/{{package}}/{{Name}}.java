@@ -19,7 +19,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 
 /** Goes straight to waypoints, and slowly near them. A state of the path planner. */
 public final class {{Name}} implements PlannerState {
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "m",
               min = 0,
@@ -30,11 +30,11 @@ public final class {{Name}} implements PlannerState {
       @Variable(unit = "m/s", min = 0.01, max = 20, ifAbsent = 0.5, text = "Speed near a waypoint.")
           double slowSpeed) {}
 
-  private final Settings<Tuning> tuning;
+  private final Settings<Variables> tuning;
 
   /** The planner's configuration has the variables. */
   {{Name}}(Configurator planner) {
-    tuning = planner.settings(Tuning.class);
+    tuning = planner.settings(Variables.class);
   }
 
   /** Brings it to every path planner; named in META-INF/services. */

@@ -20,7 +20,7 @@ public final class SimulatedRover extends ProprioceptiveSensor {
   private static final double RATE_HZ = 20.0;
   private static final List<String> MOTORS = List.of("LEFT MOTOR", "RIGHT MOTOR");
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "m",
               min = 0.05,
@@ -36,7 +36,7 @@ public final class SimulatedRover extends ProprioceptiveSensor {
               text = "Speed at full power of both motors.")
           double maxSpeed) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private final CommandedActuators motors;
   private double northM;
   private double eastM;

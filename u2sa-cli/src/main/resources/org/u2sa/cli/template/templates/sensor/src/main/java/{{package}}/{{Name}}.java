@@ -11,7 +11,7 @@ import org.u2sa.service.ServiceContext;
 public final class {{Name}} extends ProprioceptiveSensor {
   private static final double RATE_HZ = 10.0;
 
-  private record Tuning(
+  private record Variables(
       @Variable(
               unit = "m",
               min = 0,
@@ -20,7 +20,7 @@ public final class {{Name}} extends ProprioceptiveSensor {
               text = "Standard deviation of a reading.")
           double noise) {}
 
-  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Settings<Variables> tuning = settings(Variables.class);
   private final Random random;
 
   /** Called by the launcher. */

@@ -3,7 +3,7 @@ package org.u2sa.vision.laser;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Settings of {@link ScanClusters}. */
-record ClusterSettings(
+record ClusterVariables(
     @Variable(
             unit = "m",
             min = 0.01,
@@ -63,7 +63,7 @@ record ClusterSettings(
   /**
    * @throws IllegalArgumentException if the radius range is empty
    */
-  ClusterSettings {
+  ClusterVariables {
     if (!(maxRadius > minRadius)) {
       throw new IllegalArgumentException(
           "MAX RADIUS, " + maxRadius + " m, is not above MIN RADIUS, " + minRadius + " m");

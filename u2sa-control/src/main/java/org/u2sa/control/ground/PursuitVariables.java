@@ -3,7 +3,7 @@ package org.u2sa.control.ground;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** The variables of regulated pure pursuit, for every kind of ground vehicle. */
-record PursuitTuning(
+record PursuitVariables(
     @Variable(
             unit = "m/s",
             min = 0.05,

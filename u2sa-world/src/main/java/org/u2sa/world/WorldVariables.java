@@ -4,7 +4,7 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
 /** Variables of the {@link WorldModeler} itself; each modeller has its own. */
-record WorldSettings(
+record WorldVariables(
     @Variable(
             ifAbsentText = "OBJECTS, GRID",
             text =

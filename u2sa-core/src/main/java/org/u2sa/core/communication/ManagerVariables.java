@@ -4,7 +4,7 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.cbor.WireForm;
 
 /** Variables of the {@link CommunicationManager}, except limits and security. */
-public record ManagerSettings(
+public record ManagerVariables(
     @Variable(
             oneOf = {"embedded", "external", "none"},
             ifAbsentText = "embedded",

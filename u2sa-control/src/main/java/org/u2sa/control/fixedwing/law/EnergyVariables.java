@@ -6,7 +6,7 @@ import org.u2sa.interfaces.configuration.Variable;
  * Gains and limits of {@link EnergyLaw}. Energy rates are angles, γ + V̇/g, so that the aircraft's
  * weight does not appear.
  */
-public record EnergyParameters(
+public record EnergyVariables(
     @Variable(unit = "s", min = 1, max = 30, ifAbsent = 4, text = "Altitude-error time constant.")
         double altitudeTimeConstant,
     @Variable(unit = "s", min = 1, max = 30, ifAbsent = 6, text = "Airspeed-error time constant.")

@@ -3,7 +3,7 @@ package org.u2sa.core.safety;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** The configuration variables of the {@link SafetyManager}, except the matrix ({@link Hazard}). */
-record SafetySettings(
+record SafetyVariables(
     @Variable(
             unit = "s",
             min = 0.05,

@@ -5,7 +5,7 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.recorder.mcap.ChunkCompression;
 
 /** The variables of a {@link Recorder}. */
-record RecorderSettings(
+record RecorderVariables(
     @Variable(
             ifAbsentText = "recording.mcap",
             text =

@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Speeds and limits within which the aircraft follows navigation. */
-public record GuidanceParameters(
+public record GuidanceVariables(
     @Variable(
             unit = "m/s",
             min = 20,
@@ -84,7 +84,7 @@ public record GuidanceParameters(
                 "Share of the wind speed added to the rotation speed and the minimum airspeed: gusts near the ground are as strong (MIL-F-8785C: σ about 0.2).")
         double gustShare) {
   /** Validates the order of the speeds. */
-  public GuidanceParameters {
+  public GuidanceVariables {
     if (cruiseSpeed > maxSpeed) {
       throw new IllegalArgumentException(
           "CRUISE SPEED " + cruiseSpeed + " m/s is above MAX SPEED " + maxSpeed + " m/s");

@@ -1,10 +1,10 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.function.Supplier;
-import org.u2sa.control.fixedwing.law.EnergyParameters;
+import org.u2sa.control.fixedwing.law.EnergyVariables;
 import org.u2sa.control.fixedwing.law.FlareLaw;
 import org.u2sa.control.fixedwing.law.GroundSteering;
-import org.u2sa.control.fixedwing.law.GuidanceParameters;
+import org.u2sa.control.fixedwing.law.GuidanceVariables;
 import org.u2sa.control.fixedwing.law.PitchLaw;
 import org.u2sa.control.fixedwing.law.RollLaw;
 import org.u2sa.control.fixedwing.law.YawLaw;
@@ -13,18 +13,18 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** All gains and limits of {@link Autopilot}, in configuration units. */
-record Tuning(
-    GuidanceParameters guidance,
-    RollLaw.Parameters roll,
-    PitchLaw.Parameters pitch,
-    YawLaw.Parameters yaw,
-    EnergyParameters energy,
-    TakeOffSequence.Parameters takeOff,
-    GroundSteering.Parameters ground,
+record AutopilotVariables(
+    GuidanceVariables guidance,
+    RollLaw.Variables roll,
+    PitchLaw.Variables pitch,
+    YawLaw.Variables yaw,
+    EnergyVariables energy,
+    TakeOffSequence.Variables takeOff,
+    GroundSteering.Variables ground,
     ClimbOut climbOut,
     Hold hold,
-    FlareLaw.Parameters flare,
-    TouchDown.Parameters touchDown) {
+    FlareLaw.Variables flare,
+    TouchDown.Variables touchDown) {
   /** One knot [m/s]. */
   static final double KNOT_MPS = 1852.0 / 3600.0;
 
@@ -76,22 +76,21 @@ record Tuning(
           double climbOutLookAhead) {}
 
   /** Declares all variables and returns a supplier of their current values. */
-  static Supplier<Tuning> in(Configurator variables) {
-    Settings<GuidanceParameters> guidance = variables.settings(GuidanceParameters.class);
-    Settings<RollLaw.Parameters> roll = variables.settings(RollLaw.Parameters.class);
-    Settings<PitchLaw.Parameters> pitch = variables.settings(PitchLaw.Parameters.class);
-    Settings<YawLaw.Parameters> yaw = variables.settings(YawLaw.Parameters.class);
-    Settings<EnergyParameters> energy = variables.settings(EnergyParameters.class);
-    Settings<TakeOffSequence.Parameters> takeOff =
-        variables.settings(TakeOffSequence.Parameters.class);
-    Settings<GroundSteering.Parameters> ground =
-        variables.settings(GroundSteering.Parameters.class);
+  static Supplier<AutopilotVariables> in(Configurator variables) {
+    Settings<GuidanceVariables> guidance = variables.settings(GuidanceVariables.class);
+    Settings<RollLaw.Variables> roll = variables.settings(RollLaw.Variables.class);
+    Settings<PitchLaw.Variables> pitch = variables.settings(PitchLaw.Variables.class);
+    Settings<YawLaw.Variables> yaw = variables.settings(YawLaw.Variables.class);
+    Settings<EnergyVariables> energy = variables.settings(EnergyVariables.class);
+    Settings<TakeOffSequence.Variables> takeOff =
+        variables.settings(TakeOffSequence.Variables.class);
+    Settings<GroundSteering.Variables> ground = variables.settings(GroundSteering.Variables.class);
     Settings<ClimbOut> climbOut = variables.settings(ClimbOut.class);
     Settings<Hold> hold = variables.settings(Hold.class);
-    Settings<FlareLaw.Parameters> flare = variables.settings(FlareLaw.Parameters.class);
-    Settings<TouchDown.Parameters> touchDown = variables.settings(TouchDown.Parameters.class);
+    Settings<FlareLaw.Variables> flare = variables.settings(FlareLaw.Variables.class);
+    Settings<TouchDown.Variables> touchDown = variables.settings(TouchDown.Variables.class);
     return () ->
-        new Tuning(
+        new AutopilotVariables(
             guidance.get(),
             roll.get(),
             pitch.get(),

@@ -10,7 +10,7 @@ import org.u2sa.planning.guidance.TurnAnticipation;
  * Configuration variables of every {@link PathPlanner}. Only these distinguish an aircraft from a
  * ground vehicle.
  */
-record PlanningSettings(
+record PlanningVariables(
     @Variable(
             unit = "m/s^2",
             min = 0,

@@ -11,7 +11,7 @@ import org.u2sa.planning.search.Inflation;
 import org.u2sa.planning.seen.SeenWorld;
 
 /** Obstacle-avoidance variables of a {@link PathPlanner}; used if PLANNER is not NONE. */
-public record AvoidanceSettings(
+public record AvoidanceVariables(
     @Variable(
             unit = "m",
             min = 0,
@@ -242,7 +242,7 @@ public record AvoidanceSettings(
   private static final int EFFORTS_IN_FLIGHT = 5;
 
   /** Validates the list of sides. */
-  public AvoidanceSettings {
+  public AvoidanceVariables {
     PassSides.parse(passSides);
   }
 

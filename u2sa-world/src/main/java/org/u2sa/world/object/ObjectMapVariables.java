@@ -6,7 +6,7 @@ import java.util.TreeSet;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Variables of the {@link ObjectMapModeller}. */
-record ObjectMapSettings(
+record ObjectMapVariables(
     @Variable(
             ifAbsentText = "",
             text =
@@ -154,7 +154,7 @@ record ObjectMapSettings(
             text =
                 "OBJECTS: maximum number of objects besides those of WORLD; the least certain are dropped.")
         int maxObjects) {
-  ObjectMapSettings {
+  ObjectMapVariables {
     if (confirmHits > confirmWindow) {
       throw new IllegalArgumentException(
           "CONFIRM HITS: " + confirmHits + " of CONFIRM WINDOW " + confirmWindow + " never happen");

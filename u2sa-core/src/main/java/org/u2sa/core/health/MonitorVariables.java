@@ -11,7 +11,7 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** Variables of the health monitor, global and per service. */
-final class MonitorSettings {
+final class MonitorVariables {
   /** Variables that apply to all services. */
   record Limits(
       @Variable(
@@ -96,7 +96,7 @@ final class MonitorSettings {
   private final Map<String, Double> dataTimeoutsS = new HashMap<>();
 
   /** Reads also the variables of the services that the configuration names. */
-  MonitorSettings(Limits limits, Configurator configuration) {
+  MonitorVariables(Limits limits, Configurator configuration) {
     this.limits = limits;
     for (String name : limits.watched().split(",", -1)) {
       if (!name.trim().isEmpty()) {

@@ -3,7 +3,7 @@ package org.u2sa.vision.camera;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Detection settings of a {@link CourseCamera}. */
-public record CourseSettings(
+public record CourseVariables(
     @Variable(
             ifAbsentText = "",
             text =
@@ -187,7 +187,7 @@ public record CourseSettings(
   /**
    * @throws IllegalArgumentException if the observed ground area is empty
    */
-  public CourseSettings {
+  public CourseVariables {
     if (!(farthest > nearest)) {
       throw new IllegalArgumentException(
           "FARTHEST, " + farthest + " m, is not beyond NEAREST, " + nearest + " m");

@@ -11,7 +11,7 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Variables of a cascade: six axes, and how the vehicle turns to its direction of travel. */
-final class CascadeSettings {
+final class CascadeVariables {
   private record Way(
       @Variable(
               ifAbsentText = "false",
@@ -36,7 +36,7 @@ final class CascadeSettings {
       new EnumMap<>(DegreeOfFreedom.class);
   private final Settings<Way> way;
 
-  CascadeSettings(Configurator variables) {
+  CascadeVariables(Configurator variables) {
     for (DegreeOfFreedom axis : DegreeOfFreedom.values()) {
       String prefix = axis.name() + " ";
       if (axis.ordinal() < DegreeOfFreedom.ROLL.ordinal()) {

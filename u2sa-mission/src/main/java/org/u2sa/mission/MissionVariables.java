@@ -3,7 +3,7 @@ package org.u2sa.mission;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** The variables of the {@link MissionManager}, besides its {@link MissionManager.Defaults}. */
-record MissionSettings(
+record MissionVariables(
     @Variable(
             text =
                 "Mission XML file, relative to the configuration file. If changed while running, the new mission starts.")

@@ -6,7 +6,7 @@ import java.util.Set;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Settings of the {@link LineModeller}. */
-record LineModelSettings(
+record LineModelVariables(
     @Variable(
             ifAbsentText = "white line",
             text = "LINES: types of objects that are painted lines, separated by commas.")
