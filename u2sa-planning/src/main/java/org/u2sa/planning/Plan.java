@@ -34,6 +34,11 @@ public record Plan(
     this(points, progress, remark, Optional.empty());
   }
 
+  /** Copy with a changed goal. */
+  public Plan changing(GoalInformation goal) {
+    return new Plan(points, progress, remark, Optional.of(goal));
+  }
+
   /** Creates a step of a pursuit that continues. */
   public static Plan underWay(List<NavigationPoint> points) {
     return new Plan(points, Progress.UNDER_WAY, "");
