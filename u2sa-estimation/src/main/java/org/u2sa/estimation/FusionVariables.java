@@ -112,12 +112,6 @@ record FusionVariables(
             text = "Normal deviations beyond which a measurement is gated.")
         double gate,
     @Variable(
-            min = 10,
-            max = 10000,
-            ifAbsent = 100,
-            text = "Number of measurements over which a source's true sigma is learnt.")
-        int trustWindow,
-    @Variable(
             unit = "s",
             min = 0,
             ifAbsent = 30,
@@ -260,7 +254,7 @@ record FusionVariables(
         flowSigma,
         wheelScaleSigma < 0.0 ? usual.wheelScaleSigma() : wheelScaleSigma,
         gate,
-        trustWindow,
+        usual.window(),
         positionCorrelation,
         headingCorrelation,
         delaySigma,

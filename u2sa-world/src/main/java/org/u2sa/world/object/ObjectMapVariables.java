@@ -94,14 +94,6 @@ record ObjectMapVariables(
             unit = "m",
             min = 0,
             max = 100,
-            ifAbsent = 0,
-            text =
-                "OBJECTS: how much less certain the place of a standing object is after one second, 1 sigma.")
-        double drift,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
             ifAbsent = 0.05,
             text =
                 "OBJECTS: error that all sightings of a sensor have in common, as from how it is mounted, 1 sigma: no number of sightings makes a place more certain.")
@@ -165,8 +157,7 @@ record ObjectMapVariables(
   /** Motion assumptions for an object type. */
   TrackFilter.Assumptions assumptions(String type) {
     boolean moves = type.isEmpty() || names(movers, type);
-    return new TrackFilter.Assumptions(
-        moves ? usualSpeed : 0.0, manoeuvres, drift, systematicSigma);
+    return new TrackFilter.Assumptions(moves ? usualSpeed : 0.0, manoeuvres, systematicSigma);
   }
 
   /** Whether scanners see objects of that type. */
