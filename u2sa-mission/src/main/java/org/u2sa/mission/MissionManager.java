@@ -138,7 +138,7 @@ public final class MissionManager extends PeriodicService {
   protected void configurationChanged(Set<String> variableNames) {
     if (variableNames.contains(MissionVariables.MISSION)
         || variableNames.contains(MissionVariables.DEFAULT_THRESHOLD)) {
-      beginAnew();
+      startMission();
     }
     if (FailsafeMissions.areConfiguredBy(variableNames)) {
       loadFailsafes();
@@ -157,7 +157,7 @@ public final class MissionManager extends PeriodicService {
     }
   }
 
-  private void beginAnew() {
+  private void startMission() {
     try {
       progress.begin(load());
       reports.forget();
