@@ -34,7 +34,7 @@ public final class LidarSensor extends DeviceSensor<LaserScanner.Scan> {
               min = 0,
               max = 100,
               ifAbsent = 0.1,
-              text = "Nearer echoes are of the vehicle itself: least minRange of the scans.")
+              text = "Minimum range of the scans: closer echoes are the vehicle itself.")
           double nearest,
       @Variable(
               unit = "m",

@@ -153,7 +153,7 @@ record FusionVariables(
             max = 1000,
             ifAbsent = 0,
             text =
-                "How well it is put there, 1 sigma; 0: nobody knows where it starts. A receiver that contradicts the place by more than the gate is believed instead.")
+                "Accuracy of the starting position, 1 sigma; 0: unknown. A receiver that contradicts it by more than the gate is believed instead.")
         double startSigma,
     @Variable(
             unit = "deg",

@@ -114,7 +114,7 @@ final class RecordingFiles {
         && nanos - failedNanos >= WORKS_AFTER_NANOS) {
       failures.clear();
       trouble.accept(
-          "recording into " + file() + ": goes on; what came in between is not recorded");
+          "recording into " + file() + ": continues; messages in between are not recorded");
     }
     return writer;
   }
@@ -277,7 +277,7 @@ final class RecordingFiles {
             + file()
             + ": the file was deleted or moved away, with "
             + writer.statistics().messages()
-            + " messages; recording goes on in another file");
+            + " messages; recording continues in another file");
     written.removeLast();
     end(nanos, Map.of());
   }

@@ -53,7 +53,7 @@ record WorldVariables(
             min = 0.1,
             max = 3600,
             ifAbsent = 3,
-            text = "Time without a state after which the map goes on in BODY.")
+            text = "Time without a state after which the map continues in BODY.")
         double stateLostAfter) {
   /** Which objects are published. */
   enum Relevant {

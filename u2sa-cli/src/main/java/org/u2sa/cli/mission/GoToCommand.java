@@ -14,7 +14,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "goto",
     description = {
-      "Pursue a goal now; the mission goes on from there.",
+      "Pursue a goal now; the mission continues from there.",
       "",
       "resume goes back to where the mission was."
     })

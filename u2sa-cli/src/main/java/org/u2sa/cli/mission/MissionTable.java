@@ -28,7 +28,7 @@ final class MissionTable {
             action ->
                 lines.add(terminal.bad("Failsafe " + action + " is pursued; the mission waits.")));
     if (report.paused()) {
-      lines.add("The mission is paused; resume goes on with it.");
+      lines.add("The mission is paused; resume continues it.");
     }
     report.resumable().ifPresent(where -> lines.add("resume goes back to " + where + "."));
     lines.add("");

@@ -13,7 +13,7 @@ import picocli.CommandLine.Spec;
 /** {@code u2sa mission skip}. */
 @Command(
     name = "skip",
-    description = {"Skip a current goal: the mission goes on as if it were done."})
+    description = {"Skip a current goal: the mission continues as if it were done."})
 final class SkipCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;

@@ -39,7 +39,7 @@ final class RerunOptions {
       paramLabel = "SERVICE",
       split = ",",
       description =
-          "Execute these services again on what they were given in the recording, and compare what they publish; all: those that can be.")
+          "Re-execute these services with their recorded inputs and compare what they publish; all: every service that allows it.")
   private List<String> services = List.of();
 
   @Option(

@@ -137,7 +137,7 @@ final class HostedServices implements ServiceHost {
       return Optional.of(e instanceof BadInputException ? e.getMessage() : e.toString());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return Optional.of("the launcher was interrupted; what comes of it stands in the log");
+      return Optional.of("the launcher was interrupted; see the log for the outcome");
     }
   }
 

@@ -200,7 +200,7 @@ public record AvoidanceVariables(
             max = 1_000_000,
             ifAbsent = 2000,
             text =
-                "Nodes that HYBRID searches at each state, five times as many if the vehicle cannot stand; a longer search goes on with the next state.")
+                "Nodes that HYBRID searches per state, five times as many if the vehicle cannot stop; a longer search continues with the next state.")
         int planningEffort,
     @Variable(
             unit = "s",

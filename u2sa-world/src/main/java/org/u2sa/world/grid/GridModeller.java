@@ -65,7 +65,7 @@ public final class GridModeller implements Modeller {
               min = 0,
               ifAbsent = 1000,
               text =
-                  "Distance up to which a beam without an echo says that the way is free, at most as far as the scanner's farthest echo so far; less where dark or smooth walls return none.")
+                  "Distance up to which a beam without an echo counts as free space, at most that of the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 

@@ -15,7 +15,7 @@ record ObjectMapVariables(
     @Variable(
             ifAbsentText = "",
             text =
-                "OBJECTS: types of objects that lie flat on the ground, such as potholes, separated by commas: a camera does not see them behind what a scanner sees; what looks like one there is part of what stands before it.")
+                "OBJECTS: types of objects flat on the ground, such as potholes, separated by commas. A camera cannot see them behind an object that a scanner sees; a sighting there is part of that object.")
         String flatTypes,
     @Variable(
             unit = "m",
@@ -34,7 +34,7 @@ record ObjectMapVariables(
     @Variable(
             ifAbsentText = "false",
             text =
-                "OBJECTS: whether what a sensor gives the same UID is the same thing always, and what it gives another UID another.")
+                "OBJECTS: whether a sensor's UIDs are reliable: one UID is always the same object, and another UID another object.")
         boolean trustUids,
     @Variable(
             min = 1,
@@ -54,7 +54,7 @@ record ObjectMapVariables(
             max = 0.999,
             ifAbsent = 0.9,
             text =
-                "OBJECTS: probability that a sensor sees what is in its field of view; the higher, the sooner what is not seen there is dropped.")
+                "OBJECTS: probability that a sensor detects an object in its field of view; the higher, the sooner an unseen object there is dropped.")
         double detectionProbability,
     @Variable(
             ifAbsentText = "",
@@ -76,7 +76,7 @@ record ObjectMapVariables(
             min = 0,
             max = 1000,
             ifAbsent = 5,
-            text = "OBJECTS: usual speed of what moves, 1 sigma; 0: nothing does.")
+            text = "OBJECTS: usual speed of moving objects, 1 sigma; 0: nothing moves.")
         double usualSpeed,
     @Variable(
             ifAbsentText = "*",
@@ -88,7 +88,7 @@ record ObjectMapVariables(
             min = 0,
             max = 100,
             ifAbsent = 1,
-            text = "OBJECTS: how strongly moving objects speed up and turn, 1 sigma.")
+            text = "OBJECTS: acceleration of moving objects, in speed or direction, 1 sigma.")
         double manoeuvres,
     @Variable(
             unit = "m",
@@ -102,15 +102,13 @@ record ObjectMapVariables(
             unit = "s",
             min = 0,
             ifAbsent = 5,
-            text =
-                "OBJECTS: time after which a moving object that nobody sees is dropped; 0: never.")
+            text = "OBJECTS: time after which an unseen moving object is dropped; 0: never.")
         double forgetMoving,
     @Variable(
             unit = "s",
             min = 0,
             ifAbsent = 0,
-            text =
-                "OBJECTS: time after which a standing object that nobody sees is dropped; 0: never.")
+            text = "OBJECTS: time after which an unseen stationary object is dropped; 0: never.")
         double forgetStanding,
     @Variable(
             unit = "m",
@@ -144,7 +142,7 @@ record ObjectMapVariables(
             max = 100_000,
             ifAbsent = 1000,
             text =
-                "OBJECTS: most objects kept besides those of WORLD; the least certain are dropped.")
+                "OBJECTS: maximum number of objects kept besides those of WORLD; the least certain are dropped.")
         int mostObjects) {
   ObjectMapVariables {
     if (confirmHits > confirmWindow) {
