@@ -202,7 +202,7 @@ def _stated(file: pathlib.Path) -> Dict[str, Tuple[str, str]]:
         if name is None or value is None:
             raise BadConfiguration(f'{file}: a <variable> lacks "name" or "value"')
         if name in stated:
-            raise BadConfiguration(f'{file}, variable "{name}": stands twice')
+            raise BadConfiguration(f'{file}, variable "{name}": appears twice')
         stated[name] = (value, element.get("unit", ""))
     return stated
 

@@ -34,7 +34,7 @@ public final class LidarSensor extends DeviceSensor<LaserScanner.Scan> {
               min = 0,
               max = 100,
               ifAbsent = 0.1,
-              text = "Nearer echoes are from the vehicle itself: minimum of the scans' minRange.")
+              text = "Minimum range of the scans: closer echoes are the vehicle itself.")
           double nearest,
       @Variable(
               unit = "m",

@@ -55,7 +55,7 @@ public final class WheelEncoderSensor extends DeviceSensor<WheelEncoder.Ticks> {
   protected Stream<StateInformation> messages(WheelEncoder.Ticks ticks) {
     if (device().connections() != connections) {
       connections = device().connections();
-      odometry.beginAnew(); // counters may have been reset
+      odometry.reset(); // counters may have been reset
     }
     long at = ticks.measuredAtMicros();
     if (at < dueMicros) {

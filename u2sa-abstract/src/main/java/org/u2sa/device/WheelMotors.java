@@ -183,7 +183,7 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
   }
 
   private void lost(long nowMicros) {
-    odometry.beginAnew();
+    odometry.reset();
     if (nowMicros >= turningUntilMicros) {
       rest(nowMicros); // ramps up from 0 afterwards
     }

@@ -112,12 +112,6 @@ record FusionVariables(
             text = "Normal deviations beyond which a measurement is gated.")
         double gate,
     @Variable(
-            min = 10,
-            max = 10000,
-            ifAbsent = 100,
-            text = "Number of measurements over which a source's true sigma is learnt.")
-        int trustWindow,
-    @Variable(
             unit = "s",
             min = 0,
             ifAbsent = 30,
@@ -159,7 +153,7 @@ record FusionVariables(
             max = 1000,
             ifAbsent = 0,
             text =
-                "Accuracy of START X and START Y, 1 sigma; 0: the starting place is unknown. A receiver that contradicts the place by more than the gate is believed instead.")
+                "Accuracy of the starting position, 1 sigma; 0: unknown. A receiver that contradicts it by more than the gate is believed instead.")
         double startSigma,
     @Variable(
             unit = "deg",
@@ -260,7 +254,7 @@ record FusionVariables(
         flowSigma,
         wheelScaleSigma < 0.0 ? usual.wheelScaleSigma() : wheelScaleSigma,
         gate,
-        trustWindow,
+        usual.window(),
         positionCorrelation,
         headingCorrelation,
         delaySigma,

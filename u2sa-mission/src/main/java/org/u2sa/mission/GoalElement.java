@@ -109,7 +109,7 @@ final class GoalElement {
     if (elements.size() > 1 && field.kind() != Kind.STRING_LIST) {
       throw elements
           .get(1)
-          .error("stands twice; " + field.name() + " stands in line " + first.line() + " already");
+          .error("appears twice; " + field.name() + " is in line " + first.line() + " already");
     }
     List<String> texts = new ArrayList<>();
     for (XmlElement each : elements) {

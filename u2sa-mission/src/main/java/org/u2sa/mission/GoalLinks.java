@@ -96,7 +96,7 @@ final class GoalLinks {
     child.refuseUnknownChildren();
     child.refuseText();
     if (repeat != null) {
-      throw child.error("stands twice; repeat stands in line " + repeat.line() + " already");
+      throw child.error("appears twice; repeat is in line " + repeat.line() + " already");
     }
     repeat = child;
     names.put(child, List.of(child.attribute("from")));

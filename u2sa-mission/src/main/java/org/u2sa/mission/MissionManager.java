@@ -121,7 +121,7 @@ public final class MissionManager extends PeriodicService {
   protected void configurationChanged(Set<String> variableNames) {
     if (variableNames.contains(MissionVariables.MISSION)
         || variableNames.contains(MissionVariables.DEFAULT_THRESHOLD)) {
-      beginAnew();
+      startMission();
     }
     if (FailsafeMissions.areConfiguredBy(variableNames)) {
       loadFailsafes();
@@ -140,7 +140,7 @@ public final class MissionManager extends PeriodicService {
     }
   }
 
-  private void beginAnew() {
+  private void startMission() {
     try {
       run.progress().begin(load());
       reports.forget();

@@ -28,7 +28,7 @@ class MissionErrorsTest {
           <waypoint><x>0x10</x></waypoint> | m.xml, line 2, <x>: "0x10" is not a number of deg
           <waypoint><x>1</x><speed>-1</speed></waypoint> | m.xml, line 2, <speed>: Waypoint.speed: expected at least 0.0 m/s, not "-1.0"
           <waypoint><x/></waypoint> | m.xml, line 2, <x>: is empty; expected a number of deg
-          <waypoint><x>1</x><x>2</x></waypoint> | m.xml, line 2, <x>: stands twice; x stands in line 2 already
+          <waypoint><x>1</x><x>2</x></waypoint> | m.xml, line 2, <x>: appears twice; x is in line 2 already
           <waypoint><x>181</x></waypoint> | m.xml, line 2, <x>: 181.0 is outside -180.0…180.0 deg of longitude
           <waypoint><x>50</x><y>-121</y></waypoint> | m.xml, line 2, <y>: -121.0 is outside -90.0…90.0 deg of latitude (x is longitude, y is latitude)
           <waypoint><x>1</x><completed>true</completed></waypoint> | m.xml, line 2, <completed>: unknown element in <waypoint>; expected uid, next, description, timeLimit, choose, referenceFrame, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, repeat, end

@@ -44,7 +44,7 @@ record PlanningVariables(
             min = 0,
             ifAbsent = 1,
             text =
-                "Look-ahead time: the point is at least the distance that the vehicle covers in it ahead.")
+                "Look-ahead time: the target is at least the distance covered in this time ahead.")
         double lookAheadTime,
     @Variable(
             ifAbsentText = "IMMEDIATE",

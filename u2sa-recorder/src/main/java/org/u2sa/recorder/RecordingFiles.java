@@ -277,7 +277,7 @@ final class RecordingFiles {
             + file()
             + ": the file was deleted or moved away, with "
             + writer.statistics().messages()
-            + " messages; recording goes on in another file");
+            + " messages; recording continues in another file");
     written.removeLast();
     end(nanos, Map.of());
   }

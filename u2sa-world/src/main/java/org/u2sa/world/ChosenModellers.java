@@ -56,7 +56,7 @@ final class ChosenModellers {
                 + " with commas between");
       }
       if (names.contains(name)) {
-        throw new IllegalArgumentException("MODELLERS: \"" + name + "\" stands twice");
+        throw new IllegalArgumentException("MODELLERS: \"" + name + "\" appears twice");
       }
       names.add(name);
     }

@@ -37,7 +37,7 @@ public final class WheelOdometry {
   }
 
   /** Discards the last counts: the next ones only start an interval. */
-  public void beginAnew() {
+  public void reset() {
     hasBegun = false;
   }
 

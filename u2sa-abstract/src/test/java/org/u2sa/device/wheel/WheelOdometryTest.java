@@ -14,7 +14,7 @@ class WheelOdometryTest {
   private final WheelOdometry odometry = new WheelOdometry(0.001, 0.5, 0.03, 10.0);
 
   private Optional<StateInformation> after(double seconds, int left, int right) {
-    odometry.beginAnew();
+    odometry.reset();
     odometry.moved(0, 0, 0);
     return odometry.moved(Math.round(seconds * 1.0e6), left, right);
   }

@@ -47,7 +47,7 @@ public final class ConfigCommand implements Runnable {
   @Command(
       name = "list",
       description = {
-        "List the variables with value, type, range and meaning.",
+        "List the variables with value, type, allowed values and meaning.",
         "",
         "Ends when every service found has answered, or after --timeout."
       })

@@ -24,9 +24,7 @@ import picocli.CommandLine.Spec;
 /** {@code u2sa mission show}. */
 @Command(
     name = "show",
-    description = {
-      "Show the goals of the mission: the result of each, when, its distance, and what follows."
-    })
+    description = {"Show the goals of the mission: result, time, distance and successors of each."})
 final class ShowMissionCommand implements Callable<Integer> {
   /** Time to wait for a state; several publishing periods [s]. */
   private static final double STATE_WITHIN_S = 0.6;

@@ -39,7 +39,7 @@ final class RerunOptions {
       paramLabel = "SERVICE",
       split = ",",
       description =
-          "Execute these services again on their recorded input, and compare their output; all: every service for which this is possible.")
+          "Re-execute these services with their recorded inputs and compare what they publish; all: every service that allows it.")
   private List<String> services = List.of();
 
   @Option(

@@ -37,7 +37,7 @@ final class MonitorGuard implements AutoCloseable {
     boolean isAlive(String entry);
 
     /** Restarts the entry's process. */
-    void startAnew(String entry);
+    void startProcess(String entry);
   }
 
   private final ServiceNames names;
@@ -146,7 +146,7 @@ final class MonitorGuard implements AutoCloseable {
 
   private void restartMonitor(String entry, long now) {
     starts.put(entry, now);
-    processes.startAnew(entry);
+    processes.startProcess(entry);
     restartUnlessMonitored(now); // not handled by a monitor
   }
 
@@ -177,7 +177,7 @@ final class MonitorGuard implements AutoCloseable {
       return;
     }
     before.add(now);
-    processes.startAnew(entry);
+    processes.startProcess(entry);
   }
 
   @Override

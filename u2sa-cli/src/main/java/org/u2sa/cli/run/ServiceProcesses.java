@@ -115,7 +115,7 @@ final class ServiceProcesses implements AutoCloseable {
    * @return whether it was started; false during shutdown
    * @throws IOException if the process cannot be started
    */
-  boolean startAnew(String entry) throws IOException, InterruptedException {
+  boolean startProcess(String entry) throws IOException, InterruptedException {
     Process old;
     synchronized (this) {
       old = processes.remove(entry); // so that its end is not reported

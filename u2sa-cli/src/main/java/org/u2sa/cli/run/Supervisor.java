@@ -91,8 +91,8 @@ final class Supervisor implements ServiceHost, AutoCloseable {
     }
 
     @Override
-    public void startAnew(String entry) {
-      Supervisor.this.startAnew(entry).ifPresent(console);
+    public void startProcess(String entry) {
+      Supervisor.this.startProcess(entry).ifPresent(console);
     }
   }
 
@@ -106,12 +106,12 @@ final class Supervisor implements ServiceHost, AutoCloseable {
     String entry = names.entryOf(serviceName).orElseThrow();
     return processes.isAlive(entry)
         ? Optional.of("service " + serviceName + " runs already")
-        : startAnew(entry);
+        : startProcess(entry);
   }
 
   @Override
   public Optional<String> restart(String serviceName) {
-    return startAnew(names.entryOf(serviceName).orElseThrow());
+    return startProcess(names.entryOf(serviceName).orElseThrow());
   }
 
   @Override
@@ -119,9 +119,9 @@ final class Supervisor implements ServiceHost, AutoCloseable {
     return Optional.of("a service is swapped in its own process");
   }
 
-  private Optional<String> startAnew(String entry) {
+  private Optional<String> startProcess(String entry) {
     try {
-      return processes.startAnew(entry) ? Optional.empty() : Optional.of("the system is ending");
+      return processes.startProcess(entry) ? Optional.empty() : Optional.of("the system is ending");
     } catch (IOException e) {
       return Optional.of("the process cannot be started: " + e.getMessage());
     } catch (InterruptedException e) {

@@ -60,7 +60,7 @@ class MonitorGuardTest {
               }
 
               @Override
-              public void startAnew(String entry) {
+              public void startProcess(String entry) {
                 dead.remove(entry);
                 started.add(entry);
               }

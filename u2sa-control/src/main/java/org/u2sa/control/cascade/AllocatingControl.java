@@ -101,7 +101,7 @@ public final class AllocatingControl extends ControlSystem {
   private final Cascade cascade = new Cascade(tuning);
   private final SeenMotion seen = new SeenMotion();
   private final ResponseWatch response = new ResponseWatch();
-  private final Weaknesses weaknesses = new Weaknesses();
+  private final WeakActuators weak = new WeakActuators();
   private final double[] masses = new double[DegreeOfFreedom.COUNT];
   private final AxisTuner tuner = new AxisTuner(settings(AxisTuner.Order.class));
   private Allocator allocator = new Allocator(tuning.weights());
@@ -251,7 +251,7 @@ public final class AllocatingControl extends ControlSystem {
                       + (found.left() > 0.0
                           ? " responds weakly: counted as weak for a time"
                           : " does not respond: left out for a time"));
-              weaknesses.add(found, clock().micros() + Clock.micros(choices.get().retryTime()));
+              weak.add(found, clock().micros() + Clock.micros(choices.get().retryTime()));
               revision = -1;
             });
   }
@@ -275,7 +275,7 @@ public final class AllocatingControl extends ControlSystem {
   private void lookAtActuators() {
     long now = clock().micros();
     long newest = roster.revision(now);
-    boolean isRetry = weaknesses.forget(now);
+    boolean isRetry = weak.forget(now);
     if (newest == revision && !isRetry) {
       return;
     }
@@ -283,15 +283,13 @@ public final class AllocatingControl extends ControlSystem {
     Map<String, Double> costs = Costs.parse(choices.get().costs());
     response.restart();
     allocator.use(
-        weaknesses.of(roster.present(now)),
-        roster.sound(),
-        each -> costs.getOrDefault(each.name(), 1.0));
+        weak.of(roster.present(now)), roster.sound(), each -> costs.getOrDefault(each.name(), 1.0));
     Set<DegreeOfFreedom> controlled = tuning.controlled();
     sound = Authority.of(roster.sound(), controlled);
     left = Authority.of(allocator.effectors(), controlled);
     lost = left.lost(sound);
     List<String> gone = roster.lost(now);
-    weaknesses.lost().stream().filter(name -> !gone.contains(name)).forEach(gone::add);
+    weak.lost().stream().filter(name -> !gone.contains(name)).forEach(gone::add);
     gone.forEach(name -> command(name, 0.0));
     say(left.words(sound), gone);
   }
@@ -299,7 +297,7 @@ public final class AllocatingControl extends ControlSystem {
   private void say(String authority, List<String> gone) {
     String words =
         (gone.isEmpty() ? "" : "lost: " + String.join(", ", gone) + "; ")
-            + weaknesses.words()
+            + weak.words()
             + (authority.isEmpty() && !gone.isEmpty() ? "all authority is left" : authority)
             + (essentialsLost() ? "; actuators are neutral" : "");
     if (words.equals(said)) {

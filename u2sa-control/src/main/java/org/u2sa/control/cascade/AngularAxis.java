@@ -1,6 +1,5 @@
 package org.u2sa.control.cascade;
 
-import org.u2sa.control.Pid;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Variables of the control of rotation about one axis of the vehicle. */
@@ -38,12 +37,6 @@ record AngularAxis(
             ifAbsent = 0,
             text = "Derivative time of the rate loop; 0: no derivative.")
         double derivativeTime,
-    @Variable(
-            min = 2,
-            max = 100,
-            ifAbsent = 10,
-            text = "Ratio of the derivative time to the time constant of its filter.")
-        double derivativeFilter,
     @Variable(unit = "1/s", min = 0, max = 20, ifAbsent = 0.8, text = "Rate per angle error.")
         double angleGain,
     @Variable(unit = "deg/s", min = 0, max = 1000, ifAbsent = 30, text = "Fastest rotation.")
@@ -53,7 +46,7 @@ record AngularAxis(
     return new AxisTuning(
         weight,
         inertia,
-        new Pid.Gains(gain, integralTime, derivativeTime, derivativeFilter, 1.0),
+        AxisTuning.gains(gain, integralTime, derivativeTime),
         angleGain,
         Math.toRadians(maxRate));
   }

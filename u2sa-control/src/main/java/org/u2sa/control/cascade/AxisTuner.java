@@ -36,16 +36,10 @@ final class AxisTuner {
               ifAbsent = 0.01,
               text =
                   "Hysteresis of the relay, above the noise of the velocity [m/s] or rate [rad/s].")
-          double tuneHysteresis,
-      @Variable(
-              unit = "s",
-              min = 1,
-              max = 600,
-              ifAbsent = 60,
-              text = "Time after which tuning gives up.")
-          double tuneTime) {}
+          double tuneHysteresis) {}
 
   private static final double FULL_PERCENT = 100.0;
+  private static final double GIVE_UP_AFTER_S = 60.0;
 
   private final Settings<Order> order;
   private String handled = ""; // last order carried out
@@ -113,7 +107,7 @@ final class AxisTuner {
           + (armed ? "no actuator acts on the axis, or it is not controlled" : "not armed");
     }
     double amplitude = now.tuneAmplitude() / FULL_PERCENT * most;
-    relay = new RelayTuner(amplitude, now.tuneHysteresis(), now.tuneTime());
+    relay = new RelayTuner(amplitude, now.tuneHysteresis(), GIVE_UP_AFTER_S);
     return "relay tuning of " + axis.name() + " begins";
   }
 

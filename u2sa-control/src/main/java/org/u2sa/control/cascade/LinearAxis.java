@@ -1,6 +1,5 @@
 package org.u2sa.control.cascade;
 
-import org.u2sa.control.Pid;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Variables of the control of motion along one axis of the vehicle. */
@@ -40,12 +39,6 @@ record LinearAxis(
             text = "Derivative time of the velocity loop; 0: no derivative.")
         double derivativeTime,
     @Variable(
-            min = 2,
-            max = 100,
-            ifAbsent = 10,
-            text = "Ratio of the derivative time to the time constant of its filter.")
-        double derivativeFilter,
-    @Variable(
             unit = "1/s",
             min = 0,
             max = 10,
@@ -62,10 +55,6 @@ record LinearAxis(
 
   AxisTuning tuning() {
     return new AxisTuning(
-        weight,
-        mass,
-        new Pid.Gains(gain, integralTime, derivativeTime, derivativeFilter, 1.0),
-        positionGain,
-        maxSpeed);
+        weight, mass, AxisTuning.gains(gain, integralTime, derivativeTime), positionGain, maxSpeed);
   }
 }

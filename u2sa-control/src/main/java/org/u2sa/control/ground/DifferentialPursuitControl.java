@@ -79,7 +79,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
   private final Settings<SlopeHelp> slopes = settings(SlopeHelp.class);
   private final Settings<Motors> motors = settings(Motors.class);
   private final GroundControl ground = new GroundControl(this, clock(), () -> motors.get().names());
-  private final PickUp turnPickUp = new PickUp();
+  private final InertiaFeedForward turnPickUp = new InertiaFeedForward();
   private final WheelBalance balance = new WheelBalance();
   private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 

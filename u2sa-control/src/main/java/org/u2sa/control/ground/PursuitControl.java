@@ -13,7 +13,7 @@ final class PursuitControl {
   private final Supplier<PursuitVariables> tuning;
   private final PursuitLaw law;
   private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
-  private final PickUp pickUp = new PickUp();
+  private final InertiaFeedForward inertia = new InertiaFeedForward();
   private final MotionWatch watch = new MotionWatch();
   private Drive due = Drive.STANDING; // expected motion by now, after the response lag
   private boolean atFullPower;
@@ -49,7 +49,7 @@ final class PursuitControl {
             tuning.get().speedGain(),
             tuning.get().maxSpeed(),
             stepS);
-    double more = pickUp.step(drive.speedMps(), tuning.get().pickUpTime(), stepS);
+    double more = inertia.step(drive.speedMps(), tuning.get().pickUpTime(), stepS);
     double told = drive.isStanding() ? 0.0 : trim + more;
     return new Demand(drive, told, error(due.yawRateRadPerS(), measured.yawRateRadPerS()));
   }

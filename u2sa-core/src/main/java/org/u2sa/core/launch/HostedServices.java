@@ -110,12 +110,12 @@ final class HostedServices implements ServiceHost {
     if (old.service().isRunning()) {
       return Optional.of("service " + serviceName + " runs already");
     }
-    return startAnew(old);
+    return startInPlaceOf(old);
   }
 
   @Override
   public Optional<String> restart(String serviceName) {
-    return startAnew(present(serviceName).orElseThrow());
+    return startInPlaceOf(present(serviceName).orElseThrow());
   }
 
   @Override
@@ -137,11 +137,11 @@ final class HostedServices implements ServiceHost {
       return Optional.of(e instanceof BadInputException ? e.getMessage() : e.toString());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return Optional.of("the launcher was interrupted; the log tells the outcome");
+      return Optional.of("the launcher was interrupted; see the log for the outcome");
     }
   }
 
-  private Optional<String> startAnew(Hosted old) {
+  private Optional<String> startInPlaceOf(Hosted old) {
     try {
       XmlConfiguration configuration = maker.configuration(old.entry());
       if (!old.className().equals(old.entry().className())) { // was swapped

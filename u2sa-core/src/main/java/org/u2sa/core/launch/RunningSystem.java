@@ -101,14 +101,14 @@ public final class RunningSystem implements AutoCloseable {
     Clock clock = options.clock();
     boolean real = clock instanceof SystemClock;
     Clock stopwatch = real ? clock : new SystemClock();
-    RollCall call =
+    DuplicateCheck duplicates =
         options.restart()
-            ? RollCall.forTime(transport, stopwatch, options.console())
-            : RollCall.before(transport, stopwatch, options.console());
+            ? DuplicateCheck.forTime(transport, stopwatch, options.console())
+            : DuplicateCheck.before(transport, stopwatch, options.console());
     if (real) {
-      options.clock(((SystemClock) clock).ahead(call.systemAheadMicros()));
+      options.clock(((SystemClock) clock).ahead(duplicates.systemAheadMicros()));
     }
-    return call;
+    return duplicates;
   }
 
   private boolean throughBroker() {

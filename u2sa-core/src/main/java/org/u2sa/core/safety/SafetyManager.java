@@ -33,6 +33,7 @@ import org.u2sa.service.actuator.EmergencyLatch;
  */
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;
+  private static final double REPEAT_INTERVAL_S = 1.0; // of unchanged states
 
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
@@ -180,7 +181,7 @@ public final class SafetyManager extends PeriodicService {
     }
     boolean repeat = nowS >= repeatDueS;
     if (repeat) {
-      repeatDueS = nowS + settings.get().repeatInterval();
+      repeatDueS = nowS + REPEAT_INTERVAL_S;
     }
     if (arming.isArmed()) {
       decide(now);

@@ -102,13 +102,6 @@ record SafetyVariables(
             text =
                 "Whether RETURN and LAND end with their causes, except the fence; otherwise they last until an operator arms again.")
         boolean resume,
-    @Variable(
-            unit = "s",
-            min = 0.1,
-            max = 3600,
-            ifAbsent = 1,
-            text = "Interval at which unchanged states are published again.")
-        double repeatInterval,
     @Variable(ifAbsentText = "false", text = "Whether to arm once, as soon as all checks pass.")
         boolean armAtStart,
     @Variable(ifAbsentText = "true", text = "Whether arming requires a goal.")

@@ -35,7 +35,7 @@ public final class LockstepClock implements Clock {
   private final Object lock = new Object(); // guards all fields below; nowMicros only for writing
   private final List<Turn> turns = new ArrayList<>(); // in order of creation
   private final ArrayDeque<Turn> ready = new ArrayDeque<>(); // signalled while waiting, FIFO
-  private final TurnCarriers carriers = new TurnCarriers();
+  private final LentTurnThreads carriers = new LentTurnThreads();
   private final List<Turn> unreliable = new ArrayList<>(); // threads that may block elsewhere
   private int busy; // turns that are not waiting
   private volatile long nowMicros;
@@ -206,7 +206,7 @@ public final class LockstepClock implements Clock {
     private boolean hasLeft; // time advances without the thread
     private boolean hasWaited;
     private final TurnWait wait = new TurnWait();
-    private Loan loan; // the last one; null if it never lent
+    private LentTurns loan; // the last one; null if it never lent
     private boolean isLent; // while waiting for a turn that a carrier will run
     private boolean queued;
     private boolean signalled;
@@ -279,7 +279,7 @@ public final class LockstepClock implements Clock {
 
     @Override
     public void lend(Turns lent) throws InterruptedException {
-      Loan mine = new Loan(lent, this::goesOn);
+      LentTurns mine = new LentTurns(lent, this::goesOn);
       long next = lent.take();
       while (next != Turns.OVER) {
         next = isLent(mine, next) && awaitReturn(mine) ? Turns.OVER : lent.take();
@@ -287,7 +287,7 @@ public final class LockstepClock implements Clock {
     }
 
     /** Lends the following turns, unless the next one is due immediately. */
-    private boolean isLent(Loan mine, long deadline) {
+    private boolean isLent(LentTurns mine, long deadline) {
       synchronized (lock) {
         if (goesOn()) {
           return false;
@@ -305,7 +305,7 @@ public final class LockstepClock implements Clock {
     }
 
     /** Blocks until the turns are returned to the lender. Returns whether they are over. */
-    private boolean awaitReturn(Loan mine) throws InterruptedException {
+    private boolean awaitReturn(LentTurns mine) throws InterruptedException {
       while (mine.isLent()) {
         mine.await();
         if (Thread.interrupted()) {
@@ -322,7 +322,7 @@ public final class LockstepClock implements Clock {
     }
 
     /** Whether the carrier of a finished turn runs the next one immediately. */
-    private boolean goesOn(Loan lent) {
+    private boolean goesOn(LentTurns lent) {
       synchronized (lock) {
         boolean isEnding = lent.isEnding();
         if (!isEnding && !closed && goesOn()) {

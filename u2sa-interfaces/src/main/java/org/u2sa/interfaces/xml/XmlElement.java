@@ -77,7 +77,7 @@ public record XmlElement(
           .get(1)
           .error(
               String.format(
-                  "stands twice in <%s>; it stands in line %s already", name, found.get(0).line));
+                  "appears twice in <%s>; it is in line %s already", name, found.get(0).line));
     }
     return found.stream().findFirst();
   }

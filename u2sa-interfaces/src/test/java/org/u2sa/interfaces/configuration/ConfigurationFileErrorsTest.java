@@ -172,7 +172,7 @@ class ConfigurationFileErrorsTest extends RefusedFile {
             configuration(
                 "<variable name='A' type='int' value='1'/>\n\n"
                     + "<variable name='A' type='int' value='2'/>"),
-        ", line 4, variable \"A\": stands twice; it stands in line 2 already");
+        ", line 4, variable \"A\": appears twice; it is in line 2 already");
   }
 
   @Test

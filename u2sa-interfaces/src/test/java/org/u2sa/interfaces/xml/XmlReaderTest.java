@@ -146,8 +146,7 @@ class XmlReaderTest {
 
     assertThat(mission.children("home")).hasSize(2);
     assertThatThrownBy(() -> mission.child("home"))
-        .hasMessage(
-            "m.xml, line 3, <home>: stands twice in <mission>; it stands in line 2 already");
+        .hasMessage("m.xml, line 3, <home>: appears twice in <mission>; it is in line 2 already");
   }
 
   @Test

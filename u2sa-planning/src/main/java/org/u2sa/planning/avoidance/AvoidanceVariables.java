@@ -85,12 +85,6 @@ public record AvoidanceVariables(
             text = "Edge of the square around the vehicle in which obstacles are planned around.")
         double planningSpan,
     @Variable(
-            min = 0.5,
-            max = 0.99,
-            ifAbsent = 0.65,
-            text = "Probability above which a cell of the World Modeler's grid is an obstacle.")
-        double occupiedAbove,
-    @Variable(
             ifAbsentText = "corridor",
             text = "Type of objects that are areas to stay inside, each overlapping the next.")
         String corridorType,
@@ -206,7 +200,7 @@ public record AvoidanceVariables(
             max = 1_000_000,
             ifAbsent = 2000,
             text =
-                "Nodes that HYBRID searches at each state, five times as many if the vehicle cannot stand; a longer search goes on with the next state.")
+                "Nodes that HYBRID searches per state, five times as many if the vehicle cannot stop; a longer search continues with the next state.")
         int planningEffort,
     @Variable(
             unit = "s",
@@ -240,6 +234,7 @@ public record AvoidanceVariables(
 
   private static final double COVER_CELLS = 1.5; // spacing of discs that cover it closely
   private static final int EFFORTS_IN_FLIGHT = 5;
+  private static final double OCCUPIED_ABOVE = 0.65; // probability of a cell of the grid
 
   /** Validates the list of sides. */
   public AvoidanceVariables {
@@ -273,7 +268,7 @@ public record AvoidanceVariables(
         cellM,
         planningSpan,
         new Inflation(radius, radius + Math.max(inflation, cellM), inflationCost),
-        occupiedAbove,
+        OCCUPIED_ABOVE,
         corridorType,
         types(),
         verticalClearance);

@@ -84,7 +84,7 @@ public final class Rerun {
       throws IOException, InterruptedException {
     Clock machine = new SystemClock();
     OutputComparison outputs = new OutputComparison();
-    MadeAgain made = new MadeAgain(start, folder);
+    RestoredInputs made = new RestoredInputs(start, folder);
     RepeatedExecution repeated =
         new RepeatedExecution(
             recorded, outputs, machine, start.threadId(), made.inheritance(types));

@@ -46,7 +46,7 @@ class ForeignRecordingTest {
   }
 
   private ServiceContext context() throws IOException {
-    return new MadeAgain(new ExecutionStart(texts, files), folder)
+    return new RestoredInputs(new ExecutionStart(texts, files), folder)
         .context(MessageTypes.discovered());
   }
 

@@ -49,18 +49,6 @@ public final class GridModeller implements Modeller {
               text = "Log odds that a beam takes from the cells that it passes; 0.4 is 0.4.")
           double missLogOdds,
       @Variable(
-              min = -6,
-              max = 0,
-              ifAbsent = -2,
-              text = "Lower bound of a cell's log odds; -2 is a probability of 0.12.")
-          double minLogOdds,
-      @Variable(
-              min = 0,
-              max = 6,
-              ifAbsent = 3.5,
-              text = "Upper bound of a cell's log odds; 3.5 is a probability of 0.97.")
-          double maxLogOdds,
-      @Variable(
               unit = "m",
               ifAbsent = -0.1,
               text =
@@ -77,7 +65,7 @@ public final class GridModeller implements Modeller {
               min = 0,
               ifAbsent = 1000,
               text =
-                  "Distance up to which a beam without an echo marks cells as free, at most as far as the scanner's farthest echo so far; less where dark or smooth walls return none.")
+                  "Distance up to which a beam without an echo counts as free space, at most that of the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 
@@ -102,6 +90,9 @@ public final class GridModeller implements Modeller {
       return Math.max(1, (int) Math.round(gridSize / cellSize));
     }
   }
+
+  private static final double MIN_LOG_ODDS = -2.0; // of a cell: a probability of 0.12
+  private static final double MAX_LOG_ODDS = 3.5; // 0.97
 
   private final Settings<Variables> settings;
   private Variables tuning; // settings of the current grid
@@ -130,11 +121,7 @@ public final class GridModeller implements Modeller {
       entry =
           new ScanEntry(
               window,
-              new LogOdds(
-                  tuning.hitLogOdds(),
-                  tuning.missLogOdds(),
-                  tuning.minLogOdds(),
-                  tuning.maxLogOdds()));
+              new LogOdds(tuning.hitLogOdds(), tuning.missLogOdds(), MIN_LOG_ODDS, MAX_LOG_ODDS));
     }
   }
 

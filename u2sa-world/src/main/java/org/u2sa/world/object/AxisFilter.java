@@ -34,11 +34,6 @@ final class AxisFilter {
     speedVariance += noise * seconds;
   }
 
-  /** Adds position variance [m²]. */
-  void drift(double variance) {
-    placeVariance += variance;
-  }
-
   /** Returns a copy. */
   AxisFilter copy() {
     AxisFilter copy = new AxisFilter(place, placeVariance, speed, speedVariance);

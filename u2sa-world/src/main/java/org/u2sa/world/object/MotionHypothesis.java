@@ -60,11 +60,10 @@ final class MotionHypothesis {
     }
   }
 
-  /** Predicts ahead in time [s, not negative] and adds a position variance [m²]. */
-  void predict(double seconds, double driftVariance) {
+  /** Predicts ahead in time [s, not negative]. */
+  void predict(double seconds) {
     for (int i = 0; i < AXES; i++) {
       axes[i].predict(seconds, noise);
-      axes[i].drift(driftVariance);
     }
   }
 

@@ -15,7 +15,7 @@ record ObjectMapVariables(
     @Variable(
             ifAbsentText = "",
             text =
-                "OBJECTS: types of objects that lie flat on the ground, such as potholes, separated by commas: a camera does not see them behind what a scanner sees; what looks like one there is part of what stands before it.")
+                "OBJECTS: types of objects flat on the ground, such as potholes, separated by commas. A camera cannot see them behind an object that a scanner sees; a sighting there is part of that object.")
         String flatTypes,
     @Variable(
             unit = "m",
@@ -54,7 +54,7 @@ record ObjectMapVariables(
             max = 0.999,
             ifAbsent = 0.9,
             text =
-                "OBJECTS: probability that a sensor sees what is in its field of view; the higher, the sooner what is not seen there is dropped.")
+                "OBJECTS: probability that a sensor detects an object in its field of view; the higher, the sooner an unseen object there is dropped.")
         double detectionProbability,
     @Variable(
             ifAbsentText = "",
@@ -76,7 +76,7 @@ record ObjectMapVariables(
             min = 0,
             max = 1000,
             ifAbsent = 5,
-            text = "OBJECTS: usual speed of what moves, 1 sigma; 0: nothing does.")
+            text = "OBJECTS: usual speed of moving objects, 1 sigma; 0: nothing moves.")
         double usualSpeed,
     @Variable(
             ifAbsentText = "*",
@@ -88,16 +88,8 @@ record ObjectMapVariables(
             min = 0,
             max = 100,
             ifAbsent = 1,
-            text = "OBJECTS: how strongly moving objects speed up and turn, 1 sigma.")
+            text = "OBJECTS: acceleration of moving objects, in speed or direction, 1 sigma.")
         double manoeuvres,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text =
-                "OBJECTS: how much less certain the place of a standing object is after one second, 1 sigma.")
-        double drift,
     @Variable(
             unit = "m",
             min = 0,
@@ -110,15 +102,13 @@ record ObjectMapVariables(
             unit = "s",
             min = 0,
             ifAbsent = 5,
-            text =
-                "OBJECTS: time after which a moving object that nobody sees is dropped; 0: never.")
+            text = "OBJECTS: time after which an unseen moving object is dropped; 0: never.")
         double forgetMoving,
     @Variable(
             unit = "s",
             min = 0,
             ifAbsent = 0,
-            text =
-                "OBJECTS: time after which a standing object that nobody sees is dropped; 0: never.")
+            text = "OBJECTS: time after which an unseen stationary object is dropped; 0: never.")
         double forgetStanding,
     @Variable(
             unit = "m",
@@ -165,8 +155,7 @@ record ObjectMapVariables(
   /** Motion assumptions for an object type. */
   TrackFilter.Assumptions assumptions(String type) {
     boolean moves = type.isEmpty() || names(movers, type);
-    return new TrackFilter.Assumptions(
-        moves ? usualSpeed : 0.0, manoeuvres, drift, systematicSigma);
+    return new TrackFilter.Assumptions(moves ? usualSpeed : 0.0, manoeuvres, systematicSigma);
   }
 
   /** Whether scanners see objects of that type. */

@@ -19,11 +19,10 @@ final class TrackFilter {
    * @param maxSpeed standard deviation of an unknown velocity [m/s]; 0: always stationary
    * @param acceleration standard deviation of a moving object's acceleration, in speed or direction
    *     [m/s²]
-   * @param drift standard deviation of a stationary object's drift in one second [m]
    * @param systematic standard deviation of the error common to all sightings of a sensor, which
    *     does not average out [m]
    */
-  record Assumptions(double maxSpeed, double acceleration, double drift, double systematic) {}
+  record Assumptions(double maxSpeed, double acceleration, double systematic) {}
 
   private static final double MIN_CHANCE = 0.001; // so that an object may still start after hours
   private static final double AT_FIRST = 0.3;
@@ -82,9 +81,9 @@ final class TrackFilter {
 
   /** Predicts ahead in time [s, not negative]. */
   void predict(double seconds) {
-    standing.predict(seconds, squared(assumed.drift()) * seconds);
-    steady.predict(seconds, 0.0);
-    turning.predict(seconds, 0.0);
+    standing.predict(seconds);
+    steady.predict(seconds);
+    turning.predict(seconds);
     double change = 0.5 * (1.0 - Math.exp(-2.0 * CHANGES_PER_S * seconds));
     double gone = change * (steady.chance() - turning.chance());
     steady.chance(steady.chance() - gone);

@@ -84,7 +84,7 @@ final class ObjectElement {
     if (elements.size() > 1) {
       throw elements
           .get(1)
-          .error("stands twice; " + field.name() + " stands in line " + first.line() + " already");
+          .error("appears twice; " + field.name() + " is in line " + first.line() + " already");
     }
     try {
       if (field.kind() == Kind.POINT_LIST) {

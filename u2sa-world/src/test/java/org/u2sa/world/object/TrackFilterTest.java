@@ -11,8 +11,7 @@ import org.u2sa.messages.frame.Point;
 
 /** Standing and moving objects, by noisy sightings. */
 class TrackFilterTest {
-  private static final TrackFilter.Assumptions USUAL =
-      new TrackFilter.Assumptions(5.0, 1.0, 0.0, 0.0);
+  private static final TrackFilter.Assumptions USUAL = new TrackFilter.Assumptions(5.0, 1.0, 0.0);
   private static final Point SIGMA = Point.of(0.3, 0.3, 0.3);
 
   private static Point noisy(Random random, double x, double y) {
@@ -110,7 +109,7 @@ class TrackFilterTest {
             SIGMA,
             Optional.empty(),
             OptionalDouble.empty(),
-            new TrackFilter.Assumptions(0.0, 1.0, 0.0, 0.0));
+            new TrackFilter.Assumptions(0.0, 1.0, 0.0));
     for (int i = 0; i < 20; i++) {
       see(filter, Point.of(i, 0.0, 0.0));
     }

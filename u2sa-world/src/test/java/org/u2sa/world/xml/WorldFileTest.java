@@ -110,7 +110,7 @@ class WorldFileTest {
     assertRefused("<circle/>", "lacks <x> and <y>");
     assertRefused("<circle><x>200</x><y>1</y></circle>", "200.0", "longitude");
     assertRefused("<circle><x>NaN</x><y>1</y></circle>", "NaN");
-    assertRefused("<circle><x>1</x><x>2</x><y>1</y></circle>", "stands twice");
+    assertRefused("<circle><x>1</x><x>2</x><y>1</y></circle>", "appears twice");
     assertRefused("<circle><x>1</x><y>1</y><radius>-1</radius></circle>", "radius", "-1");
     assertRefused("<circle><x>1</x><y>1</y><radius unit=\"kg\">1</radius></circle>", "kg");
     assertRefused("<circle><x>1</x><y>1</y><radus>1</radus></circle>", "<radus>", "radius");

@@ -5,7 +5,7 @@ package org.u2sa.control.ground;
  * as a first-order lag, T dv/dt + v = command, so the command is the speed plus T times its rate of
  * change. Not thread-safe.
  */
-final class PickUp {
+final class InertiaFeedForward {
   /**
    * Filter time of the rate of change, because the wanted motion jumps slightly with each state.
    */

@@ -21,7 +21,7 @@ import org.u2sa.messages.schema.U2SAData;
  * that hang, or are being started elsewhere at the same moment, do not answer; observers
  * distinguish duplicates by instance.
  */
-final class RollCall implements Transport, Receiver {
+final class DuplicateCheck implements Transport, Receiver {
   /** Time to wait for answers. */
   private static final double ANSWERS_WITHIN_S = 1.0;
 
@@ -34,7 +34,7 @@ final class RollCall implements Transport, Receiver {
   private final Clock clock;
   private final ClockAgreement agreement;
 
-  private RollCall(Transport transport, Clock clock, Consumer<String> log) {
+  private DuplicateCheck(Transport transport, Clock clock, Consumer<String> log) {
     this.transport = transport;
     this.clock = clock;
     this.log = log;
@@ -47,8 +47,8 @@ final class RollCall implements Transport, Receiver {
    * @param clock real time
    * @param log receives problems, one per line
    */
-  static RollCall before(Transport transport, Clock clock, Consumer<String> log) {
-    RollCall call = new RollCall(transport, clock, log);
+  static DuplicateCheck before(Transport transport, Clock clock, Consumer<String> log) {
+    DuplicateCheck call = new DuplicateCheck(transport, clock, log);
     call.ask(false);
     return call;
   }
@@ -57,8 +57,8 @@ final class RollCall implements Transport, Receiver {
    * Only asks for the time, for restarted services whose names may still be registered; the first
    * answer suffices.
    */
-  static RollCall forTime(Transport transport, Clock clock, Consumer<String> log) {
-    RollCall call = new RollCall(transport, clock, log);
+  static DuplicateCheck forTime(Transport transport, Clock clock, Consumer<String> log) {
+    DuplicateCheck call = new DuplicateCheck(transport, clock, log);
     call.ask(true);
     call.hosts.clear();
     return call;
@@ -69,7 +69,7 @@ final class RollCall implements Transport, Receiver {
     question.systemId(transport.systemId());
     question.timestamp(clock.micros());
     question.freeze();
-    try (Connection connection = transport.connect("RollCall", this);
+    try (Connection connection = transport.connect("DuplicateCheck", this);
         Clock.Waiter waiter = clock.newWaiter("roll-call")) {
       connection.subscribe(Channels.DISCOVERY);
       agreement.asked(clock.micros());

@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
-class PickUpTest {
+class InertiaFeedForwardTest {
   private static final double STEP_S = 0.02;
   private static final double LAG_S = 1.5;
 
-  private final PickUp pickUp = new PickUp();
+  private final InertiaFeedForward inertia = new InertiaFeedForward();
 
   /** Farthest from what is wanted that a lagging vehicle is, which ramps up and down. */
   private double worstMps(double timeS) {
@@ -19,7 +19,7 @@ class PickUpTest {
     for (int i = 0; i < 300; i++) {
       double change = i < 100 ? 0.8 : i < 150 ? 0.0 : -0.8;
       wanted = Math.max(0.0, wanted + change * STEP_S);
-      double told = wanted + pickUp.step(wanted, timeS, STEP_S);
+      double told = wanted + inertia.step(wanted, timeS, STEP_S);
       speed += STEP_S / LAG_S * (told - speed);
       worst = Math.max(worst, Math.abs(wanted - speed));
     }
@@ -34,22 +34,22 @@ class PickUpTest {
   @Test
   void step_lagUnknown_addsNothing() {
     assertThat(worstMps(0.0)).isGreaterThan(0.7);
-    assertThat(pickUp.step(1.0, 0.0, STEP_S)).isZero();
+    assertThat(inertia.step(1.0, 0.0, STEP_S)).isZero();
   }
 
   @Test
   void step_takenOverWhileMoving_addsNothingAtFirst() {
-    assertThat(pickUp.step(1.0, LAG_S, STEP_S)).isZero();
-    assertThat(pickUp.step(1.0, LAG_S, STEP_S)).isZero();
+    assertThat(inertia.step(1.0, LAG_S, STEP_S)).isZero();
+    assertThat(inertia.step(1.0, LAG_S, STEP_S)).isZero();
   }
 
   @Test
   void step_jumpThatStays_isOverAfterTheSmoothing() {
-    pickUp.step(0.0, LAG_S, STEP_S);
-    assertThat(pickUp.step(0.1, LAG_S, STEP_S)).isBetween(0.5, 1.5);
+    inertia.step(0.0, LAG_S, STEP_S);
+    assertThat(inertia.step(0.1, LAG_S, STEP_S)).isBetween(0.5, 1.5);
     for (int i = 0; i < 50; i++) {
-      pickUp.step(0.1, LAG_S, STEP_S);
+      inertia.step(0.1, LAG_S, STEP_S);
     }
-    assertThat(pickUp.step(0.1, LAG_S, STEP_S)).isCloseTo(0.0, within(1.0e-3));
+    assertThat(inertia.step(0.1, LAG_S, STEP_S)).isCloseTo(0.0, within(1.0e-3));
   }
 }

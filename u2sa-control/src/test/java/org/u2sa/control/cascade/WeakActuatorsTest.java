@@ -11,8 +11,8 @@ import org.u2sa.control.allocation.Effector;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 
-class WeaknessesTest {
-  private final Weaknesses weaknesses = new Weaknesses();
+class WeakActuatorsTest {
+  private final WeakActuators weak = new WeakActuators();
   private final List<Effector> sound = List.of(effector("LEFT"), effector("RIGHT"));
 
   private static Effector effector(String name) {
@@ -33,42 +33,42 @@ class WeaknessesTest {
   }
 
   private double surge(int index) {
-    return weaknesses.of(sound).get(index).effect(DegreeOfFreedom.SURGE);
+    return weak.of(sound).get(index).effect(DegreeOfFreedom.SURGE);
   }
 
   @Test
   void of_nothingFound_areTheSame() {
-    assertThat(weaknesses.of(sound)).isEqualTo(sound);
-    assertThat(weaknesses.words()).isEmpty();
+    assertThat(weak.of(sound)).isEqualTo(sound);
+    assertThat(weak.words()).isEmpty();
   }
 
   @Test
   void add_weakTwice_isTheProductOfBoth() {
-    weaknesses.add(found("RIGHT", 0.5), 1_000L);
-    weaknesses.add(found("RIGHT", 0.6), 2_000L);
+    weak.add(found("RIGHT", 0.5), 1_000L);
+    weak.add(found("RIGHT", 0.6), 2_000L);
 
     assertThat(surge(1) / surge(0)).isCloseTo(0.3, within(1.0e-9));
-    assertThat(weaknesses.words()).isEqualTo("weak: RIGHT (30 %); ");
-    assertThat(weaknesses.lost()).isEmpty();
+    assertThat(weak.words()).isEqualTo("weak: RIGHT (30 %); ");
+    assertThat(weak.lost()).isEmpty();
   }
 
   @Test
   void add_dead_isLeftOutAndLost() {
-    weaknesses.add(found("LEFT", 0.0), 1_000L);
+    weak.add(found("LEFT", 0.0), 1_000L);
 
-    assertThat(weaknesses.of(sound)).extracting(Effector::name).containsExactly("RIGHT");
-    assertThat(weaknesses.lost()).containsExactly("LEFT");
-    assertThat(weaknesses.words()).isEmpty();
+    assertThat(weak.of(sound)).extracting(Effector::name).containsExactly("RIGHT");
+    assertThat(weak.lost()).containsExactly("LEFT");
+    assertThat(weak.words()).isEmpty();
   }
 
   @Test
   void forget_atItsTimeAndNotBefore_isSoundAgain() {
-    weaknesses.add(found("LEFT", 0.0), 1_000L);
+    weak.add(found("LEFT", 0.0), 1_000L);
 
-    assertThat(weaknesses.forget(999L)).isFalse();
-    assertThat(weaknesses.lost()).containsExactly("LEFT");
-    assertThat(weaknesses.forget(1_000L)).isTrue();
-    assertThat(weaknesses.of(sound)).isEqualTo(sound);
-    assertThat(weaknesses.forget(1_000L)).isFalse();
+    assertThat(weak.forget(999L)).isFalse();
+    assertThat(weak.lost()).containsExactly("LEFT");
+    assertThat(weak.forget(1_000L)).isTrue();
+    assertThat(weak.of(sound)).isEqualTo(sound);
+    assertThat(weak.forget(1_000L)).isFalse();
   }
 }

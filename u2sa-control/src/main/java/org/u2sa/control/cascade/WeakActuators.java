@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import org.u2sa.control.allocation.Effector;
 
 /** Actuators found to respond weakly or not at all, until they are retried. Not thread-safe. */
-final class Weaknesses {
+final class WeakActuators {
   private static final double FULL_PERCENT = 100.0;
 
   private final Map<String, Double> left = new TreeMap<>(); // share, 0…1

@@ -14,7 +14,7 @@ import org.u2sa.testkit.FreePort;
 
 /** Two processes of one system that are both to run a service of the same name. */
 @Timeout(180)
-class RollCallTest {
+class DuplicateCheckTest {
   private static final int ATTEMPTS = 20; // a busy machine may answer later than is waited for
 
   @TempDir private Path folder;

@@ -8,12 +8,12 @@ import java.util.function.Predicate;
  * they are returned. Guarded by the clock's lock, except {@link #carry} and the methods of the
  * lender.
  */
-final class Loan {
+final class LentTurns {
   private final Thread lender = Thread.currentThread();
   private final TurnWait wait = new TurnWait(); // the lender's
   private final Clock.Turns turns;
-  private final Predicate<Loan> goesOn;
-  private TurnCarriers.Carrier carrier; // running a turn; null if none
+  private final Predicate<LentTurns> goesOn;
+  private LentTurnThreads.Carrier carrier; // running a turn; null if none
   private long deadlineMicros; // this and the fields below: outcome of the last turn
   private Throwable thrown;
   private boolean interrupted;
@@ -23,7 +23,7 @@ final class Loan {
    *
    * @param goesOn evaluated on the carrier after each turn: whether it runs the next one, too
    */
-  Loan(Clock.Turns turns, Predicate<Loan> goesOn) {
+  LentTurns(Clock.Turns turns, Predicate<LentTurns> goesOn) {
     this.turns = turns;
     this.goesOn = goesOn;
   }
@@ -38,11 +38,11 @@ final class Loan {
   }
 
   /** Sets the carrier that runs the turn, or null for none. */
-  void carriedBy(TurnCarriers.Carrier taker) {
+  void carriedBy(LentTurnThreads.Carrier taker) {
     carrier = taker;
   }
 
-  TurnCarriers.Carrier carrier() {
+  LentTurnThreads.Carrier carrier() {
     return carrier;
   }
 

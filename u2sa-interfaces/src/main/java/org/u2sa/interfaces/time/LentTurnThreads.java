@@ -7,7 +7,7 @@ import java.util.ArrayDeque;
  * while code in a lent turn waits for another turn or hangs. They end when no thread lends turns
  * any more. Guarded by the clock's lock.
  */
-final class TurnCarriers {
+final class LentTurnThreads {
   private final ArrayDeque<Carrier> free = new ArrayDeque<>(); // LIFO
   private int lenders;
   private int made;
@@ -27,7 +27,7 @@ final class TurnCarriers {
   }
 
   /** Runs a lent turn on a carrier. */
-  void carry(Loan loan) {
+  void carry(LentTurns loan) {
     Carrier carrier = free.poll();
     if (carrier == null) {
       made++;
@@ -39,7 +39,7 @@ final class TurnCarriers {
   }
 
   /** Releases the carrier of a loan for the next turn. */
-  void release(Loan loan) {
+  void release(LentTurns loan) {
     Carrier carrier = loan.carrier();
     loan.carriedBy(null);
     carrier.await();
@@ -53,7 +53,7 @@ final class TurnCarriers {
   /** A thread that runs lent turns. */
   static final class Carrier extends Thread {
     private final TurnWait wait = new TurnWait();
-    private Loan loan; // null while idle, and at the end
+    private LentTurns loan; // null while idle, and at the end
 
     private Carrier(String name) {
       super(name);
@@ -66,7 +66,7 @@ final class TurnCarriers {
       return loan == null ? this : loan.lender();
     }
 
-    private void carry(Loan next) {
+    private void carry(LentTurns next) {
       loan = next;
       wait.end();
     }
@@ -82,13 +82,13 @@ final class TurnCarriers {
 
     @Override
     public void run() {
-      for (Loan next = next(); next != null; next = next()) {
+      for (LentTurns next = next(); next != null; next = next()) {
         setContextClassLoader(next.lender().getContextClassLoader());
         next.carry();
       }
     }
 
-    private Loan next() {
+    private LentTurns next() {
       while (wait.isWaiting()) {
         wait.await();
         Thread.interrupted(); // belongs to no turn

@@ -27,7 +27,7 @@ import org.u2sa.service.handover.HandOverText;
  * Restores a service's inputs in a folder, so that it can be recreated. Nothing outside the folder
  * is written, whatever the recording contains.
  */
-final class MadeAgain {
+final class RestoredInputs {
   /** Nesting that lets a configuration use paths up to this many folders up. */
   private static final String DEPTH = "1/2/3/4/5/6";
 
@@ -37,7 +37,7 @@ final class MadeAgain {
   private final ExecutionStart start;
   private final Path folder;
 
-  MadeAgain(ExecutionStart start, Path folder) {
+  RestoredInputs(ExecutionStart start, Path folder) {
     this.start = start;
     this.folder = folder.toAbsolutePath().normalize();
   }
