@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.OptionalLong;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
@@ -23,7 +24,8 @@ final class MessageHandling {
   private final HealthReporter reporter;
   private final int maxErrorsInARow;
   private final CallbackStopwatch stopwatch;
-  private final Execution execution; // null if not recorded
+  private final Execution execution;
+  private final BooleanSupplier written;
   private final ServiceHealth.CallbackCode handled = this::handleNext; // reused for all messages
   private ServiceInbox.Delivery next; // argument of handled
   private volatile boolean patient;
@@ -37,7 +39,8 @@ final class MessageHandling {
     inbox = new ServiceInbox(variables.inboxCapacity());
     contract = new ContractResponder(service);
     stopwatch = service.health.stopwatch();
-    execution = service.context().execution().orElse(null);
+    execution = service.context().execution();
+    written = contract.configurationWriter()::hasWritten;
   }
 
   ServiceInbox inbox() {
@@ -89,7 +92,7 @@ final class MessageHandling {
           service.running = false;
           return OVER;
         }
-        if (takesWritten()) {
+        if (execution.takesWritten(written)) {
           guarded(contract.configurationWriter()::handOver);
           continue;
         }
@@ -98,9 +101,8 @@ final class MessageHandling {
           stopwatch.pause();
         }
         boolean mayHandle = first-- > 0 || now < untilMicros;
-        ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
-        if (execution != null) {
-          delivery = asExecuted(delivery);
+        ServiceInbox.Delivery delivery = execution.receives(mayHandle ? inbox.poll() : null);
+        if (execution.takesTime()) {
           stopwatch.pause();
         }
         if (delivery != null) {
@@ -113,23 +115,6 @@ final class MessageHandling {
       }
       return OVER;
     }
-  }
-
-  private boolean takesWritten() throws InterruptedException {
-    ConfigurationWriter writer = contract.configurationWriter();
-    return execution == null ? writer.hasWritten() : execution.takesWritten(writer::hasWritten);
-  }
-
-  private ServiceInbox.Delivery asExecuted(ServiceInbox.Delivery waiting) {
-    Execution.Arrival arrival =
-        waiting == null
-            ? null
-            : new Execution.Arrival(waiting.channel(), waiting.message(), waiting.arrivedMicros());
-    Execution.Arrival handled = execution.receives(arrival);
-    if (handled == null || handled == arrival) {
-      return handled == null ? null : waiting;
-    }
-    return new ServiceInbox.Delivery(handled.channel(), handled.message(), handled.arrivedMicros());
   }
 
   private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {

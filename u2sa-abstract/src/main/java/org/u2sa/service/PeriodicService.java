@@ -125,7 +125,7 @@ public abstract class PeriodicService extends U2SAService {
           return next;
         }
         if (isRunning()) {
-          context().execution().ifPresent(Execution::steps);
+          context().execution().steps();
           handling.guarded(() -> step(nowS()), maxErrorsInSteps);
           scheduleNext();
           messages = handling.until(dueMicros);

@@ -30,13 +30,14 @@ final class ServiceConfiguration {
     variables = context.configuration();
     clock = context.clock();
     own = variables.settings(ServiceVariables.class).get();
-    Optional<U2SAService> before = context.predecessor();
+    Optional<ServiceInstance> before = context.predecessor();
     String ownName = checkedName(own.serviceName().isEmpty() ? className : own.serviceName());
-    String repeated = context.inheritance().map(Execution.Inheritance::serviceName).orElse(ownName);
-    name = before.map(U2SAService::getServiceName).orElse(repeated);
+    String repeated =
+        context.execution().inheritance().map(Execution.Inheritance::serviceName).orElse(ownName);
+    name = before.map(ServiceInstance::getServiceName).orElse(repeated);
     Path directory = own.logPath().isEmpty() ? context.logDirectory() : Paths.get(own.logPath());
     if (before.isPresent()) {
-      log = before.get().logFile().forSuccessor(clock);
+      log = before.get().logForSuccessor(clock);
     } else {
       log = new LogFile(directory.resolve(name + ".log"), name, own.logLevel(), clock);
       context.onAbandon(log::close);

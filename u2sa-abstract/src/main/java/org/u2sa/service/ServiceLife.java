@@ -155,9 +155,9 @@ final class ServiceLife {
    * @param loop then takes turns until the service no longer runs
    */
   void run(ServiceHealth.CallbackCode begin, Supplier<Clock.Turns> loop) {
-    Optional<Execution> execution = service.context().execution();
+    Execution execution = service.context().execution();
     try {
-      execution.ifPresent(Execution::begins);
+      execution.begins();
       awaitTurn();
       service.log("running as thread " + service.threadID);
       service.handling.guarded(begin);
@@ -171,7 +171,7 @@ final class ServiceLife {
     } catch (RuntimeException | Error e) {
       die(e);
     } finally {
-      execution.ifPresent(Execution::ends);
+      execution.ends();
       end();
     }
   }

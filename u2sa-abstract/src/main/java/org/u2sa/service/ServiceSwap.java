@@ -187,8 +187,7 @@ public final class ServiceSwap {
     if (!move(Stage.ORDERED, Stage.UNDER_WAY)) {
       return false;
     }
-    Optional<Execution> execution = old.context().execution();
-    return execution.isPresent() ? execution.get().apart(this::change) : change();
+    return old.context().execution().apart(this::change);
   }
 
   private boolean change() {
@@ -213,7 +212,13 @@ public final class ServiceSwap {
     old.succession.releaseAsPredecessor();
     if (agreed) {
       old.log("handed over to " + successor.getClass().getName());
-      successor.context().execution().ifPresent(execution -> inherit(execution, values.get()));
+      successor
+          .context()
+          .execution()
+          .succeeds(
+              new Execution.Inheritance(
+                  old.getServiceName(), values.get(), successor.firstStepMicros()),
+              successor.wiring.instance().orElse(""));
       successor.life.startAsSuccessor();
     } else {
       successor.shutDown();
@@ -225,12 +230,6 @@ public final class ServiceSwap {
     decide();
     successor.wiring.dropSubscriptionsOnlyOf(old.wiring);
     return true;
-  }
-
-  private void inherit(Execution execution, HandOver values) {
-    execution.succeeds(
-        new Execution.Inheritance(old.getServiceName(), values, successor.firstStepMicros()),
-        successor.wiring.instance().orElse(""));
   }
 
   /** Returns the state handed over; empty on failure. */

@@ -32,7 +32,8 @@ final class ServiceWiring {
   private volatile long missed; // likewise
   private volatile String instance; // of the connection, even after closing
   private final Clock clock;
-  private final Execution execution; // null if not recorded
+  private final Execution execution;
+  private final Outlet outlet;
   private final AtomicLong published = new AtomicLong(); // without contract messages
   private final AtomicLong publishedMicros = new AtomicLong(); // time of the last one
   private boolean closed;
@@ -42,7 +43,8 @@ final class ServiceWiring {
     this.receiver = receiver;
     staged = context.predecessor().isPresent();
     clock = context.clock();
-    execution = context.execution().orElse(null);
+    execution = context.execution();
+    outlet = execution.outlet((channel, message) -> connection().publish(channel, message));
     this.transport = context.transport().orElseGet(() -> remote(context));
   }
 
@@ -106,9 +108,7 @@ final class ServiceWiring {
     if (connection == null) {
       Connection made = transport.connect(serviceName, receiver);
       instance = made.instance();
-      if (execution != null) {
-        execution.connects(instance);
-      }
+      execution.connects(instance);
       connection = made;
       for (Channel<?> channel : ContractResponder.CHANNELS) {
         made.subscribe(channel);
@@ -118,11 +118,7 @@ final class ServiceWiring {
   }
 
   boolean publish(Channel<?> channel, U2SAData message, long nowMicros) {
-    boolean taken =
-        execution == null
-            ? connection().publish(channel, message)
-            : execution.publishes(channel, message, () -> connection().publish(channel, message));
-    if (!taken) {
+    if (!outlet.publish(channel, message)) {
       return false;
     }
     if (!ContractResponder.CHANNELS.contains(channel) && !channel.equals(Channels.HEALTH)) {

@@ -39,7 +39,7 @@ final class Succession {
     if (hasPredecessor) {
       return;
     }
-    Optional<Execution.Inheritance> repeated = service.context().inheritance();
+    Optional<Execution.Inheritance> repeated = service.context().execution().inheritance();
     if (repeated.isPresent()) {
       takeOver(repeated.get().state());
       repeated.get().firstStepMicros().ifPresent(service::firstStepAt);
@@ -71,12 +71,7 @@ final class Succession {
 
   /** Restores the predecessor's saved state, on the predecessor's thread. */
   void takeOver(HandOver before) {
-    Optional<Execution> execution = service.context().execution();
-    if (execution.isPresent()) {
-      execution.get().onBehalf(() -> service.takeOver(before));
-    } else {
-      service.takeOver(before);
-    }
+    service.context().execution().onBehalf(() -> service.takeOver(before));
   }
 
   /** {@link U2SAService#remember}. */

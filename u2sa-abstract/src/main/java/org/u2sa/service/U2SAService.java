@@ -44,7 +44,7 @@ import org.u2sa.service.inbox.CallbackStopwatch;
  * handles discovery, stop, configuration and health for every service.
  */
 public abstract class U2SAService extends Thread
-    implements Communicator, Publisher, Subscriber, Logger {
+    implements Communicator, Publisher, Subscriber, Logger, ServiceInstance {
   /** Identifies the service's thread in the log (thesis 8.2.3.1). */
   protected final int threadID;
 
@@ -74,12 +74,11 @@ public abstract class U2SAService extends Thread
    * @throws CommunicationException if the Communication Manager cannot be reached
    */
   protected U2SAService(ServiceContext context, ServiceRole role, String serviceName) {
-    context.execution().ifPresent(execution -> execution.requireRole(role));
+    context.execution().requireRole(role);
     this.context = context;
     this.role = role;
     health = new ServiceHealth(new CallbackStopwatch(context.clock()));
-    int own = (int) getId();
-    threadID = context.execution().map(execution -> execution.threadId(own)).orElse(own);
+    threadID = context.execution().threadId((int) getId());
     configuration = new ServiceConfiguration(context, serviceName);
     setName(configuration.name());
     wiring = new ServiceWiring(context, getName(), new ServiceReceiver(this));
@@ -112,6 +111,7 @@ public abstract class U2SAService extends Thread
    * thread. In {@link EventDrivenService} and {@link PeriodicService} it returns when the service
    * has ended; a direct subclass ends within 0.25 s, or in {@link #shutDown}.
    */
+  @Override
   public abstract void kill();
 
   /**
@@ -478,7 +478,7 @@ public abstract class U2SAService extends Thread
 
   // Properties
 
-  /** Service name, as seen by discovery. */
+  @Override
   public final String getServiceName() {
     return getName();
   }
@@ -488,7 +488,7 @@ public abstract class U2SAService extends Thread
     return threadID;
   }
 
-  /** Role of the service. */
+  @Override
   public final ServiceRole role() {
     return role;
   }
@@ -516,6 +516,11 @@ public abstract class U2SAService extends Thread
   /** Current time of the run's clock [s]. */
   protected final double nowS() {
     return Clock.seconds(context.clock().micros());
+  }
+
+  @Override
+  public final LogFile logForSuccessor(Clock successors) {
+    return configuration.log().forSuccessor(successors);
   }
 
   final LogFile logFile() {
