@@ -3,15 +3,17 @@ package org.u2sa.service;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.inbox.ServiceInbox;
 
 /**
  * Hook into everything that passes between a service's code and its environment, in order: clock
  * readings, waits, messages in and out. Recording it allows the service to be re-executed; it then
- * publishes the same messages if it depends on nothing else. The methods here change nothing: they
- * are those of a service that is neither recorded nor replayed.
+ * publishes the same messages if it depends on nothing else. By default each method changes
+ * nothing, as for a service that is neither recorded nor replayed.
  *
  * <p>Called on the service's thread, and before its start on the thread that creates it; only what
  * {@link #clock} and {@link #outlet} return may be used on other threads.
@@ -130,6 +132,18 @@ public interface Execution {
 
   /** Called when the service's loop has ended, before its shutdown. */
   default void ends() {}
+
+  /** Publishes frozen messages. */
+  @FunctionalInterface
+  interface Outlet {
+    /**
+     * Returns whether the message was accepted.
+     *
+     * @throws org.u2sa.interfaces.communication.CommunicationException if the service is not
+     *     connected
+     */
+    boolean publish(Channel<?> channel, U2SAData message);
+  }
 
   /**
    * Data passed to a service that takes over from another.

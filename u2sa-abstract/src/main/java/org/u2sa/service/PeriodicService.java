@@ -52,7 +52,7 @@ public abstract class PeriodicService extends U2SAService {
    * acts rarely. Called in the constructor.
    */
   protected final void handleMessagesAtSteps() {
-    handling.bePatient();
+    life.bePatient();
   }
 
   /**
@@ -93,7 +93,7 @@ public abstract class PeriodicService extends U2SAService {
 
   @Override
   public final void run() {
-    life.run(this::begin, this::stepByStep);
+    handling.run(threadID, this::begin, this::stepByStep);
   }
 
   @Override

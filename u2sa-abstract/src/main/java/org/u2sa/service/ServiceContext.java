@@ -132,8 +132,7 @@ public final class ServiceContext {
 
   /**
    * Closes the log file, the connection and the devices of a service whose constructor failed, so
-   * that there is no instance to kill. For code that constructs services.
-   * Idempotent.
+   * that there is no instance to kill. For code that constructs services. Idempotent.
    */
   public void abandon() {
     for (Runnable closing = closings.poll(); closing != null; closing = closings.poll()) {

@@ -12,7 +12,6 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionEntry.Kind;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.Execution;
-import org.u2sa.service.Outlet;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceInstance;
 import org.u2sa.service.ServiceRole;

@@ -6,7 +6,6 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.recorder.execution.ExecutionEntry.Kind;
 import org.u2sa.service.Execution;
-import org.u2sa.service.Outlet;
 import org.u2sa.service.ServiceInstance;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.inbox.ServiceInbox;

@@ -5,7 +5,6 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.Execution;
-import org.u2sa.service.Outlet;
 import org.u2sa.service.inbox.ServiceInbox;
 
 /** Follows a measurement through a service: what it publishes goes back to what it is handling. */
