@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 
@@ -19,35 +20,54 @@ final class AuthoredLoop {
 
   private static final long ENDS_WITHIN_MS = 1_000;
   private static final long ENDS_AFTER_INTERRUPT_WITHIN_MS = 200;
-  private static final long MESSAGES_END_WITHIN_MS = 4_000; // includes waiting for the loop
   private static final long MICROS_PER_MILLI = 1_000;
 
-  private final U2SAService service;
+  private final Thread thread;
+  private final ServiceConfiguration configuration;
+  private final Registrations registrations;
+  private final BooleanSupplier isRunning;
+  private final Runnable kill;
   private final Clock clock;
   private final Thread messages;
   private final AtomicBoolean closed = new AtomicBoolean();
   private volatile Clock.Waiter waiter; // of the loop's thread; null until started
+  private long startedMicros; // written before the messages' thread starts
   private boolean hasTurn; // touched by the loop's thread only
   private volatile boolean isLoop; // run() has lasted, or has slept
   private boolean hasReturned; // touched by the messages' thread only
 
-  AuthoredLoop(U2SAService service) {
-    this.service = service;
-    clock = service.clock();
-    messages =
-        new Thread(
-            () -> service.life.run(() -> {}, this::handling), service.getName() + "-messages");
+  /**
+   * @param thread runs the loop
+   * @param isRunning whether the loop should continue
+   * @param handleMessages run by the other thread, in {@link #turns}
+   * @param kill ends the loop as its author wants
+   */
+  AuthoredLoop(
+      Thread thread,
+      ServiceConfiguration configuration,
+      Registrations registrations,
+      BooleanSupplier isRunning,
+      Runnable handleMessages,
+      Runnable kill) {
+    this.thread = thread;
+    this.configuration = configuration;
+    this.registrations = registrations;
+    this.isRunning = isRunning;
+    this.kill = kill;
+    clock = configuration.clock();
+    messages = new Thread(handleMessages, configuration.name() + "-messages");
     messages.setDaemon(true);
   }
 
   /** Starts handling messages; the loop's thread is started afterwards. */
-  void begin() {
-    waiter = clock.newWaiter(service, this::outOfStep);
+  void begin(long nowMicros) {
+    startedMicros = nowMicros;
+    waiter = clock.newWaiter(thread, this::outOfStep);
     messages.start();
   }
 
   private void outOfStep() {
-    service.log(
+    configuration.log(
         LogLevelEnum.WARN,
         "run() waits for something other than the run's clock, so the simulation goes on without"
             + " it: with sleep(…) in place of Thread.sleep(…) the simulation waits for it");
@@ -58,11 +78,11 @@ final class AuthoredLoop {
     return messages;
   }
 
-  private Clock.Turns handling() {
-    Clock.Turns turns = service.handling.until(Clock.NEVER);
+  /** The turns of the thread that handles messages, which also watches the loop. */
+  Clock.Turns turns(Clock.Turns handling) {
     return () -> {
       checkLoop();
-      long next = turns.take();
+      long next = handling.take();
       return next == Clock.Turns.OVER
           ? Clock.Turns.OVER
           : Math.min(next, clock.micros() + POLLS_EVERY_MICROS);
@@ -74,22 +94,22 @@ final class AuthoredLoop {
    * immediately is not a loop: the service only handles messages.
    */
   private void checkLoop() {
-    if (hasReturned || !service.running) {
+    if (hasReturned || !isRunning.getAsBoolean()) {
       return;
     }
-    if (service.getState() != Thread.State.TERMINATED) {
-      isLoop |= clock.micros() - service.life.startedMicros() >= POLLS_EVERY_MICROS;
+    if (thread.getState() != Thread.State.TERMINATED) {
+      isLoop |= clock.micros() - startedMicros >= POLLS_EVERY_MICROS;
       return;
     }
     hasReturned = true;
-    if (isLoop || service.subscribedChannels().isEmpty()) {
+    if (isLoop || registrations.subscribed().isEmpty()) {
       throw new IllegalStateException("run() returned while running was true");
     }
   }
 
   /** Waits for the loop thread's first turn, so that services run in start order. */
   void awaitTurn() {
-    if (Thread.currentThread() != service || hasTurn) {
+    if (Thread.currentThread() != thread || hasTurn) {
       return;
     }
     hasTurn = true;
@@ -102,7 +122,7 @@ final class AuthoredLoop {
 
   /** {@link U2SAService#sleep}, on the loop's thread. */
   void sleep(long millis) throws InterruptedException {
-    if (!service.running) {
+    if (!isRunning.getAsBoolean()) {
       Thread.sleep(millis); // ending: no longer waits on the run's clock
       return;
     }
@@ -111,7 +131,7 @@ final class AuthoredLoop {
     long untilMicros = clock.micros() + Math.multiplyExact(millis, MICROS_PER_MILLI);
     do {
       waiter.await(untilMicros);
-    } while (service.running && clock.micros() < untilMicros);
+    } while (isRunning.getAsBoolean() && clock.micros() < untilMicros);
   }
 
   /** Permanently ends {@link #sleep} in the loop. */
@@ -127,39 +147,23 @@ final class AuthoredLoop {
     if (!closed.compareAndSet(false, true)) {
       return;
     }
-    service.running = false;
-    service.life.atLast("kill()", service::kill);
+    kill.run();
     stopSleeping();
-    if (Thread.currentThread() != service && !hasEnded()) {
-      service.log(LogLevelEnum.WARN, "run() has not returned although running is false");
+    if (Thread.currentThread() != thread && !hasEnded()) {
+      configuration.log(LogLevelEnum.WARN, "run() has not returned although running is false");
     }
   }
 
   private boolean hasEnded() {
     try {
-      service.join(ENDS_WITHIN_MS);
-      if (service.isAlive()) {
-        service.interrupt();
-        service.join(ENDS_AFTER_INTERRUPT_WITHIN_MS);
+      thread.join(ENDS_WITHIN_MS);
+      if (thread.isAlive()) {
+        thread.interrupt();
+        thread.join(ENDS_AFTER_INTERRUPT_WITHIN_MS);
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
-    return !service.isAlive();
-  }
-
-  /** Ends a service that was killed, and returns when it has ended. */
-  void finish() {
-    Thread caller = Clock.runningThread();
-    if (caller == service || caller == messages) {
-      return; // it ends after the present pass or callback
-    }
-    service.life.stopWaiting();
-    try {
-      messages.join(MESSAGES_END_WITHIN_MS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
-    service.life.end(); // if it was never started, or hangs in a callback
+    return !thread.isAlive();
   }
 }

@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.ChangeOrigin;
+import org.u2sa.interfaces.configuration.ConfigurationCheck;
 import org.u2sa.interfaces.configuration.ConfigurationOutcome;
 import org.u2sa.interfaces.configuration.WrittenChange;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -18,12 +19,10 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.ConfigurationChangeResult;
-import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
-import org.u2sa.messages.contract.ServiceMessage;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -35,8 +34,12 @@ final class ConfigurationResponder {
   private static final String TOO_MANY =
       "too many changes at once, and nothing was changed: try again in a second";
 
-  private final U2SAService service;
+  private final ServiceConfiguration service;
   private final XmlConfiguration configuration;
+  private final ServiceConnection connection;
+  private final ServiceHealth health;
+  private final ConfigurationCheck check;
+  private final Consumer<Set<String>> changed;
 
   /** The newest answers by request: a duplicate request is executed once. */
   private final Map<String, ConfigurationTransactionResult> answered =
@@ -55,26 +58,25 @@ final class ConfigurationResponder {
   private final ChangeRate rate = new ChangeRate();
   private long refused; // requests above the rate limit
 
-  ConfigurationResponder(U2SAService service) {
+  /**
+   * @param writer writes the changes, off the service's thread
+   * @param check refuses changes that do not fit together
+   * @param changed called after a change, with the names of the variables
+   */
+  ConfigurationResponder(
+      ServiceConfiguration service,
+      ServiceConnection connection,
+      ServiceHealth health,
+      ConfigurationWriter writer,
+      ConfigurationCheck check,
+      Consumer<Set<String>> changed) {
     this.service = service;
-    configuration = service.context().configuration();
-    writer = new ConfigurationWriter(service);
-  }
-
-  /** Writes the changes, off the service's thread. */
-  ConfigurationWriter writer() {
-    return writer;
-  }
-
-  /** Whether the message is a request that {@link #answer} would answer. */
-  boolean concerns(U2SAData message) {
-    return message instanceof ConfigurationRequest all && all.serviceName().isEmpty()
-        || (message instanceof ConfigurationRequest
-                || message instanceof ConfigurationChange
-                || message instanceof ConfigurationTransaction
-                || message instanceof ConfigurationUndo)
-            && message instanceof ServiceMessage<?> request
-            && request.serviceName().equals(service.getServiceName());
+    this.connection = connection;
+    this.health = health;
+    this.writer = writer;
+    this.check = check;
+    this.changed = changed;
+    configuration = service.variables();
   }
 
   /** Answers a request that concerns this service, now or when the change has been written. */
@@ -85,18 +87,15 @@ final class ConfigurationResponder {
       once(transaction.requestId(), transaction.author(), transaction(transaction));
     } else if (request instanceof ConfigurationUndo undo) {
       ChangeOrigin by = by(undo.author());
-      once(
-          undo.requestId(),
-          undo.author(),
-          () -> configuration.writeUndo(by, service::configurationRefusal));
+      once(undo.requestId(), undo.author(), () -> configuration.writeUndo(by, check));
     } else {
-      service.publish(Channels.CONFIGURATION, configuration());
+      connection.publish(Channels.CONFIGURATION, configuration());
     }
   }
 
   private ConfigurationResponse configuration() {
     return new ConfigurationResponse()
-        .serviceName(service.getServiceName())
+        .serviceName(service.name())
         .variables(configuration.describe())
         .revision(configuration.revision());
   }
@@ -106,12 +105,7 @@ final class ConfigurationResponder {
     ChangeOrigin by = by("");
     order(
         "",
-        () ->
-            configuration.write(
-                Map.of(name, change.value()),
-                OptionalLong.empty(),
-                by,
-                service::configurationRefusal),
+        () -> configuration.write(Map.of(name, change.value()), OptionalLong.empty(), by, check),
         written -> answer(name, written));
   }
 
@@ -119,12 +113,12 @@ final class ConfigurationResponder {
     ConfigurationOutcome outcome = takeEffect(written, "");
     ConfigurationChangeResult result =
         new ConfigurationChangeResult()
-            .serviceName(service.getServiceName())
+            .serviceName(service.name())
             .variableName(variable)
             .accepted(outcome.accepted())
             .value(outcome.assignments().isEmpty() ? "" : outcome.assignments().get(0).value());
     outcome.refusal().ifPresent(result::reason);
-    service.publish(Channels.CONFIGURATION, result);
+    connection.publish(Channels.CONFIGURATION, result);
   }
 
   private Supplier<WrittenChange> transaction(ConfigurationTransaction transaction) {
@@ -137,14 +131,13 @@ final class ConfigurationResponder {
       }
     }
     ChangeOrigin by = by(transaction.author());
-    return () ->
-        configuration.write(wanted, transaction.revision(), by, service::configurationRefusal);
+    return () -> configuration.write(wanted, transaction.revision(), by, check);
   }
 
   private void once(String requestId, String author, Supplier<WrittenChange> write) {
     ConfigurationTransactionResult before = answered.get(requestId);
     if (before != null) {
-      service.publish(Channels.CONFIGURATION, before);
+      connection.publish(Channels.CONFIGURATION, before);
     } else if (waiting.add(requestId)) {
       order(
           author,
@@ -161,14 +154,14 @@ final class ConfigurationResponder {
     ConfigurationTransactionResult result =
         new ConfigurationTransactionResult()
             .requestId(requestId)
-            .serviceName(service.getServiceName())
+            .serviceName(service.name())
             .accepted(outcome.accepted())
             .assignments(outcome.assignments())
             .revision(outcome.revision())
             .author(author);
     outcome.refusal().ifPresent(result::reason);
     answered.put(requestId, result);
-    service.publish(Channels.CONFIGURATION, result);
+    connection.publish(Channels.CONFIGURATION, result);
   }
 
   /** Queues the change for writing, or refuses it unread above the rate limit. */
@@ -186,7 +179,9 @@ final class ConfigurationResponder {
     try {
       return change.get();
     } catch (RuntimeException e) { // thrown by the service's own check
-      service.trouble("a change of the configuration could not be judged: " + e);
+      String what = "a change of the configuration could not be judged: " + e;
+      health.error(what);
+      service.log(LogLevelEnum.WARN, what);
       return configuration.refuse("the service could not judge it: " + e);
     }
   }
@@ -195,13 +190,13 @@ final class ConfigurationResponder {
     ConfigurationOutcome outcome = written.takeEffect();
     log(outcome, author);
     if (!outcome.changed().isEmpty()) {
-      service.configurationChanged(outcome.changed());
+      changed.accept(outcome.changed());
     }
     return outcome;
   }
 
   private ChangeOrigin by(String author) {
-    return new ChangeOrigin(service.clock().micros(), service.getServiceName(), author);
+    return new ChangeOrigin(service.clock().micros(), service.name(), author);
   }
 
   private void log(ConfigurationOutcome outcome, String author) {

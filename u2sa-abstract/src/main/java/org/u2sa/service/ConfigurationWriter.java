@@ -29,14 +29,16 @@ final class ConfigurationWriter {
 
   private record Done(WrittenChange change, Consumer<WrittenChange> answer) {}
 
-  private final U2SAService service;
+  private final ServiceConfiguration configuration;
+  private final ServiceLife life;
   private final Queue<Order> orders = new ArrayDeque<>(); // guarded by this
   private final Queue<Done> done = new ConcurrentLinkedQueue<>();
   private Clock.Waiter turn; // of the writer's thread; null if none; guarded by this
   private boolean closed; // guarded by this
 
-  ConfigurationWriter(U2SAService service) {
-    this.service = service;
+  ConfigurationWriter(ServiceConfiguration configuration, ServiceLife life) {
+    this.configuration = configuration;
+    this.life = life;
   }
 
   /** Queues the change for writing. Returns false if the queue is full. */
@@ -46,9 +48,10 @@ final class ConfigurationWriter {
     }
     orders.add(order);
     if (turn == null) {
-      Clock.Waiter waiter = service.clock().newWaiter(service.getName() + "-configuration");
+      String name = configuration.name();
+      Clock.Waiter waiter = configuration.clock().newWaiter(name + "-configuration");
       turn = waiter;
-      Thread thread = new Thread(() -> writeAll(waiter), "u2sa-configuration-" + service.getName());
+      Thread thread = new Thread(() -> writeAll(waiter), "u2sa-configuration-" + name);
       thread.setDaemon(true);
       thread.start();
     }
@@ -57,15 +60,15 @@ final class ConfigurationWriter {
 
   private void writeAll(Clock.Waiter waiter) {
     try {
-      waiter.await(service.clock().micros()); // for its turn
+      waiter.await(configuration.clock().micros()); // for its turn
       for (Order order = next(waiter); order != null; order = next(waiter)) {
         done.add(new Done(order.write().get(), order.answer()));
-        service.life.wake();
+        life.wake();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (RuntimeException | Error e) {
-      service.life.die(e); // fatal, as on the service's own thread
+      life.die(e); // fatal, as on the service's own thread
     } finally {
       end(waiter);
     }
@@ -82,7 +85,7 @@ final class ConfigurationWriter {
   private synchronized void end(Clock.Waiter waiter) {
     if (turn == waiter) {
       turn = null;
-      service.life.wake(); // a swap may wait for that
+      life.wake(); // a swap may wait for that
     }
     waiter.close();
   }

@@ -18,7 +18,7 @@ public abstract class EventDrivenService extends U2SAService {
 
   @Override
   public final void run() {
-    life.run(this::begin, () -> handling.until(Clock.NEVER));
+    handling.run(threadID, this::begin, () -> handling.until(Clock.NEVER));
   }
 
   @Override

@@ -7,16 +7,21 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.ServiceInbox;
 
 /**
  * Hook into everything that passes between a service's code and its environment, in order: clock
  * readings, waits, messages in and out. Recording it allows the service to be re-executed; it then
- * publishes the same messages if it depends on nothing else.
+ * publishes the same messages if it depends on nothing else. By default each method changes
+ * nothing, as for a service that is neither recorded nor replayed.
  *
- * <p>Called on the service's thread, and before its start on the thread that creates it; only
- * {@link #clock} and {@link #publishes} may be called on other threads.
+ * <p>Called on the service's thread, and before its start on the thread that creates it; only what
+ * {@link #clock} and {@link #outlet} return may be used on other threads.
  */
 public interface Execution {
+  /** That of a service that is neither recorded nor replayed. */
+  Execution NONE = new Execution() {};
+
   /**
    * Called before a service is created and opens any resource.
    *
@@ -25,43 +30,64 @@ public interface Execution {
    */
   default void requireRole(ServiceRole role) {}
 
-  /** The run's clock as seen by the service. */
-  Clock clock();
+  /**
+   * The run's clock as seen by the service.
+   *
+   * @param run the run's clock
+   */
+  default Clock clock(Clock run) {
+    return run;
+  }
+
+  /**
+   * Where the service publishes.
+   *
+   * @param connection publishes on its connection
+   */
+  default Outlet outlet(Outlet connection) {
+    return connection;
+  }
 
   /**
    * Thread that the service regards as its own.
    *
    * @param own its actual thread
    */
-  int threadId(int own);
+  default int threadId(int own) {
+    return own;
+  }
 
   /**
    * Called when the service has connected, on the connecting thread.
    *
    * @param instance ID of the connection
    */
-  void connects(String instance);
+  default void connects(String instance) {}
 
   /** Called when the service is created but not started. */
-  void made(U2SAService service);
+  default void made(ServiceInstance service) {}
 
   /**
    * Takeover that a replayed service must perform; empty if none, or if its predecessor is running.
    */
-  Optional<Inheritance> inheritance();
+  default Optional<Inheritance> inheritance() {
+    return Optional.empty();
+  }
 
   /**
    * Runs code of the service on the calling thread instead of the service's thread, which has not
    * been started.
    */
-  void onBehalf(Runnable code);
+  default void onBehalf(Runnable code) {
+    code.run();
+  }
 
   /**
    * Called when the service has taken over from another one and is about to start.
    *
    * @param connection ID of its new connection
    */
-  void succeeds(Inheritance inheritance, String connection);
+  default void succeeds(Inheritance inheritance, String connection) {}
 
   /**
    * Runs code on the service's thread that is not part of the execution: the takeover by another
@@ -69,13 +95,15 @@ public interface Execution {
    *
    * @return the code's result
    */
-  boolean apart(BooleanSupplier code);
+  default boolean apart(BooleanSupplier code) {
+    return code.getAsBoolean();
+  }
 
   /** Called when the service's thread starts. */
-  void begins();
+  default void begins() {}
 
   /** Called at each step. */
-  void steps();
+  default void steps() {}
 
   /**
    * Called when a message could be handled.
@@ -83,7 +111,14 @@ public interface Execution {
    * @param waiting next message in the service's inbox; null if none
    * @return message to handle instead; null for none
    */
-  Arrival receives(Arrival waiting);
+  default ServiceInbox.Delivery receives(ServiceInbox.Delivery waiting) {
+    return waiting;
+  }
+
+  /** Whether {@link #receives} takes time that must not count as the service's own. */
+  default boolean takesTime() {
+    return false;
+  }
 
   /**
    * Called when a written configuration change could be applied.
@@ -91,25 +126,24 @@ public interface Execution {
    * @param isWritten whether one is waiting
    * @return whether to apply it now
    */
-  boolean takesWritten(BooleanSupplier isWritten) throws InterruptedException;
-
-  /**
-   * Called to publish a message.
-   *
-   * @param publish publishes it and returns whether it was accepted
-   * @return whether the message counts as accepted
-   */
-  boolean publishes(Channel<?> channel, U2SAData message, BooleanSupplier publish);
+  default boolean takesWritten(BooleanSupplier isWritten) throws InterruptedException {
+    return isWritten.getAsBoolean();
+  }
 
   /** Called when the service's loop has ended, before its shutdown. */
-  void ends();
+  default void ends() {}
 
-  /**
-   * A message as delivered to a service.
-   *
-   * @param arrivedMicros time of arrival if the service needs it; otherwise 0 [µs]
-   */
-  record Arrival(Channel<?> channel, U2SAData message, long arrivedMicros) {}
+  /** Publishes frozen messages. */
+  @FunctionalInterface
+  interface Outlet {
+    /**
+     * Returns whether the message was accepted.
+     *
+     * @throws org.u2sa.interfaces.communication.CommunicationException if the service is not
+     *     connected
+     */
+    boolean publish(Channel<?> channel, U2SAData message);
+  }
 
   /**
    * Data passed to a service that takes over from another.
@@ -120,16 +154,4 @@ public interface Execution {
    *     the first step is due immediately, or there are no steps
    */
   record Inheritance(String serviceName, HandOver state, OptionalLong firstStepMicros) {}
-
-  /** Records the executions of services created after it, such as a recorder. */
-  interface Keeper {
-    /**
-     * Called before a service is created.
-     *
-     * @param className class of the service
-     * @param context its context, without the execution
-     * @return empty if it is not recorded
-     */
-    Optional<Execution> keep(String className, ServiceContext context);
-  }
 }

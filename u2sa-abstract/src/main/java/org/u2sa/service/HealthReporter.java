@@ -15,15 +15,28 @@ final class HealthReporter {
   /** Number of missed intervals after which a service counts as silent. */
   private static final long SILENT_AFTER = 3;
 
-  private final U2SAService service;
+  private final ServiceReceiver.Recipient service;
+  private final ServiceConnection connection;
+  private final ServiceHealth health;
+  private final Thread handling;
   private final long intervalMicros;
   private long dueMicros = Long.MIN_VALUE; // touched by the service's thread only
   private volatile long reportedMicros = Long.MIN_VALUE;
   private volatile boolean lastSaid;
 
-  HealthReporter(U2SAService service, double intervalS) {
+  /**
+   * @param handling the thread that handles the service's messages
+   */
+  HealthReporter(
+      ServiceReceiver.Recipient service,
+      ServiceConnection connection,
+      ServiceHealth health,
+      Thread handling) {
     this.service = service;
-    intervalMicros = Clock.micros(intervalS);
+    this.connection = connection;
+    this.health = health;
+    this.handling = handling;
+    intervalMicros = Clock.micros(service.configuration().settings().healthInterval());
   }
 
   /** Time of the next report [µs]. */
@@ -36,7 +49,7 @@ final class HealthReporter {
     if (nowMicros < dueMicros) {
       return false;
     }
-    service.publish(Channels.HEALTH, report());
+    connection.publish(Channels.HEALTH, report());
     reportedMicros = nowMicros;
     dueMicros = nowMicros + intervalMicros;
     return true;
@@ -50,10 +63,10 @@ final class HealthReporter {
   /** Reports that the service has ended. */
   void reportLast() {
     HealthReport last = report();
-    if (service.health.hasDied()) {
+    if (health.hasDied()) {
       last.threadAlive(false);
     }
-    lastSaid = service.publish(Channels.HEALTH, last);
+    lastSaid = connection.publish(Channels.HEALTH, last);
   }
 
   /**
@@ -61,39 +74,38 @@ final class HealthReporter {
    * started, or has sent its last report.
    */
   Optional<HealthReport> onBehalf(long nowMicros) {
-    Thread handling = service.loop == null ? service : service.loop.messages();
     Thread.State state = handling.getState(); // first: an ended thread has reported its end
-    if (service.status() == ServiceStatus.CREATED || lastSaid) {
+    if (service.life().status() == ServiceStatus.CREATED || lastSaid) {
       return Optional.empty();
     }
     boolean alive = state != Thread.State.TERMINATED;
-    long heardMicros = Math.max(service.life.startedMicros(), reportedMicros);
+    long heardMicros = Math.max(service.life().startedMicros(), reportedMicros);
     if (alive && nowMicros - heardMicros < SILENT_AFTER * intervalMicros) {
       return Optional.empty();
     }
     HealthReport report = report().threadAlive(alive);
-    service.health.runningS().ifPresent(report::callbackRunning);
+    health.runningS().ifPresent(report::callbackRunning);
     return Optional.of(report);
   }
 
   private HealthReport report() {
     HealthReport report =
         new HealthReport()
-            .serviceName(service.getName())
-            .status(service.status())
+            .serviceName(service.configuration().name())
+            .status(service.life().status())
             .interval(Clock.seconds(intervalMicros))
-            .inboxDepth(service.handling.inbox().depth())
-            .dropped(service.handling.inbox().dropped())
-            .replaced(service.handling.inbox().replaced())
-            .refused(service.wiring.refused())
-            .missed(service.wiring.missed())
-            .published(service.wiring.published());
-    service.wiring.instance().ifPresent(report::instance);
-    service.wiring.dataAgeS().ifPresent(report::dataAge);
-    Set<String> deafTo = service.wiring.refusedSubscriptions();
+            .inboxDepth(service.inbox().depth())
+            .dropped(service.inbox().dropped())
+            .replaced(service.inbox().replaced())
+            .refused(connection.refused())
+            .missed(connection.missed())
+            .published(connection.published());
+    connection.instance().ifPresent(report::instance);
+    connection.dataAgeS().ifPresent(report::dataAge);
+    Set<String> deafTo = connection.refusedSubscriptions();
     if (!deafTo.isEmpty()) {
       report.refusedSubscriptions(String.join(",", deafTo));
     }
-    return service.health.addTo(report);
+    return health.addTo(report);
   }
 }

@@ -1,7 +1,9 @@
 package org.u2sa.service;
 
 import java.util.OptionalLong;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
@@ -12,59 +14,75 @@ import org.u2sa.service.inbox.ServiceInbox;
 /**
  * Message loop of a service: delivers messages one by one, answers those of the service contract,
  * reports health meanwhile, and survives exceptions of the author's code. Confined to the service's
- * thread except {@link #inbox} and {@link #contract}.
+ * thread.
  */
 final class MessageHandling {
-  private final U2SAService service;
-  private final Consumer<U2SAData> callback;
-  private final Registrations registrations;
-  private final ServiceInbox inbox;
+  private final ServiceConfiguration configuration;
+  private final ServiceReceiver.Recipient service;
+  private final ServiceLife life;
+  private final ServiceHealth health;
   private final ContractResponder contract;
+  private final ConfigurationWriter writer;
   private final HealthReporter reporter;
-  private final int maxErrorsInARow;
+  private final Succession succession;
+  private final Consumer<U2SAData> callback;
+  private final Execution execution;
   private final CallbackStopwatch stopwatch;
-  private final Execution execution; // null if not recorded
+  private final BooleanSupplier written;
   private final ServiceHealth.CallbackCode handled = this::handleNext; // reused for all messages
   private ServiceInbox.Delivery next; // argument of handled
-  private volatile boolean patient;
 
-  MessageHandling(U2SAService service, ServiceConfiguration.ServiceVariables variables) {
+  /**
+   * @param callback handles messages of channels without a handler
+   */
+  MessageHandling(
+      ServiceReceiver.Recipient service,
+      ServiceHealth health,
+      ContractResponder contract,
+      ConfigurationWriter writer,
+      HealthReporter reporter,
+      Succession succession,
+      Consumer<U2SAData> callback) {
     this.service = service;
-    callback = service::callback;
-    registrations = service.wiring.registrations();
-    maxErrorsInARow = variables.maxErrorsInARow();
-    reporter = new HealthReporter(service, variables.healthInterval());
-    inbox = new ServiceInbox(variables.inboxCapacity());
-    contract = new ContractResponder(service);
-    stopwatch = service.health.stopwatch();
-    execution = service.context().execution().orElse(null);
+    configuration = service.configuration();
+    life = service.life();
+    this.health = health;
+    this.contract = contract;
+    this.writer = writer;
+    this.reporter = reporter;
+    this.succession = succession;
+    this.callback = callback;
+    execution = configuration.execution();
+    stopwatch = health.stopwatch();
+    written = writer::hasWritten;
   }
 
-  ServiceInbox inbox() {
-    return inbox;
-  }
-
-  ContractResponder contract() {
-    return contract;
-  }
-
-  HealthReporter reporter() {
-    return reporter;
+  /**
+   * Runs a ready-made loop on the calling service thread, and ends the service after it.
+   *
+   * @param begin called once, before anything else
+   * @param loop then takes turns until the service no longer runs
+   */
+  void run(int threadId, ServiceHealth.CallbackCode begin, Supplier<Clock.Turns> loop) {
+    try {
+      execution.begins();
+      life.awaitTurn();
+      configuration.log(LogLevelEnum.INFO, "running as thread " + threadId);
+      guarded(begin, maxErrorsInARow());
+      life.takeAll(loop.get());
+    } catch (InterruptedException e) {
+      configuration.log(LogLevelEnum.INFO, "interrupted, stopping");
+    } catch (RuntimeException | Error e) {
+      life.die(e);
+    } finally {
+      execution.ends();
+      life.end();
+    }
   }
 
   /** Consecutive exceptions after which the service fails. */
   int maxErrorsInARow() {
-    return maxErrorsInARow;
-  }
-
-  /** Defers non-urgent messages until the service wakes by itself. */
-  void bePatient() {
-    patient = true;
-  }
-
-  /** {@link #bePatient}. */
-  boolean isPatient() {
-    return patient;
+    return configuration.settings().maxErrorsInARow();
   }
 
   /** Takes turns until the deadline or the end of the service. */
@@ -75,7 +93,7 @@ final class MessageHandling {
   /** Handles messages until a deadline [µs]. */
   private final class Round implements Clock.Turns {
     private final long untilMicros;
-    private int first = inbox.depth(); // handled even if the deadline has passed
+    private int first = service.inbox().depth(); // handled even if the deadline has passed
 
     Round(long untilMicros) {
       this.untilMicros = untilMicros;
@@ -84,13 +102,13 @@ final class MessageHandling {
     @Override
     public long take() throws InterruptedException {
       stopwatch.pause(); // the thread has waited or done other work
-      while (service.running) {
-        if (service.succession.carryOut()) {
-          service.running = false;
+      while (life.isRunning()) {
+        if (succession.carryOut()) {
+          life.endLoops();
           return OVER;
         }
-        if (takesWritten()) {
-          guarded(contract.configurationWriter()::handOver);
+        if (execution.takesWritten(written)) {
+          guarded(writer::handOver, maxErrorsInARow());
           continue;
         }
         long now = stopwatch.runMicros();
@@ -98,13 +116,15 @@ final class MessageHandling {
           stopwatch.pause();
         }
         boolean mayHandle = first-- > 0 || now < untilMicros;
-        ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
-        if (execution != null) {
-          delivery = asExecuted(delivery);
+        ServiceInbox.Delivery delivery =
+            execution.receives(mayHandle ? service.inbox().poll() : null);
+        if (execution.takesTime()) {
           stopwatch.pause();
         }
         if (delivery != null) {
-          handle(delivery);
+          succession.note(delivery);
+          next = delivery;
+          guarded(handled, maxErrorsInARow());
         } else if (now >= untilMicros) {
           break;
         } else {
@@ -115,44 +135,21 @@ final class MessageHandling {
     }
   }
 
-  private boolean takesWritten() throws InterruptedException {
-    ConfigurationWriter writer = contract.configurationWriter();
-    return execution == null ? writer.hasWritten() : execution.takesWritten(writer::hasWritten);
-  }
-
-  private ServiceInbox.Delivery asExecuted(ServiceInbox.Delivery waiting) {
-    Execution.Arrival arrival =
-        waiting == null
-            ? null
-            : new Execution.Arrival(waiting.channel(), waiting.message(), waiting.arrivedMicros());
-    Execution.Arrival handled = execution.receives(arrival);
-    if (handled == null || handled == arrival) {
-      return handled == null ? null : waiting;
-    }
-    return new ServiceInbox.Delivery(handled.channel(), handled.message(), handled.arrivedMicros());
-  }
-
-  private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {
-    service.succession.note(delivery);
-    next = delivery;
-    guarded(handled);
-  }
-
   private void handleNext() {
     ServiceInbox.Delivery delivery = next;
     next = null;
     U2SAData message = delivery.message();
-    if (contract.concerns(delivery.channel(), message)) {
+    if (ServiceContract.concerns(configuration.name(), delivery.channel(), message)) {
       contract.answer(message);
     }
-    if (registrations.isSubscribed(delivery.channel()) && isInTime(delivery)) {
-      registrations.handlerOr(delivery.channel(), callback).accept(message);
+    if (service.registrations().isSubscribed(delivery.channel()) && isInTime(delivery)) {
+      service.registrations().handlerOr(delivery.channel(), callback).accept(message);
     }
   }
 
   /** Whether a message meets its channel's deadline; counts it if not. */
   private boolean isInTime(ServiceInbox.Delivery delivery) {
-    long deadlineMicros = registrations.deadlineMicros(delivery.channel());
+    long deadlineMicros = service.registrations().deadlineMicros(delivery.channel());
     if (deadlineMicros == Clock.NEVER) {
       return true;
     }
@@ -160,16 +157,16 @@ final class MessageHandling {
     long ageMicros =
         saidMicros.isPresent()
             ? MessageAge.micros(
-                delivery.message(), delivery.arrivedMicros(), service.clock().micros())
+                delivery.message(), delivery.arrivedMicros(), configuration.clock().micros())
             : Clock.NEVER;
     if (ageMicros <= deadlineMicros) {
       return true;
     }
-    long expired = service.health.expired();
+    long expired = health.expired();
     if (Long.bitCount(expired) == 1) { // 1, 2, 4, 8…: limits the log
       String age = saidMicros.isPresent() ? Clock.seconds(ageMicros) + " s old" : "of unknown age";
       String deadline = Clock.seconds(deadlineMicros) + " s (" + expired + " so far): ";
-      service.log(
+      configuration.log(
           LogLevelEnum.WARN,
           String.format(
               "%s: message %s counts as absent after %s%s",
@@ -181,16 +178,10 @@ final class MessageHandling {
   /**
    * Runs the author's code; exceptions are logged, counted and survived, up to a limit of
    * consecutive ones.
-   */
-  void guarded(ServiceHealth.CallbackCode code) throws InterruptedException {
-    guarded(code, maxErrorsInARow);
-  }
-
-  /**
+   *
    * @param maxErrors consecutive exceptions after which the service fails
    */
   void guarded(ServiceHealth.CallbackCode code, int maxErrors) throws InterruptedException {
-    ServiceHealth health = service.health;
     if (health.run(code)) {
       return;
     }
@@ -198,20 +189,21 @@ final class MessageHandling {
     String what = health.lastError().orElse("");
     String inRow = " (exception " + health.exceptionsInRow() + " in a row)";
     boolean where = Long.bitCount(health.exceptions()) == 1; // 1, 2, 4…: limits stack traces
-    service.logFile().log(LogLevelEnum.ERROR, what + inRow, where ? health.lastException() : null);
+    configuration.log().log(
+        LogLevelEnum.ERROR, what + inRow, where ? health.lastException() : null);
     if (health.exceptionsInRow() >= maxErrors) {
-      service.log(
+      configuration.log(
           LogLevelEnum.ERROR,
           maxErrors == 1
               ? "stopping after an exception"
               : "stopping after " + maxErrors + " consecutive exceptions");
-      service.life.fail();
+      life.fail();
     }
   }
 
   /** Publishes the last health report. */
   void reportLast() {
-    contract.configurationWriter().close();
+    writer.close();
     reporter.reportLast();
   }
 }

@@ -52,7 +52,7 @@ public abstract class PeriodicService extends U2SAService {
    * acts rarely. Called in the constructor.
    */
   protected final void handleMessagesAtSteps() {
-    handling.bePatient();
+    life.bePatient();
   }
 
   /**
@@ -93,7 +93,7 @@ public abstract class PeriodicService extends U2SAService {
 
   @Override
   public final void run() {
-    life.run(this::begin, this::stepByStep);
+    handling.run(threadID, this::begin, this::stepByStep);
   }
 
   @Override
@@ -125,7 +125,7 @@ public abstract class PeriodicService extends U2SAService {
           return next;
         }
         if (isRunning()) {
-          context().execution().ifPresent(Execution::steps);
+          context().execution().steps();
           handling.guarded(() -> step(nowS()), maxErrorsInSteps);
           scheduleNext();
           messages = handling.until(dueMicros);

@@ -45,7 +45,7 @@ final class Registrations {
 
   /** Whether the service receives the channel, for itself or for the service contract. */
   boolean listensTo(Channel<?> channel) {
-    return isSubscribed(channel) || ContractResponder.CHANNELS.contains(channel);
+    return isSubscribed(channel) || ServiceContract.CHANNELS.contains(channel);
   }
 
   /** Sets the age above which the channel's messages are dropped [µs]. */

@@ -15,7 +15,7 @@ import org.u2sa.interfaces.log.LogFile;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 
-/** A service's name, variables and log file (thesis 3.2.1.1, 3.2.1.5). */
+/** A service's name, variables, clock and log file (thesis 3.2.1.1, 3.2.1.5). */
 final class ServiceConfiguration {
   /** Validates service names, which are also names of log files and MQTT clients. */
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_][A-Za-z0-9 _.-]{0,63}");
@@ -23,20 +23,23 @@ final class ServiceConfiguration {
   private final XmlConfiguration variables;
   private final ServiceVariables own;
   private final Clock clock;
+  private final Execution execution;
   private final String name;
   private final LogFile log;
 
   ServiceConfiguration(ServiceContext context, String className) {
     variables = context.configuration();
     clock = context.clock();
+    execution = context.execution();
     own = variables.settings(ServiceVariables.class).get();
-    Optional<U2SAService> before = context.predecessor();
+    Optional<ServiceInstance> before = context.predecessor();
     String ownName = checkedName(own.serviceName().isEmpty() ? className : own.serviceName());
-    String repeated = context.inheritance().map(Execution.Inheritance::serviceName).orElse(ownName);
-    name = before.map(U2SAService::getServiceName).orElse(repeated);
+    String repeated =
+        execution.inheritance().map(Execution.Inheritance::serviceName).orElse(ownName);
+    name = before.map(ServiceInstance::getServiceName).orElse(repeated);
     Path directory = own.logPath().isEmpty() ? context.logDirectory() : Paths.get(own.logPath());
     if (before.isPresent()) {
-      log = before.get().logFile().forSuccessor(clock);
+      log = before.get().logForSuccessor(clock);
     } else {
       log = new LogFile(directory.resolve(name + ".log"), name, own.logLevel(), clock);
       context.onAbandon(log::close);
@@ -62,13 +65,33 @@ final class ServiceConfiguration {
     return name;
   }
 
+  /** The service's own variables. */
+  XmlConfiguration variables() {
+    return variables;
+  }
+
   /** Initial values of the common variables of all services. */
-  ServiceVariables variables() {
+  ServiceVariables settings() {
     return own;
+  }
+
+  /** Clock of the run. */
+  Clock clock() {
+    return clock;
+  }
+
+  /** Hook of a recorder or replay. */
+  Execution execution() {
+    return execution;
   }
 
   LogFile log() {
     return log;
+  }
+
+  /** Writes a line to the log file. */
+  void log(LogLevelEnum level, String message) {
+    log.log(level, message);
   }
 
   /** {@link U2SAService#setVariable}, unless the check rejects it. */

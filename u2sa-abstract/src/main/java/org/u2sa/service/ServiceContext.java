@@ -25,15 +25,15 @@ public final class ServiceContext {
   private final MessageTypes messageTypes;
   private final long seed;
   private final boolean restart;
-  private final Execution execution; // null if not recorded
+  private final Execution execution;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
-  private volatile U2SAService predecessor; // null if none, or already released
+  private volatile ServiceInstance predecessor; // null if none, or already released
 
   private ServiceContext(Builder builder) {
     systemId = Topic.checkSystemId(builder.systemId);
     configuration = builder.configuration;
     execution = builder.execution;
-    clock = execution == null ? builder.clock : execution.clock();
+    clock = execution.clock(builder.clock);
     transport = builder.transport;
     logDirectory = builder.logDirectory;
     messageTypes = builder.messageTypes != null ? builder.messageTypes : MessageTypes.discovered();
@@ -97,24 +97,19 @@ public final class ServiceContext {
     return builder.build();
   }
 
-  /** The recorded or replayed execution, or empty. */
-  public Optional<Execution> execution() {
-    return Optional.ofNullable(execution);
+  /** Hook of a recorder or replay. */
+  public Execution execution() {
+    return execution;
   }
 
   /** The service to replace, until the swap is done. */
-  Optional<U2SAService> predecessor() {
+  Optional<ServiceInstance> predecessor() {
     return Optional.ofNullable(predecessor);
   }
 
   /** Whether the service replaces a running one ({@link ServiceSwap}). */
   public boolean isSwap() {
-    return predecessor != null || inheritance().isPresent();
-  }
-
-  /** The takeover to perform in a replayed execution. */
-  Optional<Execution.Inheritance> inheritance() {
-    return execution().flatMap(Execution::inheritance);
+    return predecessor != null || execution.inheritance().isPresent();
   }
 
   /** Releases the predecessor. */
@@ -137,8 +132,7 @@ public final class ServiceContext {
 
   /**
    * Closes the log file, the connection and the devices of a service whose constructor failed, so
-   * that there is no instance to {@link U2SAService#kill}. For code that constructs services.
-   * Idempotent.
+   * that there is no instance to kill. For code that constructs services. Idempotent.
    */
   public void abandon() {
     for (Runnable closing = closings.poll(); closing != null; closing = closings.poll()) {
@@ -156,8 +150,8 @@ public final class ServiceContext {
     private MessageTypes messageTypes;
     private long seed = 1;
     private boolean restart;
-    private U2SAService predecessor;
-    private Execution execution;
+    private ServiceInstance predecessor;
+    private Execution execution = Execution.NONE;
 
     private Builder(String systemId, XmlConfiguration configuration) {
       this.systemId = Objects.requireNonNull(systemId, "systemId");
@@ -198,7 +192,7 @@ public final class ServiceContext {
      * Makes the service replace a running one by a {@link ServiceSwap}: it gets that service's
      * name, log and connection, and does not connect on its own.
      */
-    public Builder inPlaceOf(U2SAService running) {
+    public Builder inPlaceOf(ServiceInstance running) {
       predecessor = Objects.requireNonNull(running, "running");
       return this;
     }

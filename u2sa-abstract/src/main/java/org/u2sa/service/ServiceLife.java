@@ -3,7 +3,8 @@ package org.u2sa.service;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
-import java.util.function.Supplier;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -16,10 +17,14 @@ final class ServiceLife {
   private static final long ENDS_BY_ITSELF_WITHIN_MS = 200;
   private static final long ENDS_AFTER_KILL_WITHIN_MS = 2_000;
   private static final long RELEASES_WITHIN_MS = 2_000;
+  private static final long MESSAGES_END_WITHIN_MS = 4_000; // includes waiting for the loop
 
-  private final U2SAService service;
+  private final Thread thread;
+  private final ServiceConfiguration configuration;
+  private final ServiceHealth health;
+  private final AuthoredLoop loop; // null: the thread runs a ready-made loop
+  private final Host host;
   private final Clock clock;
-  private final long spinMicros;
   private final long createdMicros;
   private final AtomicBoolean ended = new AtomicBoolean();
   private volatile boolean askedToStop; // may precede the start, which is then skipped
@@ -28,21 +33,52 @@ final class ServiceLife {
   private volatile Clock.Waiter waiter; // null until started
   private volatile long startedMicros;
   private volatile boolean keepsToOwnThread;
+  private volatile boolean patient;
+  private volatile ServiceLife successor; // null until one has taken over
 
   /**
-   * @param spinMicros how long the service's thread spins before it sleeps [µs]
+   * The service that lives.
+   *
+   * @param isRunning whether its loops should continue
+   * @param setRunning sets {@code isRunning}
+   * @param startThread starts its thread
+   * @param refuseSwap refuses a swap that it has not carried out
+   * @param release closes what its author opened
+   * @param reportLast publishes its last health report
+   * @param disconnect ends its communication
    */
-  ServiceLife(U2SAService service, Clock clock, long spinMicros) {
-    this.service = service;
-    this.clock = clock;
-    this.spinMicros = spinMicros;
+  record Host(
+      BooleanSupplier isRunning,
+      Consumer<Boolean> setRunning,
+      Runnable startThread,
+      Runnable refuseSwap,
+      Runnable release,
+      Runnable reportLast,
+      Runnable disconnect) {}
+
+  /**
+   * @param thread the service's thread, not started
+   * @param loop its author's loop; null if the thread runs a ready-made one
+   */
+  ServiceLife(
+      Thread thread,
+      ServiceConfiguration configuration,
+      ServiceHealth health,
+      AuthoredLoop loop,
+      Host host) {
+    this.thread = thread;
+    this.configuration = configuration;
+    this.health = health;
+    this.loop = loop;
+    this.host = host;
+    clock = configuration.clock();
     createdMicros = clock.micros();
-    service.setUncaughtExceptionHandler((thread, error) -> die(error));
+    thread.setUncaughtExceptionHandler((dead, error) -> die(error));
   }
 
   /** {@link U2SAService#start}, for a service whose state is restored. */
   void start() {
-    service.context().configuration().refuseUndeclared();
+    configuration.variables().refuseUndeclared();
     if (!startUnlessAskedToStop()) {
       end();
     }
@@ -53,38 +89,32 @@ final class ServiceLife {
    * waiter.
    */
   private synchronized boolean startUnlessAskedToStop() {
-    if (service.getState() != Thread.State.NEW || ended.get()) {
+    if (thread.getState() != Thread.State.NEW || ended.get()) {
       throw new IllegalThreadStateException(
-          "service " + service.getName() + " was started or killed before; make a new one");
+          "service " + configuration.name() + " was started or killed before; make a new one");
     }
     if (askedToStop) {
       return false;
     }
-    waiter = clock.newWaiter(service.getName(), spinMicros);
+    waiter = clock.newWaiter(configuration.name(), (long) configuration.settings().spin());
     startedMicros = clock.micros();
-    service.running = true;
+    host.setRunning.accept(true);
     status = ServiceStatus.RUNNING;
-    if (service.loop != null) {
-      service.loop.begin();
+    if (loop != null) {
+      loop.begin(startedMicros);
     }
-    service.startThread();
+    host.startThread.run();
     return true;
   }
 
-  /** Starts the thread; if that fails, the service ends as if it had died. */
-  void startAsSuccessor() {
-    try {
-      service.start();
-    } catch (RuntimeException | Error e) {
-      die(e);
-    }
+  /** Whether the service's loops should continue. */
+  boolean isRunning() {
+    return host.isRunning.getAsBoolean();
   }
 
-  private Thread helper(String suffix, Runnable does) {
-    Thread helper = new Thread(does, service.getName() + suffix);
-    helper.setDaemon(true);
-    helper.start();
-    return helper;
+  /** Makes the service's loops end. */
+  void endLoops() {
+    host.setRunning.accept(false);
   }
 
   /** Waits for this thread's first turn, so that services run in start order. */
@@ -94,6 +124,10 @@ final class ServiceLife {
 
   /** Takes all turns on the calling service thread, waiting on the run's clock in between. */
   void takeAll(Clock.Turns turns) throws InterruptedException {
+    if (!keepsToOwnThread) {
+      waiter.lend(turns);
+      return;
+    }
     for (long next = turns.take(); next != Clock.Turns.OVER; next = turns.take()) {
       waiter.await(next);
     }
@@ -104,12 +138,17 @@ final class ServiceLife {
     keepsToOwnThread = true;
   }
 
+  /** Defers non-urgent messages until the service wakes by itself. */
+  void bePatient() {
+    patient = true;
+  }
+
   /**
    * Waits for the condition, the deadline or the end of the service; called by the author's code on
    * the service's thread. The condition is re-evaluated at each {@link #wake}.
    */
   void awaitUntil(BooleanSupplier condition, long deadlineMicros) throws InterruptedException {
-    while (service.running && !condition.getAsBoolean() && clock.micros() < deadlineMicros) {
+    while (isRunning() && !condition.getAsBoolean() && clock.micros() < deadlineMicros) {
       waiter.await(deadlineMicros);
     }
   }
@@ -122,19 +161,29 @@ final class ServiceLife {
     }
   }
 
+  /** {@link #wake} for a message on the channel, unless it can wait. */
+  void wakeFor(Channel<?> channel) {
+    if (channel.isUrgent() || !patient) {
+      wake();
+    }
+  }
+
   /** Asks the loop to stop, without waiting for it. */
   void askToStop() {
     askedToStop = true;
-    service.running = false;
+    endLoops();
     wake();
-    service.succession.successor().ifPresent(next -> next.life.askToStop()); // a new one
+    ServiceLife next = successor;
+    if (next != null) {
+      next.askToStop();
+    }
   }
 
   /** {@link #askToStop} with a reason for the log and {@link #endReason}. */
   void stopFor(String reason) {
     if (!askedToStop) {
       endReason = reason;
-      service.log(LogLevelEnum.INFO, reason);
+      configuration.log(LogLevelEnum.INFO, reason);
     }
     askToStop();
   }
@@ -143,48 +192,25 @@ final class ServiceLife {
     return askedToStop;
   }
 
+  /** Records that another service has taken over with all resources: no shutdown is needed. */
+  void succeededBy(ServiceLife next) {
+    successor = next;
+  }
+
   /** {@link U2SAService#endReason}. */
   Optional<String> endReason() {
     return Optional.of(endReason).filter(reason -> !reason.isEmpty());
   }
 
-  /**
-   * {@link U2SAService#run} of a service whose author writes only the loop's body.
-   *
-   * @param begin called once, before anything else
-   * @param loop then takes turns until the service no longer runs
-   */
-  void run(ServiceHealth.CallbackCode begin, Supplier<Clock.Turns> loop) {
-    Optional<Execution> execution = service.context().execution();
-    try {
-      execution.ifPresent(Execution::begins);
-      awaitTurn();
-      service.log("running as thread " + service.threadID);
-      service.handling.guarded(begin);
-      if (keepsToOwnThread) {
-        takeAll(loop.get());
-      } else {
-        waiter.lend(loop.get());
-      }
-    } catch (InterruptedException e) {
-      service.log("interrupted, stopping");
-    } catch (RuntimeException | Error e) {
-      die(e);
-    } finally {
-      execution.ifPresent(Execution::ends);
-      end();
-    }
-  }
-
-  /** {@link U2SAService#kill} of such a service. */
+  /** {@link U2SAService#kill} of a service with a ready-made loop. */
   void kill() {
     stopWaiting();
-    if (Clock.runningThread() == service) {
+    if (Clock.runningThread() == thread) {
       return; // the loop ends after the current callback and closes everything
     }
     boolean interrupted = false;
     try {
-      service.join(ENDS_AFTER_KILL_WITHIN_MS);
+      thread.join(ENDS_AFTER_KILL_WITHIN_MS);
     } catch (InterruptedException e) {
       interrupted = true;
     }
@@ -196,23 +222,38 @@ final class ServiceLife {
     }
   }
 
+  /** Ends a service with an authored loop that was killed, and returns when it has ended. */
+  void finishLoop() {
+    Thread caller = Clock.runningThread();
+    if (caller == thread || caller == loop.messages()) {
+      return; // it ends after the present pass or callback
+    }
+    stopWaiting();
+    try {
+      loop.messages().join(MESSAGES_END_WITHIN_MS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    end(); // if it was never started, or hangs in a callback
+  }
+
   /** Permanently ends all waits of the service's threads. */
   synchronized void stopWaiting() {
     askedToStop = true;
-    service.running = false;
+    endLoops();
     Clock.Waiter waiting = waiter;
     if (waiting != null) {
       waiting.close();
     }
-    if (service.loop != null) {
-      service.loop.stopSleeping();
+    if (loop != null) {
+      loop.stopSleeping();
     }
   }
 
   /** Makes the loop end as failed. */
   void fail() {
     status = ServiceStatus.FAILED;
-    service.running = false;
+    endLoops();
   }
 
   /** {@link U2SAService#end}. */
@@ -220,24 +261,25 @@ final class ServiceLife {
     if (!ended.compareAndSet(false, true)) {
       return;
     }
-    service.running = false;
-    if (service.loop != null) {
-      service.loop.close();
+    endLoops();
+    if (loop != null) {
+      loop.close();
     }
-    if (service.succession.handsOverInsteadOfEnding()) {
+    if (successor != null) {
       status = ServiceStatus.STOPPED;
       stopWaiting(); // everything else belongs to the successor now
       return;
     }
+    host.refuseSwap.run();
     boolean failed = status == ServiceStatus.FAILED;
     status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPING;
-    atLast("closing", service::release);
+    atLast("closing", host.release);
     status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPED;
-    atLast("the last health report", service.handling::reportLast);
-    service.log(LogLevelEnum.INFO, "ended: " + status);
-    atLast("ending the communication", service.wiring::close);
+    atLast("the last health report", host.reportLast);
+    configuration.log(LogLevelEnum.INFO, "ended: " + status);
+    atLast("ending the communication", host.disconnect);
     stopWaiting();
-    service.logFile().close();
+    configuration.log().close();
   }
 
   /** Ends without any shutdown steps. Returns false if already ended. */
@@ -254,16 +296,16 @@ final class ServiceLife {
     try {
       last.run();
     } catch (Exception | Error e) { // including undeclared checked ones
-      service.health.error(e.toString());
-      service.logFile().log(LogLevelEnum.ERROR, what + " failed", e);
+      health.error(e.toString());
+      configuration.log().log(LogLevelEnum.ERROR, what + " failed", e);
     }
   }
 
   /** Ends as failed after a fatal error of the thread. */
   void die(Throwable error) {
     if (!ended.get()) {
-      service.health.died(error.toString());
-      service.logFile().log(LogLevelEnum.ERROR, "the thread died", error);
+      health.died(error.toString());
+      configuration.log().log(LogLevelEnum.ERROR, "the thread died", error);
       status = ServiceStatus.FAILED;
     }
     end();
@@ -272,17 +314,20 @@ final class ServiceLife {
   /** {@link U2SAService#abandon}. */
   void abandon() {
     stopWaiting();
-    service.interrupt();
-    if (service.loop != null) {
-      service.loop.messages().interrupt();
+    thread.interrupt();
+    if (loop != null) {
+      loop.messages().interrupt();
     }
     try {
-      service.join(ENDS_BY_ITSELF_WITHIN_MS);
-      helper("-abandoned", this::end).join(RELEASES_WITHIN_MS); // release may also hang
+      thread.join(ENDS_BY_ITSELF_WITHIN_MS);
+      Thread helper = new Thread(this::end, configuration.name() + "-abandoned");
+      helper.setDaemon(true);
+      helper.start();
+      helper.join(RELEASES_WITHIN_MS); // release may also hang
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
-      service.wiring.close();
+      host.disconnect.run();
     }
   }
 

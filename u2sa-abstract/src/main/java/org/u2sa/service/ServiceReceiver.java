@@ -17,23 +17,50 @@ import org.u2sa.service.inbox.ServiceInbox;
  * from one message to the next.
  */
 final class ServiceReceiver implements Receiver {
+  /** What a service receives, and where it waits for the service's thread. */
+  record Recipient(
+      ServiceConfiguration configuration,
+      Registrations registrations,
+      ServiceInbox inbox,
+      ServiceLife life) {
+    private boolean isSubscribed(Channel<?> channel) {
+      return registrations.isSubscribed(channel);
+    }
+
+    private void put(Channel<?> channel, U2SAData message) {
+      boolean ages = registrations.deadlineMicros(channel) != Clock.NEVER;
+      long arrivedMicros = ages ? configuration.clock().micros() : 0L; // reading the clock is slow
+      ServiceInbox.Outcome outcome = inbox.put(channel, message, arrivedMicros);
+      if (outcome != ServiceInbox.Outcome.KEPT && Long.bitCount(inbox.dropped()) == 1) {
+        String why =
+            outcome == ServiceInbox.Outcome.DROPPED
+                ? "inbox full"
+                : String.format(
+                    "more than %s sources on \"%s\", \"%s\" is one too many",
+                    ServiceInbox.MAX_SOURCES, channel, channel.sourceOf(message));
+        configuration.log(
+            LogLevelEnum.WARN, why + ": " + inbox.dropped() + " messages dropped so far");
+      }
+    }
+  }
+
   /**
    * The services served.
    *
    * @param next prospective successor, which gets the messages that the present service has not
    *     subscribed to; null if none
    */
-  private record Served(U2SAService present, U2SAService next) {}
+  private record Served(Recipient present, Recipient next) {}
 
   private final AtomicLong misplaced = new AtomicLong();
   private volatile Served served;
 
-  ServiceReceiver(U2SAService service) {
+  ServiceReceiver(Recipient service) {
     served = new Served(service, null);
   }
 
   /** Routes messages that only the successor subscribed to into the successor's inbox. */
-  void prepare(U2SAService successor) {
+  void prepare(Recipient successor) {
     served = new Served(served.present, successor);
   }
 
@@ -43,59 +70,43 @@ final class ServiceReceiver implements Receiver {
   }
 
   /** Routes everything to this service from now on. */
-  void turnTo(U2SAService successor) {
+  void turnTo(Recipient successor) {
     served = new Served(successor, null);
   }
 
   @Override
   public void receive(Channel<?> channel, U2SAData message) {
     Served now = served;
+    String name = now.present.configuration.name();
     if (!channel.carries(message)) {
-      refuse(now.present, channel, message);
-    } else if (now.present.handling.contract().isOrderToStop(channel, message)) {
+      refuse(channel, message);
+    } else if (ServiceContract.isOrderToStop(name, channel, message)) {
       now.present.life.stopFor("told to stop on \"" + channel + "\": " + message);
-    } else if (now.present.wiring.registrations().isSubscribed(channel)
-        || now.present.handling.contract().concerns(channel, message)) {
-      put(now.present, channel, message);
-    } else if (now.next != null && now.next.wiring.registrations().isSubscribed(channel)) {
-      put(now.next, channel, message);
+    } else {
+      Recipient recipient =
+          now.present.isSubscribed(channel) || ServiceContract.concerns(name, channel, message)
+              ? now.present
+              : now.next;
+      if (recipient == now.present || recipient != null && recipient.isSubscribed(channel)) {
+        recipient.put(channel, message);
+        served.present.life.wakeFor(channel); // re-read: may have moved to a successor
+      }
     }
   }
 
   /** Rejects types on the wrong channel, because services act on the type alone. */
-  private void refuse(U2SAService service, Channel<?> channel, U2SAData message) {
+  private void refuse(Channel<?> channel, U2SAData message) {
     long count = misplaced.incrementAndGet();
     if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: limits the log
-      service.log(
-          LogLevelEnum.WARN,
+      trouble(
           String.format(
               "refused on \"%s\", which does not carry %s (%s so far): %s",
               channel, message.type().name(), count, message));
     }
   }
 
-  private void put(U2SAService service, Channel<?> channel, U2SAData message) {
-    ServiceInbox inbox = service.handling.inbox();
-    boolean ages = service.wiring.registrations().deadlineMicros(channel) != Clock.NEVER;
-    long arrivedMicros = ages ? service.clock().micros() : 0L; // reading the clock is slow
-    ServiceInbox.Outcome outcome = inbox.put(channel, message, arrivedMicros);
-    if (outcome != ServiceInbox.Outcome.KEPT && Long.bitCount(inbox.dropped()) == 1) {
-      String why =
-          outcome == ServiceInbox.Outcome.DROPPED
-              ? "inbox full"
-              : String.format(
-                  "more than %s sources on \"%s\", \"%s\" is one too many",
-                  ServiceInbox.MAX_SOURCES, channel, channel.sourceOf(message));
-      service.log(LogLevelEnum.WARN, why + ": " + inbox.dropped() + " messages dropped so far");
-    }
-    U2SAService waiting = served.present; // re-read: may have moved to a successor
-    if (channel.isUrgent() || !waiting.handling.isPatient()) {
-      waiting.life.wake();
-    }
-  }
-
   @Override
   public void trouble(String what) {
-    served.present.log(LogLevelEnum.WARN, what);
+    served.present.configuration.log(LogLevelEnum.WARN, what);
   }
 }

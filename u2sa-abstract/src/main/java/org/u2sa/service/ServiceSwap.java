@@ -35,6 +35,7 @@ public final class ServiceSwap {
   private final U2SAService old;
   private final U2SAService successor;
   private final BooleanSupplier agreement;
+  private final Succession.Order order = new Succession.Order(this::carryOut, this::refuse);
   private final CountDownLatch decided = new CountDownLatch(1);
   private volatile Stage stage = Stage.PREPARING; // writes guarded by this
   private volatile String refusal = "";
@@ -62,7 +63,7 @@ public final class ServiceSwap {
     Optional<String> obstacle = obstacle();
     if (obstacle.isPresent()) {
       refuse(Stage.PREPARING, obstacle.get());
-    } else if (!old.succession.order(this)) {
+    } else if (!old.succession.order(order)) {
       refuse(Stage.PREPARING, "it is being swapped already");
     } else {
       prepare();
@@ -73,7 +74,7 @@ public final class ServiceSwap {
   private void prepare() {
     prepared = true;
     try {
-      successor.wiring.prepare(old.wiring, successor);
+      successor.connection.prepare(old.connection, successor.recipient);
     } catch (RuntimeException e) {
       refuse(Stage.PREPARING, "subscribing failed: " + e.getMessage());
       return;
@@ -145,7 +146,7 @@ public final class ServiceSwap {
   }
 
   /** Withdraws the order unless it is being carried out. */
-  void refuse(String reason) {
+  private void refuse(String reason) {
     refuse(Stage.ORDERED, reason);
   }
 
@@ -158,13 +159,13 @@ public final class ServiceSwap {
       refusal = reason;
     }
     if (prepared) {
-      old.wiring.forget(successor.wiring);
+      old.connection.forget(successor.connection);
     }
-    old.succession.forget(this);
+    old.succession.forget(order);
     old.log(
         LogLevelEnum.WARN,
         "not swapped for " + successor.getClass().getName() + ": " + reason + ": keeps running");
-    successor.succession.discard();
+    discardSuccessor();
     decide();
   }
 
@@ -180,15 +181,14 @@ public final class ServiceSwap {
    * Executes the swap on the old service's thread between two messages. Returns whether the
    * successor has taken over.
    */
-  boolean carryOut() {
-    if (old.handling.contract().configurationWriter().isBusy()) {
+  private boolean carryOut() {
+    if (old.configurationWriter.isBusy()) {
       return false; // not yet: the service is woken when the change is written
     }
     if (!move(Stage.ORDERED, Stage.UNDER_WAY)) {
       return false;
     }
-    Optional<Execution> execution = old.context().execution();
-    return execution.isPresent() ? execution.get().apart(this::change) : change();
+    return old.context().execution().apart(this::change);
   }
 
   private boolean change() {
@@ -201,20 +201,26 @@ public final class ServiceSwap {
     if (!values.isPresent()) {
       return false;
     }
-    if (!old.wiring.moveTo(successor.wiring)) {
+    if (!old.connection.moveTo(successor.connection)) {
       refuse(Stage.UNDER_WAY, "it ended meanwhile");
       return false;
     }
-    old.handling.inbox().moveTo(successor.handling.inbox(), old.succession.retained());
-    old.succession.succeeded(successor);
-    old.wiring.receiver().turnTo(successor);
+    old.recipient.inbox().moveTo(successor.recipient.inbox(), old.succession.retained());
+    old.life.succeededBy(successor.life);
+    old.connection.receiver().turnTo(successor.recipient);
     successor.succeeds(old);
     boolean agreed = agreement.getAsBoolean();
-    old.succession.releaseAsPredecessor();
+    releaseForSuccessor(old);
     if (agreed) {
       old.log("handed over to " + successor.getClass().getName());
-      successor.context().execution().ifPresent(execution -> inherit(execution, values.get()));
-      successor.life.startAsSuccessor();
+      successor
+          .context()
+          .execution()
+          .succeeds(
+              new Execution.Inheritance(
+                  old.getServiceName(), values.get(), successor.firstStepMicros()),
+              successor.connection.instance().orElse(""));
+      startSuccessor();
     } else {
       successor.shutDown();
     }
@@ -223,21 +229,40 @@ public final class ServiceSwap {
     }
     move(Stage.UNDER_WAY, Stage.DONE);
     decide();
-    successor.wiring.dropSubscriptionsOnlyOf(old.wiring);
+    successor.connection.dropSubscriptionsOnlyOf(old.connection);
     return true;
   }
 
-  private void inherit(Execution execution, HandOver values) {
-    execution.succeeds(
-        new Execution.Inheritance(old.getServiceName(), values, successor.firstStepMicros()),
-        successor.wiring.instance().orElse(""));
+  /** Starts the successor's thread; if that fails, it ends as if it had died. */
+  private void startSuccessor() {
+    try {
+      successor.start();
+    } catch (RuntimeException | Error e) {
+      successor.life.die(e);
+    }
+  }
+
+  /** Ends the successor without having run, because its predecessor continues. */
+  private void discardSuccessor() {
+    if (successor.life.endsNow()) {
+      successor.connection.silence();
+      releaseForSuccessor(successor);
+      successor.context().forgetPredecessor();
+    }
+  }
+
+  /** Closes a service's resources but leaves actuators as they are, because another moves them. */
+  private static void releaseForSuccessor(U2SAService service) {
+    if (service.loop != null) {
+      service.loop.close();
+    }
+    service.life.atLast("closing", service::releaseToSuccessor);
   }
 
   /** Returns the state handed over; empty on failure. */
   private Optional<HandOver> handOver() {
     try {
-      HandOver values = new HandOver(old.getClass().getName());
-      old.handOver(values);
+      HandOver values = old.handedOver();
       successor.succession.takeOver(values);
       return Optional.of(values);
     } catch (Exception | Error e) { // thrown by the author's code

@@ -9,6 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.LongConsumer;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.inbox.ServiceInbox;
@@ -20,18 +24,39 @@ import org.u2sa.service.inbox.ServiceInbox;
 final class Succession {
   private static final int KEPT_OF_EVERY = 64;
 
-  private final U2SAService service;
+  private final ServiceContext context;
+  private final ServiceConfiguration configuration;
+  private final Consumer<HandOver> takeOver;
+  private final LongConsumer firstStepAt;
   private final ProgressFile progress;
-  private final AtomicReference<ServiceSwap> ordered = new AtomicReference<>();
+  private final AtomicReference<Order> ordered = new AtomicReference<>();
   private final Map<String, Map<String, Deque<ServiceInbox.Delivery>>> retained =
       new LinkedHashMap<>(); // latest by channel and source; confined to the service's thread
-  private volatile U2SAService successor; // written on the service's thread
   private boolean hasPredecessor; // in this process
   private long notRemembered;
 
-  Succession(U2SAService service, ServiceContext context) {
-    this.service = service;
-    progress = new ProgressFile(context, service.getServiceName());
+  /**
+   * An ordered swap.
+   *
+   * @param carryOut carries it out, and returns whether another service has taken over
+   * @param refuse refuses it for a reason, unless it is being carried out
+   */
+  record Order(BooleanSupplier carryOut, Consumer<String> refuse) {}
+
+  /**
+   * @param takeOver restores saved state
+   * @param firstStepAt sets when the first step is due [µs of the run's clock]
+   */
+  Succession(
+      ServiceContext context,
+      ServiceConfiguration configuration,
+      Consumer<HandOver> takeOver,
+      LongConsumer firstStepAt) {
+    this.context = context;
+    this.configuration = configuration;
+    this.takeOver = takeOver;
+    this.firstStepAt = firstStepAt;
+    progress = new ProgressFile(context, configuration.name());
   }
 
   /** Before the first start: restores the state saved before a restart, or deletes it. */
@@ -39,31 +64,30 @@ final class Succession {
     if (hasPredecessor) {
       return;
     }
-    Optional<Execution.Inheritance> repeated = service.context().inheritance();
+    Optional<Execution.Inheritance> repeated = configuration.execution().inheritance();
     if (repeated.isPresent()) {
       takeOver(repeated.get().state());
-      repeated.get().firstStepMicros().ifPresent(service::firstStepAt);
+      repeated.get().firstStepMicros().ifPresent(firstStepAt);
       return;
     }
     try {
-      Optional<HandOver> before =
-          service.context().isRestart() ? progress.read() : Optional.empty();
+      Optional<HandOver> before = context.isRestart() ? progress.read() : Optional.empty();
       if (before.isPresent()) {
         resumeFrom(before.get());
       } else {
         progress.delete(); // left by another run
       }
     } catch (IOException e) {
-      service.log(LogLevelEnum.ERROR, "no saved state, starting fresh: " + e.getMessage());
+      configuration.log(LogLevelEnum.ERROR, "no saved state, starting fresh: " + e.getMessage());
     }
   }
 
   private void resumeFrom(HandOver before) throws IOException {
     try {
-      service.takeOver(before);
-      service.log("resumes where it was before the restart");
+      takeOver.accept(before);
+      configuration.log(LogLevelEnum.INFO, "resumes where it was before the restart");
     } catch (RuntimeException e) {
-      service.logFile().log(LogLevelEnum.ERROR, "cannot resume from " + progress.path(), e);
+      configuration.log().log(LogLevelEnum.ERROR, "cannot resume from " + progress.path(), e);
       progress.delete();
       throw e;
     }
@@ -71,27 +95,17 @@ final class Succession {
 
   /** Restores the predecessor's saved state, on the predecessor's thread. */
   void takeOver(HandOver before) {
-    Optional<Execution> execution = service.context().execution();
-    if (execution.isPresent()) {
-      execution.get().onBehalf(() -> service.takeOver(before));
-    } else {
-      service.takeOver(before);
-    }
+    configuration.execution().onBehalf(() -> takeOver.accept(before));
   }
 
   /** {@link U2SAService#remember}. */
-  void remember() {
-    if (!service.isRunning() || service.wiring.isSilent()) {
-      return; // abandoned or replaced: its successor saves now
-    }
+  void remember(Supplier<HandOver> state) {
     try {
-      HandOver state = new HandOver(service.getClass().getName());
-      service.handOver(state);
-      progress.write(state);
+      progress.write(state.get());
     } catch (IOException | RuntimeException e) { // such as a full disk: not fatal
       notRemembered++;
       if (Long.bitCount(notRemembered) == 1) { // 1, 2, 4, 8…: may persist
-        service.log(
+        configuration.log(
             LogLevelEnum.ERROR,
             "the state was not saved, a restart would not resume from here: " + e);
       }
@@ -99,12 +113,12 @@ final class Succession {
   }
 
   /** Records an order. Returns false if one is pending. */
-  boolean order(ServiceSwap swap) {
+  boolean order(Order swap) {
     return ordered.compareAndSet(null, swap);
   }
 
   /** Discards a failed order. */
-  void forget(ServiceSwap swap) {
+  void forget(Order swap) {
     ordered.compareAndSet(swap, null);
   }
 
@@ -114,8 +128,16 @@ final class Succession {
    * @return whether another service has taken over
    */
   boolean carryOut() {
-    ServiceSwap swap = ordered.get();
-    return swap != null && swap.carryOut();
+    Order swap = ordered.get();
+    return swap != null && swap.carryOut.getAsBoolean();
+  }
+
+  /** Refuses a pending order. */
+  void refuse(String reason) {
+    Order swap = ordered.get();
+    if (swap != null) {
+      swap.refuse.accept(reason);
+    }
   }
 
   /**
@@ -146,51 +168,9 @@ final class Succession {
     return all;
   }
 
-  /** Records that the successor has taken over. */
-  void succeeded(U2SAService by) {
-    successor = by;
-  }
-
-  /** The successor that has taken over. */
-  Optional<U2SAService> successor() {
-    return Optional.ofNullable(successor);
-  }
-
   /** Records that this service has taken over from another. */
   void succeeds() {
     hasPredecessor = true;
-    service.context().forgetPredecessor();
-  }
-
-  /** Whether another service has taken over with all resources, so that no shutdown is needed. */
-  boolean handsOverInsteadOfEnding() {
-    if (successor != null) {
-      return true;
-    }
-    ServiceSwap swap = ordered.get();
-    if (swap != null) {
-      swap.refuse("it ended before");
-    }
-    return false;
-  }
-
-  /**
-   * Closes the subclass's resources but leaves actuators as they are, because the successor moves
-   * them.
-   */
-  void releaseAsPredecessor() {
-    if (service.loop != null) {
-      service.loop.close();
-    }
-    service.life.atLast("closing", service::releaseToSuccessor);
-  }
-
-  /** Ends without having run, because its predecessor continues. */
-  void discard() {
-    if (service.life.endsNow()) {
-      service.wiring.silence();
-      releaseAsPredecessor();
-      service.context().forgetPredecessor();
-    }
+    context.forgetPredecessor();
   }
 }

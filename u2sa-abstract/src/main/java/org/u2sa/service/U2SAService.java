@@ -24,6 +24,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.actuator.EmergencyLatch;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.inbox.CallbackStopwatch;
+import org.u2sa.service.inbox.ServiceInbox;
 
 /**
  * A service: one thread that knows no other service and communicates by messages only (thesis
@@ -44,7 +45,7 @@ import org.u2sa.service.inbox.CallbackStopwatch;
  * handles discovery, stop, configuration and health for every service.
  */
 public abstract class U2SAService extends Thread
-    implements Communicator, Publisher, Subscriber, Logger {
+    implements Communicator, Publisher, Subscriber, Logger, ServiceInstance {
   /** Identifies the service's thread in the log (thesis 8.2.3.1). */
   protected final int threadID;
 
@@ -54,17 +55,21 @@ public abstract class U2SAService extends Thread
    */
   protected volatile boolean running;
 
-  final ServiceWiring wiring;
   final ServiceHealth health;
+  final AuthoredLoop loop; // null: run() is a ready-made loop
   final ServiceLife life;
+  final ServiceReceiver.Recipient recipient;
+  final ServiceConnection connection;
+  final ConfigurationWriter configurationWriter;
   final Succession succession;
   final MessageHandling handling;
-  final AuthoredLoop loop; // null: run() is a ready-made loop
 
   private final ServiceContext context;
   private final ServiceRole role;
   private final ServiceConfiguration configuration;
-  private final ServiceMessaging messaging;
+  private final Registrations registrations = new Registrations();
+  private final ServiceRegistration registration;
+  private final HealthReporter reporter;
 
   /**
    * Reads the common variables, opens the log file and connects to the Communication Manager.
@@ -74,28 +79,72 @@ public abstract class U2SAService extends Thread
    * @throws CommunicationException if the Communication Manager cannot be reached
    */
   protected U2SAService(ServiceContext context, ServiceRole role, String serviceName) {
-    context.execution().ifPresent(execution -> execution.requireRole(role));
+    context.execution().requireRole(role);
     this.context = context;
     this.role = role;
     health = new ServiceHealth(new CallbackStopwatch(context.clock()));
-    int own = (int) getId();
-    threadID = context.execution().map(execution -> execution.threadId(own)).orElse(own);
+    threadID = context.execution().threadId((int) getId());
     configuration = new ServiceConfiguration(context, serviceName);
     setName(configuration.name());
-    wiring = new ServiceWiring(context, getName(), new ServiceReceiver(this));
-    context.onAbandon(wiring::close);
-    messaging = new ServiceMessaging(this, wiring);
-    life = new ServiceLife(this, context.clock(), (long) configuration.variables().spin());
-    succession = new Succession(this, context);
-    handling = new MessageHandling(this, configuration.variables());
-    loop = hasReadyMadeLoop() ? null : new AuthoredLoop(this);
+    loop = hasReadyMadeLoop() ? null : authoredLoop();
+    life = new ServiceLife(this, configuration, health, loop, host());
+    ServiceInbox inbox = new ServiceInbox(configuration.settings().inboxCapacity());
+    recipient = new ServiceReceiver.Recipient(configuration, registrations, inbox, life);
+    connection = new ServiceConnection(context, recipient, loop);
+    context.onAbandon(connection::close);
+    registration = new ServiceRegistration(connection, role);
+    configurationWriter = new ConfigurationWriter(configuration, life);
+    succession = new Succession(context, configuration, this::takeOver, this::firstStepAt);
+    reporter =
+        new HealthReporter(recipient, connection, health, loop == null ? this : loop.messages());
+    ConfigurationResponder responder =
+        new ConfigurationResponder(
+            configuration,
+            connection,
+            health,
+            configurationWriter,
+            this::configurationRefusal,
+            this::configurationChanged);
+    handling =
+        new MessageHandling(
+            recipient,
+            health,
+            new ContractResponder(this, life, connection, responder),
+            configurationWriter,
+            reporter,
+            succession,
+            this::callback);
     try {
-      wiring.begin();
+      connection.begin();
     } catch (CommunicationException e) {
       log(LogLevelEnum.ERROR, e.getMessage());
       context.abandon();
       throw e;
     }
+  }
+
+  private AuthoredLoop authoredLoop() {
+    return new AuthoredLoop(
+        this,
+        configuration,
+        registrations,
+        () -> running,
+        () -> handling.run(threadID, () -> {}, () -> loop.turns(handling.until(Clock.NEVER))),
+        () -> {
+          running = false;
+          life.atLast("kill()", this::kill);
+        });
+  }
+
+  private ServiceLife.Host host() {
+    return new ServiceLife.Host(
+        () -> running,
+        continues -> running = continues,
+        super::start,
+        () -> succession.refuse("it ended before"),
+        this::release,
+        () -> handling.reportLast(),
+        () -> connection.close());
   }
 
   /**
@@ -112,6 +161,7 @@ public abstract class U2SAService extends Thread
    * thread. In {@link EventDrivenService} and {@link PeriodicService} it returns when the service
    * has ended; a direct subclass ends within 0.25 s, or in {@link #shutDown}.
    */
+  @Override
   public abstract void kill();
 
   /**
@@ -121,7 +171,7 @@ public abstract class U2SAService extends Thread
   public final void shutDown() {
     kill();
     if (loop != null) {
-      loop.finish();
+      life.finishLoop();
     }
   }
 
@@ -243,42 +293,42 @@ public abstract class U2SAService extends Thread
 
   @Override
   public final boolean beginCommunication() {
-    return messaging.begin();
+    return registration.begin();
   }
 
   @Override
   public final boolean registerPublisher(Class<? extends U2SAData> dataType) {
-    return messaging.toPublish(dataType).filter(messaging::registerPublisher).isPresent();
+    return registration.toPublish(dataType).filter(registration::registerPublisher).isPresent();
   }
 
   /** {@link #registerPublisher(Class)} on the channel of that name (thesis 8.2.3.1). */
   public final boolean registerPublisher(String channelName) {
-    return messaging.named(channelName).filter(messaging::registerPublisher).isPresent();
+    return registration.named(channelName).filter(registration::registerPublisher).isPresent();
   }
 
   /** {@link #registerPublisher(Class)} on a channel. */
   public final boolean registerPublisher(Channel<?> channel) {
-    return messaging.registerPublisher(channel);
+    return registration.registerPublisher(channel);
   }
 
   @Override
   public final boolean unregisterPublisher(Class<? extends U2SAData> dataType) {
-    return messaging.toPublish(dataType).filter(wiring::unregisterPublisher).isPresent();
+    return registration.toPublish(dataType).filter(connection::unregisterPublisher).isPresent();
   }
 
   @Override
   public final boolean registerSubscriber(Class<? extends U2SAData> dataType) {
-    return messaging.toSubscribe(dataType).filter(messaging::registerSubscriber).isPresent();
+    return registration.toSubscribe(dataType).filter(registration::registerSubscriber).isPresent();
   }
 
   /** {@link #registerSubscriber(Class)} on the channel of that name (thesis 8.2.3.1). */
   public final boolean registerSubscriber(String channelName) {
-    return messaging.named(channelName).filter(messaging::registerSubscriber).isPresent();
+    return registration.named(channelName).filter(registration::registerSubscriber).isPresent();
   }
 
   /** {@link #registerSubscriber(Class)} on a channel. */
   public final boolean registerSubscriber(Channel<?> channel) {
-    return messaging.registerSubscriber(channel);
+    return registration.registerSubscriber(channel);
   }
 
   /**
@@ -289,7 +339,7 @@ public abstract class U2SAService extends Thread
    * @param deadlineS age at which a message counts as absent [s], positive
    */
   public final boolean registerSubscriber(Channel<?> channel, double deadlineS) {
-    wiring.registrations().deadline(channel, Clock.micros(deadlineS));
+    registrations.deadline(channel, Clock.micros(deadlineS));
     return registerSubscriber(channel);
   }
 
@@ -299,7 +349,7 @@ public abstract class U2SAService extends Thread
    */
   public final <T extends U2SAData> boolean subscribe(
       Channel<T> channel, Consumer<? super T> handler) {
-    wiring.registrations().handler(channel, handler);
+    registrations.handler(channel, handler);
     return registerSubscriber(channel);
   }
 
@@ -309,30 +359,37 @@ public abstract class U2SAService extends Thread
    */
   public final <T extends U2SAData> boolean subscribe(
       Channel<T> channel, double deadlineS, Consumer<? super T> handler) {
-    wiring.registrations().handler(channel, handler);
+    registrations.handler(channel, handler);
     return registerSubscriber(channel, deadlineS);
   }
 
   @Override
   public final boolean unregisterSubscriber(Class<? extends U2SAData> dataType) {
-    return messaging.toSubscribe(dataType).filter(messaging::unregisterSubscriber).isPresent();
+    return registration
+        .toSubscribe(dataType)
+        .filter(registration::unregisterSubscriber)
+        .isPresent();
   }
 
   @Override
   public final boolean publish(U2SAData data) {
-    return messaging.publish(data);
+    Optional<Channel<?>> channel = registrations.channelFor(data);
+    return channel.isPresent()
+        ? connection.publish(channel.get(), data)
+        : connection.refuse(
+            "not registered as a publisher of " + data.type().name() + ": not published");
   }
 
   /** Publishes on the channel of that name (thesis 8.2.3.1). */
   public final boolean publish(String channelName, U2SAData data) {
-    return messaging.named(channelName).filter(channel -> publish(channel, data)).isPresent();
+    return registration.named(channelName).filter(channel -> publish(channel, data)).isPresent();
   }
 
   /**
    * Publishes on a channel. Missing system ID and timestamp are filled in; the message is frozen.
    */
   public final boolean publish(Channel<?> channel, U2SAData data) {
-    return messaging.publish(channel, data);
+    return connection.publish(channel, data);
   }
 
   /**
@@ -345,7 +402,7 @@ public abstract class U2SAService extends Thread
    */
   public final void heedsEmergencyStops(List<String> identities) {
     if (health.emergencyStops(identities)) {
-      handling.reporter().reportSoon();
+      reporter.reportSoon();
     }
   }
 
@@ -377,10 +434,6 @@ public abstract class U2SAService extends Thread
   /** Whether {@link #run} is a ready-made loop that handles messages, too. */
   boolean hasReadyMadeLoop() {
     return false;
-  }
-
-  final void startThread() {
-    super.start();
   }
 
   /**
@@ -429,7 +482,7 @@ public abstract class U2SAService extends Thread
    * if it is not, or the service has ended. For the host of the service. Thread-safe.
    */
   public final Optional<HealthReport> overdueHealth() {
-    return handling.reporter().onBehalf(clock().micros());
+    return reporter.onBehalf(clock().micros());
   }
 
   // Succession (thesis 5.1, user story 8)
@@ -457,7 +510,16 @@ public abstract class U2SAService extends Thread
    * Called on the service's thread whenever state that must not be lost changes.
    */
   protected final void remember() {
-    succession.remember();
+    if (running && !connection.isSilent()) { // else abandoned or replaced: its successor saves now
+      succession.remember(this::handedOver);
+    }
+  }
+
+  /** The state that the service would hand over now. */
+  final HandOver handedOver() {
+    HandOver state = new HandOver(getClass().getName());
+    handOver(state);
+    return state;
   }
 
   /** Called before the start with the predecessor. */
@@ -478,7 +540,7 @@ public abstract class U2SAService extends Thread
 
   // Properties
 
-  /** Service name, as seen by discovery. */
+  @Override
   public final String getServiceName() {
     return getName();
   }
@@ -488,19 +550,19 @@ public abstract class U2SAService extends Thread
     return threadID;
   }
 
-  /** Role of the service. */
+  @Override
   public final ServiceRole role() {
     return role;
   }
 
   /** The channels on which the service publishes. */
   public final List<Channel<?>> publishedChannels() {
-    return List.copyOf(wiring.registrations().published());
+    return List.copyOf(registrations.published());
   }
 
   /** Subscribed channels, except those of the service contract. */
   public final List<Channel<?>> subscribedChannels() {
-    return List.copyOf(wiring.registrations().subscribed());
+    return List.copyOf(registrations.subscribed());
   }
 
   /** The context passed to the constructor. */
@@ -516,6 +578,11 @@ public abstract class U2SAService extends Thread
   /** Current time of the run's clock [s]. */
   protected final double nowS() {
     return Clock.seconds(context.clock().micros());
+  }
+
+  @Override
+  public final LogFile logForSuccessor(Clock successors) {
+    return configuration.log().forSuccessor(successors);
   }
 
   final LogFile logFile() {

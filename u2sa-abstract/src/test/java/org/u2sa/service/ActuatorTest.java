@@ -211,7 +211,11 @@ class ActuatorTest {
       PercentageCommand command = PercentageCommand.of("BRIEF", 40.0);
       command.expiry(0.0015); // taken 1 ms after its time, looked at 2 ms after it
       command.timestamp(restless.micros);
-      brief.wiring.registrations().handlerOr(Channels.ACTUATION, brief::callback).accept(command);
+      brief
+          .recipient
+          .registrations()
+          .handlerOr(Channels.ACTUATION, brief::callback)
+          .accept(command);
     }
 
     assertThat(brief.moves).isNotEmpty().containsOnly("neutral");

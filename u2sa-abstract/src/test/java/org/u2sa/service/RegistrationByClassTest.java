@@ -61,6 +61,6 @@ class RegistrationByClassTest {
 
     assertThat(planner.isRunning()).isTrue();
     assertThat(planner.registerSubscriber(StateInformation.class)).isTrue();
-    assertThat(planner.wiring.registrations().subscribed()).containsExactly(Channels.STATE);
+    assertThat(planner.subscribedChannels()).containsExactly(Channels.STATE);
   }
 }

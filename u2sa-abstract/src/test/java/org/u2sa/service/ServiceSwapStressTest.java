@@ -102,13 +102,13 @@ class ServiceSwapStressTest {
     published.get();
     Numbers last = all.get(all.size() - 1);
     last.kill();
-    while (last.handling.inbox().depth() > 0) { // what it had not handled when it was killed
-      last.callback(last.handling.inbox().poll().message());
+    while (last.recipient.inbox().depth() > 0) { // what it had not handled when it was killed
+      last.callback(last.recipient.inbox().poll().message());
     }
 
     List<Integer> handled = new ArrayList<>();
     all.forEach(service -> handled.addAll(service.handled));
-    assertThat(last.handling.inbox().dropped()).isZero();
+    assertThat(last.recipient.inbox().dropped()).isZero();
     assertThat(handled).hasSize(MESSAGES);
     for (int i = 0; i < MESSAGES; i++) {
       assertThat(handled.get(i)).isEqualTo(i);

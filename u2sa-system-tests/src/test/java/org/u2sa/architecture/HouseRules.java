@@ -16,6 +16,8 @@ import com.tngtech.archunit.core.domain.JavaCodeUnitAccess;
 import com.tngtech.archunit.core.domain.JavaField;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import java.io.Externalizable;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
@@ -165,6 +167,7 @@ final class HouseRules {
     rules.put("charts", confined("report.picture", "org.jfree.."));
     rules.put("Spark", confined("spark", "org.apache.spark..", "scala.."));
     rules.put("no circles between packages", noCircles());
+    rules.put("no circles between service classes", noCirclesBetweenClasses("service"));
     rules.put("one clock", oneClock());
     rules.put("services repeat", servicesRepeat());
     rules.put("no static mutable state", noStaticMutableState());
@@ -220,6 +223,31 @@ final class HouseRules {
 
   private static ArchRule noCircles() {
     return slices().matching(ROOT + "(**)").should().beFreeOfCycles();
+  }
+
+  /** Nested classes count as their outermost one. */
+  private static ArchRule noCirclesBetweenClasses(String module) {
+    return slices()
+        .assignedFrom(
+            new SliceAssignment() {
+              @Override
+              public SliceIdentifier getIdentifierOf(JavaClass type) {
+                return (type.getPackageName() + ".").startsWith(ROOT + module + ".")
+                    ? SliceIdentifier.of(outermost(type).getName())
+                    : SliceIdentifier.ignore();
+              }
+
+              @Override
+              public String getDescription() {
+                return "classes of " + ROOT + module;
+              }
+            })
+        .should()
+        .beFreeOfCycles();
+  }
+
+  private static JavaClass outermost(JavaClass type) {
+    return type.getEnclosingClass().map(HouseRules::outermost).orElse(type);
   }
 
   private static ArchRule oneClock() {

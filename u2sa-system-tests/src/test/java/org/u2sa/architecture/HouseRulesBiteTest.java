@@ -116,6 +116,17 @@ class HouseRulesBiteTest {
   }
 
   @Test
+  void noCirclesBetweenClasses_onTwoServiceClassesThatNeedEachOther_refusesThem()
+      throws IOException {
+    List<JavaFileObject> sources = new ArrayList<>();
+    sources.add(new Source("package org.u2sa.service; class Part { Whole.Piece piece; }"));
+    sources.add(
+        new Source("package org.u2sa.service; class Whole { Part part; static class Piece {} }"));
+    assertThat(violations("no circles between service classes", compiled(sources)))
+        .anySatisfy(line -> assertThat(line).contains("service.Part").contains("service.Whole"));
+  }
+
+  @Test
   void rules_onAClassThatKeepsThem_accept() throws IOException {
     String good =
         """

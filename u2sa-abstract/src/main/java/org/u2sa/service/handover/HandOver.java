@@ -9,15 +9,14 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.service.U2SAService;
 
 /**
  * State of a service that is transferred to its successor or restored after a restart: a few named
  * values. A map rather than an object, so that independent algorithms can share the values both
  * understand.
  *
- * <p>The old service writes it in {@link U2SAService#handOver}, the new one reads it in {@link
- * U2SAService#takeOver}. A missing value is empty. Not thread-safe.
+ * <p>The old service writes it in its {@code handOver}, the new one reads it in its {@code
+ * takeOver}. A missing value is empty. Not thread-safe.
  */
 public final class HandOver {
   private final String className;

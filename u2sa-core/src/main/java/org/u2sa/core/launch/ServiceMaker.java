@@ -4,7 +4,7 @@ import java.util.function.Function;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
-import org.u2sa.service.Execution;
+import org.u2sa.service.ExecutionKeeper;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
@@ -14,7 +14,7 @@ final class ServiceMaker {
   private final LaunchOptions options;
   private final MessageTypes types;
   private final Transport transport;
-  private volatile Execution.Keeper keeper; // null if executions are not recorded
+  private volatile ExecutionKeeper keeper; // null if executions are not recorded
 
   ServiceMaker(String systemId, LaunchOptions options, MessageTypes types, Transport transport) {
     this.systemId = systemId;
@@ -96,7 +96,7 @@ final class ServiceMaker {
    * own devices are excluded, because they cannot be replayed.
    */
   private ServiceContext kept(String className, ServiceContext context) {
-    Execution.Keeper present = keeper;
+    ExecutionKeeper present = keeper;
     return present == null || options.makerOf(className).isPresent()
         ? context
         : present.keep(className, context).map(context::with).orElse(context);
@@ -106,9 +106,9 @@ final class ServiceMaker {
       ServiceContext context, Function<ServiceContext, ? extends U2SAService> constructor) {
     try {
       U2SAService service = constructor.apply(context);
-      context.execution().ifPresent(execution -> execution.made(service));
-      if (service instanceof Execution.Keeper) {
-        keeper = (Execution.Keeper) service;
+      context.execution().made(service);
+      if (service instanceof ExecutionKeeper) {
+        keeper = (ExecutionKeeper) service;
       }
       return service;
     } catch (RuntimeException | Error e) {

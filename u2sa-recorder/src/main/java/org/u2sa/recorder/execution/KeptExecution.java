@@ -13,12 +13,13 @@ import org.u2sa.recorder.execution.ExecutionEntry.Kind;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.Execution;
 import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceInstance;
 import org.u2sa.service.ServiceRole;
-import org.u2sa.service.U2SAService;
+import org.u2sa.service.inbox.ServiceInbox;
 
 /**
  * Records the interactions of a service and passes them on in parts, without altering them. Except
- * for its clock and {@link #publishes}, use only on the thread that executes the service.
+ * for its clock and {@link #outlet}, use only on the thread that executes the service.
  */
 public final class KeptExecution implements Execution {
   private final Clock clock;
@@ -26,7 +27,7 @@ public final class KeptExecution implements Execution {
   private final Consumer<KeptExecution> onBegin;
   private final boolean awaitsPlace;
   private final AtomicLong elsewhere = new AtomicLong(); // messages published by other threads
-  private U2SAService service;
+  private ServiceInstance service;
   private volatile String instance = "";
   private int threadId;
   private volatile Thread owner; // null while nobody executes the service
@@ -56,7 +57,7 @@ public final class KeptExecution implements Execution {
   }
 
   /** The service; null before it is constructed. */
-  public U2SAService service() {
+  public ServiceInstance service() {
     return service;
   }
 
@@ -81,7 +82,7 @@ public final class KeptExecution implements Execution {
    * determined: services with a custom loop do not qualify, because it runs beside message
    * handling.
    */
-  static boolean isRepeatable(U2SAService service) {
+  static boolean isRepeatable(ServiceInstance service) {
     return (service instanceof EventDrivenService || service instanceof PeriodicService)
         && isRepeatable(service.role());
   }
@@ -95,7 +96,7 @@ public final class KeptExecution implements Execution {
   }
 
   @Override
-  public Clock clock() {
+  public Clock clock(Clock run) {
     return new NotingClock();
   }
 
@@ -116,7 +117,7 @@ public final class KeptExecution implements Execution {
   }
 
   @Override
-  public void made(U2SAService made) {
+  public void made(ServiceInstance made) {
     service = made;
     note(Kind.MADE, 0);
     owner = null;
@@ -128,11 +129,6 @@ public final class KeptExecution implements Execution {
   private void begin() {
     kept = false; // until it is given a name
     onBegin.accept(this);
-  }
-
-  @Override
-  public Optional<Inheritance> inheritance() {
-    return Optional.empty(); // the service replaces a running one
   }
 
   @Override
@@ -175,11 +171,16 @@ public final class KeptExecution implements Execution {
   }
 
   @Override
-  public Arrival receives(Arrival waiting) {
+  public ServiceInbox.Delivery receives(ServiceInbox.Delivery waiting) {
     if (waiting != null && kept) {
       part.add(Kind.RECEIVED, waiting.arrivedMicros(), waiting.channel(), waiting.message());
     }
     return waiting;
+  }
+
+  @Override
+  public boolean takesTime() {
+    return true;
   }
 
   @Override
@@ -192,10 +193,14 @@ public final class KeptExecution implements Execution {
   }
 
   @Override
-  public boolean publishes(Channel<?> channel, U2SAData message, BooleanSupplier publish) {
+  public Outlet outlet(Outlet connection) {
+    return (channel, message) -> publish(connection, channel, message);
+  }
+
+  private boolean publish(Outlet connection, Channel<?> channel, U2SAData message) {
     boolean taken;
     try {
-      taken = publish.getAsBoolean();
+      taken = connection.publish(channel, message);
     } catch (CommunicationException e) {
       if (Clock.runningThread() == owner) {
         ends(); // disconnected: no later message reaches anybody

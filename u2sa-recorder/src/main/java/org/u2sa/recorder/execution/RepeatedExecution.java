@@ -3,13 +3,12 @@ package org.u2sa.recorder.execution;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionEntry.Kind;
 import org.u2sa.service.Execution;
+import org.u2sa.service.ServiceInstance;
 import org.u2sa.service.ServiceRole;
-import org.u2sa.service.U2SAService;
+import org.u2sa.service.inbox.ServiceInbox;
 
 /**
  * Replays a recorded execution to a service: clock readings, messages and the end. Its messages go
@@ -24,7 +23,7 @@ final class RepeatedExecution implements Execution {
   private final int threadId;
   private final Optional<Inheritance> inheritance;
   private volatile Thread owner;
-  private U2SAService service;
+  private ServiceInstance service;
 
   /**
    * @param outputs receives the service's messages
@@ -68,7 +67,7 @@ final class RepeatedExecution implements Execution {
   }
 
   @Override
-  public Clock clock() {
+  public Clock clock(Clock run) {
     return new RepeatedClock();
   }
 
@@ -78,12 +77,7 @@ final class RepeatedExecution implements Execution {
   }
 
   @Override
-  public void connects(String instance) {
-    // uses the recorded ID instead
-  }
-
-  @Override
-  public void made(U2SAService made) {
+  public void made(ServiceInstance made) {
     service = made;
     course.passIf(Kind.MADE);
     owner = null;
@@ -110,11 +104,6 @@ final class RepeatedExecution implements Execution {
   }
 
   @Override
-  public boolean apart(BooleanSupplier code) {
-    return code.getAsBoolean();
-  }
-
-  @Override
   public void begins() {
     owner = Thread.currentThread();
   }
@@ -125,9 +114,16 @@ final class RepeatedExecution implements Execution {
   }
 
   @Override
-  public Arrival receives(Arrival waiting) {
+  public ServiceInbox.Delivery receives(ServiceInbox.Delivery waiting) {
     RecordedMessage.Handled next = course.receive();
-    return next == null ? null : new Arrival(next.channel(), next.message(), next.arrivedMicros());
+    return next == null
+        ? null
+        : new ServiceInbox.Delivery(next.channel(), next.message(), next.arrivedMicros());
+  }
+
+  @Override
+  public boolean takesTime() {
+    return true;
   }
 
   @Override
@@ -145,9 +141,10 @@ final class RepeatedExecution implements Execution {
   }
 
   @Override
-  public boolean publishes(Channel<?> channel, U2SAData message, BooleanSupplier publish) {
+  public Outlet outlet(Outlet connection) {
     // Work at a service's end or on its own threads is not repeated.
-    return Thread.currentThread() != owner || course.isOver() || course.publish(channel, message);
+    return (channel, message) ->
+        Thread.currentThread() != owner || course.isOver() || course.publish(channel, message);
   }
 
   @Override

@@ -197,7 +197,7 @@ final class AmplifierRun {
     ServiceContext kept =
         context.with(recorder.keep(Amplifier.class.getName(), context).orElseThrow());
     U2SAService service = maker.apply(kept);
-    kept.execution().orElseThrow().made(service);
+    kept.execution().made(service);
     return service;
   }
 

@@ -167,7 +167,7 @@ final class Chain {
   }
 
   private Traced trace() {
-    return new Traced(clock, causes, this::planned);
+    return new Traced(causes, this::planned);
   }
 
   private XmlConfiguration file(String name) {

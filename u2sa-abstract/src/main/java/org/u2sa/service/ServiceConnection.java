@@ -11,64 +11,51 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.interfaces.mqtt.BrokerAccess;
-import org.u2sa.interfaces.mqtt.MqttTransport;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
-/** A service's end of its communication: the connection and its registrations. */
-final class ServiceWiring {
-  private final Registrations registrations = new Registrations();
+/**
+ * A service's end of its communication: publishes on the connection, and subscribes what the
+ * service is registered for.
+ */
+final class ServiceConnection {
+  private final ServiceContext context;
+  private final ServiceConfiguration configuration;
+  private final Registrations registrations;
+  private final AuthoredLoop loop; // null: the service runs a ready-made loop
   private final Transport transport;
-  private final String serviceName;
+  private final Execution.Outlet unconnected; // connects, or throws if that is not possible
   private final List<Channel<?>> prepared = new CopyOnWriteArrayList<>(); // on predecessor's
   private ServiceReceiver receiver; // the connection's
   private volatile Connection connection; // open or null; writes guarded by this
+  private volatile Execution.Outlet
+      outlet; // the connection's if it is open; writes guarded by this
   private volatile boolean staged; // waits for the predecessor's connection
   private volatile boolean silent; // the connection is the successor's, or never existed
   private volatile long refused; // final count of the closed connection
   private volatile long missed; // likewise
   private volatile String instance; // of the connection, even after closing
-  private final Clock clock;
-  private final Execution execution; // null if not recorded
+  private final AtomicLong notAccepted = new AtomicLong(); // the service's messages
   private final AtomicLong published = new AtomicLong(); // without contract messages
   private final AtomicLong publishedMicros = new AtomicLong(); // time of the last one
   private boolean closed;
 
-  ServiceWiring(ServiceContext context, String serviceName, ServiceReceiver receiver) {
-    this.serviceName = serviceName;
-    this.receiver = receiver;
+  /**
+   * @param service gets the messages
+   * @param loop its author's loop; null if it runs a ready-made one
+   */
+  ServiceConnection(ServiceContext context, ServiceReceiver.Recipient service, AuthoredLoop loop) {
+    this.context = context;
+    configuration = service.configuration();
+    registrations = service.registrations();
+    this.loop = loop;
+    receiver = new ServiceReceiver(service);
     staged = context.predecessor().isPresent();
-    clock = context.clock();
-    execution = context.execution().orElse(null);
-    this.transport = context.transport().orElseGet(() -> remote(context));
-  }
-
-  /** Address of the Communication Manager, if in another process. */
-  private record ManagerAddress(
-      @Variable(
-              name = "COMMUNICATION MANAGER IP",
-              ifAbsentText = "localhost",
-              text = "Host of the Communication Manager, if it runs in another process.")
-          String host,
-      @Variable(
-              name = "COMMUNICATION MANAGER PORT",
-              min = 1,
-              max = 65_535,
-              ifAbsent = 1883,
-              text = "TCP port of the Communication Manager, if it runs in another process.")
-          int port) {}
-
-  private static Transport remote(ServiceContext context) {
-    ManagerAddress address = context.configuration().settings(ManagerAddress.class).get();
-    return new MqttTransport(
-        address.host(),
-        address.port(),
-        context.systemId(),
-        new MessageCodec(context.messageTypes()),
-        BrokerAccess.configured(context.configuration()));
+    unconnected =
+        context.execution().outlet((channel, message) -> connection().publish(channel, message));
+    outlet = unconnected;
+    transport = context.transport().orElseGet(() -> ManagerAddress.transport(context));
   }
 
   /**
@@ -88,48 +75,76 @@ final class ServiceWiring {
     }
   }
 
-  /** {@link #begin} with a success result. */
-  boolean isReady() {
-    begin();
-    return true;
-  }
-
   private synchronized Connection connect() {
     if (staged) {
       throw new CommunicationException(
-          "service \"" + serviceName + "\" has not yet taken over from its predecessor");
+          "service \"" + configuration.name() + "\" has not yet taken over from its predecessor");
     }
     if (closed) {
       throw new CommunicationException(
-          "service \"" + serviceName + "\" has ended its communication");
+          "service \"" + configuration.name() + "\" has ended its communication");
     }
     if (connection == null) {
-      Connection made = transport.connect(serviceName, receiver);
+      Connection made = transport.connect(configuration.name(), receiver);
       instance = made.instance();
-      if (execution != null) {
-        execution.connects(instance);
-      }
-      connection = made;
-      for (Channel<?> channel : ContractResponder.CHANNELS) {
+      context.execution().connects(instance);
+      open(made);
+      for (Channel<?> channel : ServiceContract.CHANNELS) {
         made.subscribe(channel);
       }
     }
     return connection;
   }
 
-  boolean publish(Channel<?> channel, U2SAData message, long nowMicros) {
-    boolean taken =
-        execution == null
-            ? connection().publish(channel, message)
-            : execution.publishes(channel, message, () -> connection().publish(channel, message));
-    if (!taken) {
-      return false;
+  private void open(Connection made) {
+    connection = made;
+    outlet = context.execution().outlet(made::publish);
+  }
+
+  private void leave() {
+    connection = null;
+    outlet = unconnected;
+  }
+
+  /** {@link U2SAService#publish(Channel, U2SAData)}. */
+  boolean publish(Channel<?> channel, U2SAData data) {
+    if (silent) {
+      return false; // the successor has replaced this service
     }
-    if (!ContractResponder.CHANNELS.contains(channel) && !channel.equals(Channels.HEALTH)) {
+    if (loop != null) {
+      loop.awaitTurn();
+    }
+    long nowMicros = context.clock().micros();
+    if (!data.isFrozen()) {
+      if (data.systemId().isEmpty()) {
+        data.systemId(context.systemId());
+      }
+      if (data.timestamp().isEmpty()) {
+        data.timestamp(nowMicros);
+      }
+      data.freeze();
+    }
+    try {
+      if (!outlet.publish(channel, data)) {
+        if (Long.bitCount(notAccepted.incrementAndGet()) == 1) { // 1, 2, 4, 8…: limits the log
+          refuse("publishing on " + channel + " was refused: " + data);
+        }
+        return false;
+      }
+    } catch (CommunicationException e) {
+      return refuse("publishing on " + channel + " failed: " + e.getMessage());
+    }
+    if (!ServiceContract.CHANNELS.contains(channel) && !channel.equals(Channels.HEALTH)) {
       publishedMicros.lazySet(nowMicros); // visible before the following count
       published.incrementAndGet();
     }
     return true;
+  }
+
+  /** Logs why something the service wants is not done, and returns false. */
+  boolean refuse(String why) {
+    configuration.log(LogLevelEnum.ERROR, why);
+    return false;
   }
 
   /** Unique ID of this connection among those of the same service; empty before the first. */
@@ -151,7 +166,8 @@ final class ServiceWiring {
   OptionalDouble dataAgeS() {
     return published() == 0
         ? OptionalDouble.empty()
-        : OptionalDouble.of(Clock.seconds(Math.max(0, clock.micros() - publishedMicros.get())));
+        : OptionalDouble.of(
+            Clock.seconds(Math.max(0, context.clock().micros() - publishedMicros.get())));
   }
 
   boolean registerPublisher(Channel<?> channel) {
@@ -170,7 +186,7 @@ final class ServiceWiring {
   }
 
   boolean unregisterSubscriber(Channel<?> channel) {
-    boolean contract = ContractResponder.CHANNELS.contains(channel);
+    boolean contract = ServiceContract.CHANNELS.contains(channel);
     return registrations.subscribed().remove(channel)
         && (contract || staged || connection().unsubscribe(channel));
   }
@@ -180,7 +196,7 @@ final class ServiceWiring {
    * messages wait in this service's inbox. Done in advance, because a remote Communication Manager
    * may answer slowly.
    */
-  void prepare(ServiceWiring old, U2SAService service) {
+  void prepare(ServiceConnection old, ServiceReceiver.Recipient service) {
     old.receiver().prepare(service);
     for (Channel<?> channel : registrations.subscribed()) {
       if (!old.registrations.listensTo(channel)) {
@@ -191,7 +207,7 @@ final class ServiceWiring {
   }
 
   /** Undoes a successor's {@link #prepare}. */
-  void forget(ServiceWiring successor) {
+  void forget(ServiceConnection successor) {
     receiver().forget();
     successor.prepared.forEach(this::unsubscribeUnlessNeeded);
   }
@@ -201,14 +217,14 @@ final class ServiceWiring {
    *
    * @return false if this service's communication has ended
    */
-  boolean moveTo(ServiceWiring successor) {
+  boolean moveTo(ServiceConnection successor) {
     Connection open;
     synchronized (this) {
       if (closed || connection == null) {
         return false;
       }
       open = connection;
-      connection = null;
+      leave();
       closed = true;
       silent = true;
     }
@@ -216,9 +232,9 @@ final class ServiceWiring {
     return true;
   }
 
-  private synchronized void adopt(Connection open, ServiceReceiver its, ServiceWiring old) {
+  private synchronized void adopt(Connection open, ServiceReceiver its, ServiceConnection old) {
     instance = open.instance();
-    connection = open;
+    open(open);
     receiver = its;
     staged = false;
     for (Channel<?> channel : registrations.subscribed()) {
@@ -230,7 +246,7 @@ final class ServiceWiring {
   }
 
   /** Ends subscriptions of the predecessor that this service does not need. */
-  void dropSubscriptionsOnlyOf(ServiceWiring old) {
+  void dropSubscriptionsOnlyOf(ServiceConnection old) {
     old.registrations.subscribed().forEach(this::unsubscribeUnlessNeeded);
   }
 
@@ -279,7 +295,7 @@ final class ServiceWiring {
       connection.close();
       refused = connection.refused();
       missed = connection.missed();
-      connection = null;
+      leave();
     }
   }
 }
