@@ -69,7 +69,7 @@ class VehicleFilesTest {
     @Test
     fun import_pathThatLeadsOut_isRefused() {
         assertThatThrownBy { files.import("rover", sequenceOf(source("../../run-state", "RUNNING"))) }
-            .isInstanceOf(BadInputException::class.java).hasMessageContaining("leads out")
+            .isInstanceOf(BadInputException::class.java).hasMessageContaining("points outside")
         assertThat(files.runState).doesNotExist()
         assertThat(files.import("../..", sequenceOf(source("system.xml", SYSTEM)))).allMatch { !it.contains("..") }
     }
@@ -106,7 +106,7 @@ class VehicleFilesTest {
 
         assertThat(files.mission("loop.xml")!!.readText()).isEqualTo(MISSION)
         assertThat(files.mission("other.xml")).isNull()
-        assertThatThrownBy { files.mission("../run-state") }.hasMessageContaining("leads out")
+        assertThatThrownBy { files.mission("../run-state") }.hasMessageContaining("points outside")
     }
 
     @Test
