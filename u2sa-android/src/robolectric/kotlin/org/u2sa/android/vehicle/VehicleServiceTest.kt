@@ -117,7 +117,7 @@ class VehicleServiceTest {
 
         assertThat(phone.service.snapshot.motion).isNull()
         val log = phone.application.filesDir.walkTopDown().first { it.name == "PhoneSensor.log" }
-        assertThat(log.readText()).contains("permission for the location was not given")
+        assertThat(log.readText()).contains("location permission was denied")
     }
 
     @Test
