@@ -15,8 +15,7 @@ final class Arrivals {
   private static final int MAX_WAITING = 20_000;
 
   /** Memory for messages of other processes. */
-  private static final long MAX_BYTES =
-      Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 32);
+  private static final long MAX_BYTES = Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 32);
 
   private final Deque<U2SAData> waiting = new ArrayDeque<>();
   private long bytes; // of those from other processes

@@ -144,8 +144,7 @@ public final class EmergencyLatch {
   }
 
   private void remember(EmergencyStop stop) {
-    OptionalLong said =
-        untimed.remove(stop.identity()) ? OptionalLong.empty() : stop.timestamp();
+    OptionalLong said = untimed.remove(stop.identity()) ? OptionalLong.empty() : stop.timestamp();
     lifted.remove(stop.identity()); // so that it comes last
     lifted.put(stop.identity(), new Lifted(said, clock.micros()));
     if (lifted.size() > 2 * TOLD_APART) {
@@ -191,7 +190,8 @@ public final class EmergencyLatch {
   /** Restores the state saved by {@link #handOver}; without it, starts with no stop. */
   public void takeOver(HandOver state) {
     List<String> identities = state.texts(LIFTED);
-    List<String> times = state.texts(LIFTED_TIMES); // none from a predecessor that did not keep them
+    List<String> times =
+        state.texts(LIFTED_TIMES); // none from a predecessor that did not keep them
     for (int i = 0; i < identities.size(); i++) {
       OptionalLong said = i < times.size() ? micros(times.get(i)) : OptionalLong.empty();
       lifted.put(identities.get(i), new Lifted(said, clock.micros()));

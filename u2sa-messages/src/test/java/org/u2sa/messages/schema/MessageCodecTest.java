@@ -72,7 +72,10 @@ class MessageCodecTest {
                     .formatHex(cloud.points(List.of()).serialize())
                     .replace(
                         "66706f696e747380",
-                        "66706f696e7473" + "d828828219" + "03e803" + "d850591770"
+                        "66706f696e7473"
+                            + "d828828219"
+                            + "03e803"
+                            + "d850591770"
                             + "3c0040004200".repeat(1_000)));
 
     U2SAData read = codec.decode(cloud.typeChain(), halves);
