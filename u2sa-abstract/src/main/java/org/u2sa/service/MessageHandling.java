@@ -34,7 +34,7 @@ final class MessageHandling {
     registrations = service.wiring.registrations();
     maxErrorsInARow = variables.maxErrorsInARow();
     reporter = new HealthReporter(service, variables.healthInterval());
-    inbox = new ServiceInbox(variables.inboxCapacity());
+    inbox = new ServiceInbox(variables.inboxCapacity(), service.clock());
     contract = new ContractResponder(service);
     stopwatch = service.health.stopwatch();
     execution = service.context().execution().orElse(null);
