@@ -42,6 +42,22 @@ class InboxTest(unittest.TestCase):
         self.assertEqual([channel for channel, _ in self.contents()], ["goal-commands"] * 3 + ["arming"])
         self.assertEqual(self.inbox.put("goal-commands", Message("GoalCommand", uid="y")), "")
 
+    def test_long_messages_have_a_bound_of_their_own_which_stops_do_not_have(self):
+        inbox = Inbox(100, most_bytes=250)
+
+        def received(sensor, size):
+            message = state(sensor)
+            message.received_bytes = size
+            return message
+
+        outcomes = [inbox.put("sensed-state", received(str(number), 100)) for number in range(3)]
+        self.assertEqual(outcomes, ["", "", "dropped"])
+        self.assertEqual(inbox.put("sensed-state", received("0", 200)), "dropped")
+        self.assertEqual(inbox.put("sensed-state", received("0", 50)), "replaced")
+        self.assertEqual(inbox.put("emergency-stop", STOP), "")
+        inbox.take(0.0), inbox.take(0.0)
+        self.assertEqual(inbox.put("sensed-state", received("3", 150)), "")
+
     def test_reserved_room_ends_too(self):
         outcomes = [self.inbox.put("arming", Message("ArmCommand", arm=True, operator=str(i))) for i in range(4)]
         self.assertEqual(outcomes, ["", "", "", "dropped"])

@@ -138,13 +138,44 @@ class ContractTest(unittest.TestCase):
         def wrong():
             raise ValueError("no device")
         self.probe.log.disabled = True
+        self.addCleanup(setattr, self.probe.log, "disabled", False)
         for _ in range(10):
             self.probe._guarded(wrong)
         self.assertEqual(self.probe.status, "FAILED")
         self.assertEqual(self.probe.health.report("Probe", "FAILED", 0)["lastError"], "ValueError: no device")
 
 
+class HostileOriginTest(unittest.TestCase):
+    def test_numbers_whose_gaps_add_up_beyond_64_bits_can_be_reported(self):
+        probe = Probe()
+        for sender in ("a", "b"):
+            for number in (1, (1 << 63) - 1):
+                probe._arrived("u2sa/cessna/discovery/DiscoveryRequest", encode(Message("DiscoveryRequest"), (sender, number)))
+        probe._report()
+        self.assertEqual(probe.sent[-1][1]["missed"], (1 << 63) - 1)
+
+    def test_unreadable_messages_are_logged_at_powers_of_two(self):
+        probe = Probe()
+        with self.assertLogs(probe.log, "WARNING") as logged:
+            for _ in range(100):
+                probe._arrived("u2sa/cessna/goals/GoalList", b"no CBOR")
+        self.assertEqual(len(logged.output), 7)
+        self.assertEqual(probe.health.report("Probe", "RUNNING", 0)["refused"], 100)
+
+
 class EmergencyLatchTest(unittest.TestCase):
+    def stopped(self, latch, **fields):
+        return latch.take(Message("EmergencyStop", active=True, operator="button", reason="pressed", **fields))
+
+    def test_a_later_stop_under_the_lifted_ones_id_latches_again_and_its_repetition_does_not(self):
+        latch = EmergencyLatch()
+        self.stopped(latch, stopId="button", timestamp=100)
+        latch.take(Message("EmergencyStop", active=False, lifts=["button"]))
+        self.assertFalse(self.stopped(latch, stopId="button", timestamp=100))
+        self.assertFalse(self.stopped(latch, stopId="button"))
+        self.assertTrue(self.stopped(latch, stopId="button", timestamp=101))
+        self.assertEqual(latch.stops, ["button"])
+
     def test_named_stops_are_told_apart_whatever_their_time(self):
         latch = EmergencyLatch("boat")
         latch.take(Message("EmergencyStop", active=True, timestamp=100, stopId="a"))

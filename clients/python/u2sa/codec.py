@@ -69,6 +69,7 @@ def decode(chain: Sequence[str], payload: bytes, schema: Schema = STANDARD) -> M
     origin = named.pop(_ORIGIN, None)
     message = _message(chain, named, schema, chain[-1])
     message.origin = _origin(origin)
+    message.received_bytes = len(payload)
     return message
 
 

@@ -2,20 +2,21 @@
 from __future__ import annotations
 
 import time
-from typing import Dict, List, Optional
+from typing import Dict, List, Optional, Set, Tuple
 
 from .message import Message
 
 
 _TOLD_APART = 64  # stops that are told apart; of more, as a flood makes them, only the newest time is known
+_REPEATED_S = 10.0  # how long after the clear a stop without a timestamp may repeat the lifted one
 
 
 class EmergencyLatch:
     """Latched by each EmergencyStop with active for itself, lifted by one without that names it in `lifts`, or without
     names it or a newer one in `clears`.
 
-    On the safe side: a stop of unknown origin or time latches too, a clear of another system lifts nothing. Belongs to
-    one thread.
+    On the safe side: a stop of unknown origin or time latches too, so does one that reuses the ID of a lifted one, and a
+    clear of another system lifts nothing. Belongs to one thread.
 
     :param system_id: whose clears count; None: everybody's
     """
@@ -24,7 +25,8 @@ class EmergencyLatch:
         self._system_id = system_id
         self._standing: Dict[str, int] = {}  # by identity: timestamp [µs]
         self._beyond: Optional[int] = None  # the newest timestamp of those that are not told apart [µs]
-        self._lifted: List[str] = []  # identities, the oldest first
+        self._untimed: Set[str] = set()  # those of them that had no timestamp of their own
+        self._lifted: Dict[str, Tuple[Optional[int], float]] = {}  # by identity: timestamp, if any, and when; the oldest first
 
     @property
     def active(self) -> bool:
@@ -42,26 +44,46 @@ class EmergencyLatch:
         A repetition of a stop that was lifted, of one who has not heard of the clear, changes nothing.
         """
         if stop.get("active"):
-            self._latch(stop, stop.get("timestamp", time.time_ns() // 1000))
+            self._latch(stop, stop.get("timestamp"))
         elif self._is_ours(stop):
             self._lift(stop.get("lifts", []), stop.get("clears", -1))
         return self.active
 
-    def _latch(self, stop: Message, at: int) -> None:
+    def _latch(self, stop: Message, told: Optional[int]) -> None:
+        at = time.time_ns() // 1000 if told is None else told
         identity = stop.get("stopId") or "|".join(
             [stop.get("systemId", ""), str(at), stop.get("operator", ""), stop.get("reason", "")])
-        if identity in self._lifted or identity in self._standing:
+        if self._repeats_lifted(identity, told):
             return
-        if len(self._standing) < _TOLD_APART:
+        before = self._standing.get(identity)
+        if before is not None and (told is None or told <= before):
+            return
+        if before is not None or len(self._standing) < _TOLD_APART:
             self._standing[identity] = at
+            (self._untimed.add if told is None else self._untimed.discard)(identity)
         else:
             self._beyond = max(at, self._beyond or at)
+
+    def _repeats_lifted(self, identity: str, told: Optional[int]) -> bool:
+        """Repetitions keep the timestamp, so another one is another stop, even if its sender uses one ID for all."""
+        if identity not in self._lifted:
+            return False
+        before, lifted_s = self._lifted[identity]
+        if told is None:
+            return time.monotonic() - lifted_s <= _REPEATED_S
+        return before is None or before == told
 
     def _lift(self, names: List[str], until: int) -> None:
         over = [each for each, at in self._standing.items() if (each in names if names else at <= until)]
         for identity in over:
-            del self._standing[identity]
-        self._lifted = (self._lifted + over)[-2 * _TOLD_APART:]
+            at: Optional[int] = self._standing.pop(identity)
+            if identity in self._untimed:
+                self._untimed.discard(identity)
+                at = None
+            self._lifted.pop(identity, None)  # so that it comes last
+            self._lifted[identity] = at, time.monotonic()
+        while len(self._lifted) > 2 * _TOLD_APART:
+            del self._lifted[next(iter(self._lifted))]
         if self._beyond is not None and self._beyond <= until:
             self._beyond = None
 

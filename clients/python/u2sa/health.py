@@ -8,6 +8,7 @@ from typing import Any, Callable, Dict, List, Optional
 from .message import Message
 
 _REMEMBERED = 256
+_MOST = (1 << 63) - 1  # a count beyond it could not be reported
 
 
 class Health:
@@ -24,7 +25,7 @@ class Health:
     def count(self, what: str, more: int = 1) -> None:
         """Adds to dropped, replaced, refused, overruns, exceptions, published, expired or missed."""
         with self._lock:
-            self._counts[what] += more
+            self._counts[what] = min(_MOST, self._counts[what] + more)
 
     def run(self, code: Callable[[], None]) -> Optional[Exception]:
         """Runs an author's code, measures it, and returns the exception that it threw."""

@@ -12,6 +12,7 @@ Delivery = Tuple[str, Message]
 
 _URGENT = "emergency-stop"
 _RESERVED = ("arming", "arming-state", "failsafe")
+_MOST_BYTES = 16 << 20  # as received, of waiting messages; in memory they take several times that
 
 #: Channels of which only a source's newest message counts, and the fields that name the source.
 LATEST: Dict[str, Tuple[str, ...]] = {
@@ -43,10 +44,13 @@ class Inbox:
     place. Arming and failsafes wait among the others, but the others cannot take their room (docs/service-contract.md).
 
     :param capacity: messages that wait at most, and as many emergency stops and reserved ones each
+    :param most_bytes: bytes that the others have at most, as received
     """
 
-    def __init__(self, capacity: int) -> None:
+    def __init__(self, capacity: int, most_bytes: int = _MOST_BYTES) -> None:
         self._capacity = capacity
+        self._most_bytes = most_bytes
+        self._bytes = 0
         self._some = threading.Condition()
         self._urgent: Deque[List[Delivery]] = collections.deque()
         self._others: Deque[List[Delivery]] = collections.deque()  # a list of one: what waits can be replaced
@@ -60,10 +64,15 @@ class Inbox:
             key = _key(channel, message)
             waiting = self._newest.get(key) if key is not None else None
             if waiting is not None:
+                more = message.received_bytes - waiting[0][1].received_bytes
+                if self._is_too_much(channel, more):
+                    return "dropped"
+                self._bytes += more
                 waiting[0] = (channel, message)
                 return "replaced"
-            if self._is_full(channel):
+            if self._is_full(channel) or self._is_too_much(channel, message.received_bytes):
                 return "dropped"
+            self._bytes += message.received_bytes
             place = [(channel, message)]
             (self._urgent if channel == _URGENT else self._others).append(place)
             self._reserved += channel in _RESERVED
@@ -78,6 +87,9 @@ class Inbox:
         if channel in _RESERVED:
             return self._reserved >= self._capacity
         return len(self._others) - self._reserved >= self._capacity
+
+    def _is_too_much(self, channel: str, more: int) -> bool:
+        return channel != _URGENT and channel not in _RESERVED and more > 0 and self._bytes + more > self._most_bytes
 
     def take(self, within_s: float) -> Optional[Delivery]:
         """The oldest message, emergency stops first; None if none comes within this time or `wake` is called."""
@@ -94,6 +106,7 @@ class Inbox:
                 return None
             channel, message = line.popleft()[0]
             self._reserved -= channel in _RESERVED
+            self._bytes -= message.received_bytes
             self._newest.pop(_key(channel, message) or (), None)
             return channel, message
 

@@ -39,6 +39,7 @@ class Message:
         self.chain: Tuple[str, ...] = tuple(chain)
         self.unknown: Dict[str, Any] = {}
         self.origin: Optional[Tuple[str, int]] = None  # who sent it, and which of its messages on the topic it is
+        self.received_bytes = 0  # that it was read from; 0 if it was made here
         self._values: Dict[str, Any] = {}
 
     @classmethod

@@ -86,6 +86,7 @@ class Service:
         self.__thread = threading.current_thread()
         self.link = Link(broker, system_id, name, self._arrived, self._trouble)
         self.__contract = Contract(self)
+        self.__unreadable = 0  # messages; on paho's thread only
         self.__newest: Dict[Tuple[str, str], int] = {}  # number of the last message; on paho's thread only
 
     # What authors write.
@@ -257,7 +258,9 @@ class Service:
             message = decode(where.chain, payload, self.__schema)
         except Malformed as e:
             self.health.count("refused")
-            self.log.warning("a message on %s cannot be read: %s", topic, e)
+            self.__unreadable += 1
+            if self.__unreadable & (self.__unreadable - 1) == 0:  # the 1st, 2nd, 4th, 8th …, so that a flood fills no disk
+                self.log.warning("a message on %s cannot be read: %s (%d so far)", topic, e, self.__unreadable)
             return
         self._count_missed(topic, message)
         if where.channel == "stop" and self.__contract.is_order_to_stop(message):

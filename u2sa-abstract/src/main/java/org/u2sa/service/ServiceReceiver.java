@@ -33,11 +33,17 @@ final class ServiceReceiver implements Receiver {
       ServiceInbox.Outcome outcome = inbox.put(channel, message, arrivedMicros);
       if (outcome != ServiceInbox.Outcome.KEPT && Long.bitCount(inbox.dropped()) == 1) {
         String why =
-            outcome == ServiceInbox.Outcome.DROPPED
-                ? "inbox full"
-                : String.format(
-                    "more than %s sources on \"%s\", \"%s\" is one too many",
-                    ServiceInbox.MAX_SOURCES, channel, channel.sourceOf(message));
+            switch (outcome) {
+              case UNKNOWN_SOURCE ->
+                  String.format(
+                      "more than %s sources on \"%s\", \"%s\" is one too many",
+                      ServiceInbox.MAX_SOURCES, channel, channel.sourceOf(message));
+              case TOO_LONG ->
+                  String.format(
+                      "long messages of many sources on \"%s\", that of \"%s\" is one too many",
+                      channel, channel.sourceOf(message));
+              default -> "inbox full";
+            };
         configuration.log(
             LogLevelEnum.WARN, why + ": " + inbox.dropped() + " messages dropped so far");
       }

@@ -150,11 +150,15 @@ final class Succession {
     if (!delivery.channel().isRetained()) {
       return;
     }
-    Deque<ServiceInbox.Delivery> ofSource =
-        retained
-            .computeIfAbsent(delivery.channel().name(), name -> new LinkedHashMap<>())
-            .computeIfAbsent(
-                delivery.channel().sourceOf(delivery.message()), source -> new ArrayDeque<>());
+    Map<String, Deque<ServiceInbox.Delivery>> ofChannel =
+        retained.computeIfAbsent(delivery.channel().name(), name -> new LinkedHashMap<>());
+    String source = delivery.channel().sourceOf(delivery.message());
+    Deque<ServiceInbox.Delivery> before = ofChannel.remove(source);
+    Deque<ServiceInbox.Delivery> ofSource = before == null ? new ArrayDeque<>() : before;
+    ofChannel.put(source, ofSource); // last, so that the first is the one silent for longest
+    if (ofChannel.size() > ServiceInbox.MAX_SOURCES) {
+      ofChannel.remove(ofChannel.keySet().iterator().next());
+    }
     ofSource.add(delivery);
     if (ofSource.size() > (delivery.channel().deliversEvery() ? KEPT_OF_EVERY : 1)) {
       ofSource.remove();

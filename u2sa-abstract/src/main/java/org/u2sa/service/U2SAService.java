@@ -88,7 +88,8 @@ public abstract class U2SAService extends Thread
     setName(configuration.name());
     loop = hasReadyMadeLoop() ? null : authoredLoop();
     life = new ServiceLife(this, configuration, health, loop, host());
-    ServiceInbox inbox = new ServiceInbox(configuration.settings().inboxCapacity());
+    ServiceInbox inbox =
+        new ServiceInbox(configuration.settings().inboxCapacity(), configuration.clock());
     recipient = new ServiceReceiver.Recipient(configuration, registrations, inbox, life);
     connection = new ServiceConnection(context, recipient, loop);
     context.onAbandon(connection::close);

@@ -43,7 +43,7 @@ class ServicePartsTest {
             () -> steps.add("disconnect"));
     ServiceLife life = new ServiceLife(new Thread(() -> {}), configuration, health, null, host);
     return new ServiceReceiver.Recipient(
-        configuration, new Registrations(), new ServiceInbox(10), life);
+        configuration, new Registrations(), new ServiceInbox(10, configuration.clock()), life);
   }
 
   @Test

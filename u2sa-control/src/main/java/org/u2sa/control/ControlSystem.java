@@ -38,6 +38,7 @@ public abstract class ControlSystem extends EventDrivenService {
   protected static final String VEHICLE = "VEHICLE";
 
   private static final double FULL_PERCENT = 100.0;
+  private static final int MAX_SUBSYSTEMS = 500; // beyond it, silent ones are forgotten
 
   private record Limits(
       @Variable(
@@ -113,6 +114,10 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   private void onNavigation(NavigationPoint point) {
+    if (points.size() >= MAX_SUBSYSTEMS && !points.containsKey(point.subsystem())) {
+      points.values().removeIf(each -> !states.isFresh(each)); // names that others invented
+      placed.keySet().retainAll(points.keySet());
+    }
     points.put(point.subsystem(), point);
     if (obeysWithoutState() && point.subsystem().equals(VEHICLE) && isAllThereIs(point)) {
       begin(true);

@@ -4,13 +4,16 @@ import java.util.regex.Pattern;
 
 /**
  * Sanitises foreign text for one line of a log or terminal, so that it can neither start a new line
- * nor control the terminal: line breaks, control characters (including ESC, except tab) and
- * bidirectional marks become spaces.
+ * nor control the terminal, nor look like another text: line breaks, control characters (including
+ * ESC, except tab), marks of writing direction and characters without width become spaces.
  */
 public final class OneLine {
   private static final Pattern CONTROLS =
       Pattern.compile(
-          "[\\p{Cntrl}\\u0080-\\u009f\\u200e\\u200f\\u2028-\\u202e\\u2066-\\u2069&&[^\t]]+");
+          "[\\p{Cntrl}\\u0080-\\u009f\\u2028\\u2029"
+              + "\\p{Cf}" // invisible formatting, such as U+061C, U+200B, U+FEFF
+              + "\\u034f\\u115f\\u1160\\u3164\\uffa0" // letters and marks without width
+              + "&&[^\t]]+");
 
   private OneLine() {}
 

@@ -21,9 +21,14 @@ final class FailsafeMissions {
   private final Logger logger;
   private final MissionFiles files;
   private final Supplier<MissionVariables> settings;
-  private final Map<FailsafeAction, List<GoalInformation>> goals =
-      new EnumMap<>(FailsafeAction.class);
-  private final Map<FailsafeAction, GoalInformation> homes = new EnumMap<>(FailsafeAction.class);
+  private final Map<FailsafeAction, Goals> loaded = new EnumMap<>(FailsafeAction.class);
+
+  /**
+   * What a file has.
+   *
+   * @param home the file's own; empty if it has none
+   */
+  private record Goals(List<GoalInformation> goals, Optional<GoalInformation> home) {}
 
   /**
    * Reads the configured files.
@@ -47,7 +52,7 @@ final class FailsafeMissions {
 
   /** Number of goals for LAND. */
   int landGoals() {
-    return goals.get(FailsafeAction.LAND).size();
+    return goals(FailsafeAction.LAND).size();
   }
 
   /**
@@ -57,29 +62,32 @@ final class FailsafeMissions {
    */
   void load() {
     MissionVariables now = settings.get();
-    List<GoalInformation> returning =
+    Goals returning =
         load(FailsafeAction.RETURN, MissionVariables.RETURN_MISSION, now.returnMission());
-    List<GoalInformation> landing =
-        load(FailsafeAction.LAND, MissionVariables.LAND_MISSION, now.landMission());
-    goals.put(FailsafeAction.RETURN, returning);
-    goals.put(FailsafeAction.LAND, landing);
+    Goals landing = load(FailsafeAction.LAND, MissionVariables.LAND_MISSION, now.landMission());
+    loaded.put(FailsafeAction.RETURN, returning);
+    loaded.put(FailsafeAction.LAND, landing);
   }
 
-  private List<GoalInformation> load(FailsafeAction action, String variable, String path) {
-    homes.remove(action);
+  private List<GoalInformation> goals(FailsafeAction action) {
+    return loaded.get(action).goals();
+  }
+
+  private Goals load(FailsafeAction action, String variable, String path) {
     if (path.isEmpty()) {
       files.forget(variable);
-      return Collections.emptyList();
+      return new Goals(Collections.emptyList(), Optional.empty());
     }
     Mission mission = files.load(variable, path, run.thresholdM());
     logger.log(LogLevelEnum.INFO, variable + " " + mission.origin() + " loaded");
-    mission
-        .home()
-        .map(place -> place.waypoint(Home.NAME, run.thresholdM()))
-        .ifPresent(home -> homes.put(action, renamed(home, action + " ")));
-    return mission.goals().stream()
-        .map(goal -> renamed(goal, action + " "))
-        .collect(Collectors.toList());
+    return new Goals(
+        mission.goals().stream()
+            .map(goal -> renamed(goal, action + " "))
+            .collect(Collectors.toList()),
+        mission
+            .home()
+            .map(place -> place.waypoint(Home.NAME, run.thresholdM()))
+            .map(home -> renamed(home, action + " ")));
   }
 
   /** Renames goals, because names equal to the mission's would hide the change from planners. */
@@ -108,10 +116,10 @@ final class FailsafeMissions {
     if (action != FailsafeAction.RETURN && action != FailsafeAction.LAND) {
       return Optional.empty();
     }
-    List<GoalInformation> own = goals.get(action);
+    List<GoalInformation> own = goals(action);
     if (own.isEmpty() && action == FailsafeAction.LAND) {
       logger.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
-      own = goals.get(FailsafeAction.RETURN);
+      own = goals(FailsafeAction.RETURN);
     }
     if (own.isEmpty() && home.isPresent()) {
       own = Collections.singletonList(renamed(home.get(), FailsafeAction.RETURN + " "));
@@ -123,7 +131,10 @@ final class FailsafeMissions {
       return Optional.of(ended());
     }
     GoalSequence sequence = new GoalSequence(own, false, GoalSequence.Options.ALL);
-    homes.values().stream().filter(each -> !sequence.knows(each.uid())).forEach(sequence::update);
+    loaded.values().stream()
+        .flatMap(each -> each.home().stream())
+        .filter(each -> !sequence.knows(each.uid()))
+        .forEach(sequence::update);
     return Optional.of(sequence);
   }
 

@@ -55,6 +55,7 @@ public final class MissionManager extends PeriodicService {
   private static final String NAME = "MissionManager";
   private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
+  private static final long ALWAYS_LOGGED = 100; // later ones at 128, 256, 512…
 
   private final Settings<MissionVariables> settings = settings(MissionVariables.class);
   private final Settings<Defaults> defaults = settings(Defaults.class);
@@ -68,6 +69,7 @@ public final class MissionManager extends PeriodicService {
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
   private long repeatDueMicros; // of the current goals, for a planner unaware of them
+  private long ignored; // reports and updates
 
   /**
    * Launcher constructor.
@@ -254,12 +256,13 @@ public final class MissionManager extends PeriodicService {
     String uid = goal.uid();
     GoalResult result = goal.completed() ? GoalResult.DONE : GoalResult.FAILED;
     boolean current = run.progress().pursued().currentNames().contains(uid);
-    if (reports.repeats(goal)
+    boolean known = run.progress().pursued().knows(uid); // others' times are not kept
+    if (!known
+        || reports.repeats(goal)
         || !run.progress()
             .finish(uid, result, Optional.of(goal), "given up by the planner", run.micros())) {
-      boolean known = run.progress().pursued().knows(uid);
       String what = current ? "came before" : known ? "is not current" : "is not known";
-      log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" ignored: it " + what);
+      ignore("report of goal \"" + uid + "\" ignored: it " + what);
       if (known) {
         repeatGoals();
       }
@@ -274,10 +277,17 @@ public final class MissionManager extends PeriodicService {
     publishGoals();
   }
 
+  /** Logs what others sent in vain, but not a flood of it. */
+  private void ignore(String what) {
+    ignored++;
+    if (ignored <= ALWAYS_LOGGED || Long.bitCount(ignored) == 1) {
+      log(LogLevelEnum.WARN, what + (ignored <= ALWAYS_LOGGED ? "" : " (" + ignored + " so far)"));
+    }
+  }
+
   private void update(GoalInformation goal) {
     if (!run.progress().pursued().book().hasRoomForUpdate(goal)) {
-      log(
-          LogLevelEnum.WARN,
+      ignore(
           "update of goal \"" + goal.uid() + "\" refused: the goals would be too long to publish");
       return;
     }

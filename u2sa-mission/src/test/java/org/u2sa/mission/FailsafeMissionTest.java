@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -144,5 +146,30 @@ class FailsafeMissionTest {
     assertThat(goals()).isEmpty();
     failsafe(FailsafeAction.CONTINUE);
     assertThat(goals()).containsExactly("2");
+  }
+
+  @Test
+  void load_fileThatHasBecomeWrong_keepsItsGoalsAndItsHome() throws IOException {
+    Path file = Path.of(write("land.xml", HOME));
+    kit.with("LAND MISSION", file.toString());
+    AtomicReference<FailsafeMissions> missions = new AtomicReference<>();
+    kit.start(
+        context -> {
+          MissionManager manager = new MissionManager(context);
+          missions.set(
+              new FailsafeMissions(
+                  manager,
+                  new MissionFiles(context),
+                  context.configuration().settings(MissionSettings.class)::get));
+          return manager;
+        });
+    Files.writeString(file, "<mission><waypoint/></mission>");
+
+    assertThatThrownBy(() -> missions.get().load()).isInstanceOf(BadInputException.class);
+
+    GoalSequence landing =
+        missions.get().sequence(FailsafeAction.LAND, Optional.empty()).orElseThrow();
+    assertThat(landing.currentNames()).containsExactly("LAND 1");
+    assertThat(landing.knows("LAND home")).isTrue();
   }
 }

@@ -71,6 +71,19 @@ class MissionManagerTest extends ThreeWaypoints {
   }
 
   @Test
+  void callback_floodOfReportsOfInventedGoals_fillsNoLog() {
+    kit.start(MissionManager::new);
+    for (int i = 1; i <= 1_000; i++) {
+      kit.publish(Channels.GOAL_REPORTS, report("invented " + i).completed(true));
+    }
+
+    assertThat(kit.log("MissionManager").stream().filter(line -> line.contains("is not known")))
+        .hasSize(100 + 3)
+        .anyMatch(line -> line.contains("\"invented 512\" ignored: it is not known (512 so far)"));
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("1");
+  }
+
+  @Test
   void callback_sameReportAgainInALoopOfOneGoal_countsOneLap() throws IOException {
     Files.writeString(
         file,

@@ -9,21 +9,26 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Bounded queue of measurements waiting for the vehicle state of their time. Drops the oldest when
- * full, so that a fast scanner cannot exhaust the memory.
+ * full, so that a fast scanner, or a long scan of somebody else's, cannot exhaust the memory.
  */
 final class Arrivals {
-  private static final int MOST = 20_000;
+  private static final int MAX_WAITING = 20_000;
+
+  /** Memory for messages of other processes. */
+  private static final long MAX_BYTES = Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 32);
 
   private final Deque<U2SAData> waiting = new ArrayDeque<>();
+  private long bytes; // of those from other processes
   private long lost;
 
   /** Queues a message, which must have a timestamp. */
   void add(U2SAData message) {
-    if (waiting.size() == MOST) {
-      waiting.removeFirst();
+    waiting.add(message);
+    bytes += message.receivedBytes();
+    while (waiting.size() > MAX_WAITING || bytes > MAX_BYTES) {
+      bytes -= waiting.removeFirst().receivedBytes();
       lost++;
     }
-    waiting.add(message);
   }
 
   /** Removes all messages measured up to a time, oldest first; equal times in order of arrival. */
@@ -34,6 +39,7 @@ final class Arrivals {
           boolean isDue = message.timestamp().orElseThrow() <= micros;
           if (isDue) {
             due.add(message);
+            bytes -= message.receivedBytes();
           }
           return isDue;
         });

@@ -6,6 +6,7 @@ final class SightingCount {
   private long scans;
   private long stateless;
   private long untimed;
+  private long early;
   private long badStates;
 
   /** Counts one sensor's detections of one time as used. */
@@ -28,6 +29,11 @@ final class SightingCount {
     untimed++;
   }
 
+  /** Counts a measurement dropped because its timestamp is in the future. */
+  void early() {
+    early++;
+  }
+
   /** Counts a state dropped because it lacks position, heading or time. */
   void badState() {
     badStates++;
@@ -43,6 +49,7 @@ final class SightingCount {
         + " without a state of their time, "
         + untimed
         + " without a time, "
+        + (early == 0 ? "" : early + " from the future, ")
         + badStates
         + " states without place or heading";
   }

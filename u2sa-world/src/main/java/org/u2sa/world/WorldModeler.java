@@ -42,6 +42,7 @@ import org.u2sa.world.xml.WorldFile;
  */
 public final class WorldModeler extends PeriodicService {
   private static final double RATE_HZ = 10.0;
+  private static final long FUTURE_MICROS = Clock.MICROS_PER_SECOND; // tolerated clock difference
 
   private final ServiceContext context;
   private final Settings<WorldVariables> settings = settings(WorldVariables.class);
@@ -193,10 +194,12 @@ public final class WorldModeler extends PeriodicService {
   }
 
   private void onArrival(U2SAData measured) {
-    if (measured.timestamp().isPresent()) {
-      arrivals.add(measured);
-    } else {
+    if (measured.timestamp().isEmpty()) {
       count.untimed();
+    } else if (measured.timestamp().getAsLong() - clock().micros() > FUTURE_MICROS) {
+      count.early(); // it would wait until then
+    } else {
+      arrivals.add(measured);
     }
   }
 

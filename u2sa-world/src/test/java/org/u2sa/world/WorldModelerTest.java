@@ -12,6 +12,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
@@ -45,6 +46,17 @@ class WorldModelerTest {
     assertThat(((PointCloud) world.objects().get(1)).points()).hasSize(21);
     world.kit.advance(1.5);
     assertThat(world.objects()).isEmpty();
+  }
+
+  @Test
+  void scan_datedInTheFuture_isCountedAndDoesNotWait() {
+    world.kit.with("MODELLERS", "REACTIVE").start(WorldModeler::new);
+    RangeScan ahead = wallAhead(4.0);
+    ahead.timestamp(world.kit.clock().micros() + 1_100_000);
+    world.kit.publish(Channels.SCANS, ahead);
+    world.kit.advance(2.0);
+
+    assertThat(world.remarks()).contains("0 scans", "1 from the future");
   }
 
   @Test

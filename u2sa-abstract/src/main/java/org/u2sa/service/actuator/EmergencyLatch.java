@@ -2,12 +2,13 @@ package org.u2sa.service.actuator;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.EmergencyStop;
@@ -16,7 +17,8 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Latch for emergency stops. Each stop latches separately; it is lifted only by a clear that names
  * it, or that names no stop and has the same or a later timestamp. Fail-safe: a stop of unknown
- * origin or time latches too, and a clear from another system lifts nothing.
+ * origin or time latches too, a stop that reuses the ID of a lifted one latches again, and a clear
+ * from another system lifts nothing.
  *
  * <p>Not thread-safe: belongs to one service.
  */
@@ -27,13 +29,29 @@ public final class EmergencyLatch {
    */
   private static final int TOLD_APART = 64;
 
+  /**
+   * How long after the clear a stop without a timestamp may be a repeat of the lifted one [µs]:
+   * several repeat intervals of whoever has not received the clear.
+   */
+  private static final long REPEATED_MICROS = 10 * Clock.MICROS_PER_SECOND;
+
   private static final String STANDING = "EMERGENCY STOPS";
   private static final String LIFTED = "LIFTED EMERGENCY STOPS";
+  private static final String LIFTED_TIMES = "TIMES OF LIFTED EMERGENCY STOPS";
+
+  /**
+   * A lifted stop.
+   *
+   * @param saidMicros its timestamp; empty if unknown
+   * @param liftedMicros time of the clear [µs of this clock]
+   */
+  private record Lifted(OptionalLong saidMicros, long liftedMicros) {}
 
   private final Clock clock;
   private final String systemId;
   private final Map<String, EmergencyStop> standing = new LinkedHashMap<>(); // by identity
-  private final Set<String> lifted = new LinkedHashSet<>(); // identities, the oldest first
+  private final Set<String> untimed = new HashSet<>(); // those of them without a time of their own
+  private final Map<String, Lifted> lifted = new LinkedHashMap<>(); // by identity, the oldest first
   private EmergencyStop beyond; // newest untracked stop; null if none is active
 
   /**
@@ -63,14 +81,39 @@ public final class EmergencyLatch {
 
   private void latch(EmergencyStop message) {
     EmergencyStop stop = message.timestamp().isPresent() ? message : stamped(message);
-    if (lifted.contains(stop.identity()) || standing.containsKey(stop.identity())) {
+    String identity = stop.identity();
+    if (isRepeatOfLifted(identity, message.timestamp())) {
       return;
     }
-    if (standing.size() < TOLD_APART) {
-      standing.put(stop.identity(), stop);
+    EmergencyStop before = standing.get(identity);
+    if (before != null && (message.timestamp().isEmpty() || micros(stop) <= micros(before))) {
+      return;
+    }
+    if (before != null || standing.size() < TOLD_APART) {
+      standing.put(identity, stop); // of the same ID, the newer one counts for clears up to a time
+      if (message.timestamp().isEmpty()) {
+        untimed.add(identity);
+      } else {
+        untimed.remove(identity);
+      }
     } else if (beyond == null || micros(stop) > micros(beyond)) {
       beyond = stop;
     }
+  }
+
+  /**
+   * Whether a stop repeats one that was lifted. Repeats keep the timestamp, so another one is
+   * another stop, even if its sender uses one ID for all its stops.
+   */
+  private boolean isRepeatOfLifted(String identity, OptionalLong saidMicros) {
+    Lifted before = lifted.get(identity);
+    if (before == null) {
+      return false;
+    }
+    if (saidMicros.isEmpty()) {
+      return clock.micros() - before.liftedMicros() <= REPEATED_MICROS;
+    }
+    return before.saidMicros().isEmpty() || before.saidMicros().equals(saidMicros);
   }
 
   /** Lets a repeat, and the clear that names it, match this stop. */
@@ -92,7 +135,7 @@ public final class EmergencyLatch {
       EmergencyStop stop = stops.next();
       if (names.isEmpty() ? micros(stop) <= untilMicros : names.contains(stop.identity())) {
         stops.remove();
-        remember(stop.identity());
+        remember(stop);
       }
     }
     if (beyond != null && micros(beyond) <= untilMicros) {
@@ -100,10 +143,12 @@ public final class EmergencyLatch {
     }
   }
 
-  private void remember(String identity) {
-    lifted.add(identity);
+  private void remember(EmergencyStop stop) {
+    OptionalLong said = untimed.remove(stop.identity()) ? OptionalLong.empty() : stop.timestamp();
+    lifted.remove(stop.identity()); // so that it comes last
+    lifted.put(stop.identity(), new Lifted(said, clock.micros()));
     if (lifted.size() > 2 * TOLD_APART) {
-      Iterator<String> oldest = lifted.iterator();
+      Iterator<String> oldest = lifted.keySet().iterator();
       oldest.next();
       oldest.remove();
     }
@@ -137,12 +182,28 @@ public final class EmergencyLatch {
 
   /** Saves the active and the lifted stops for the service's successor. */
   public void handOver(HandOver state) {
-    state.messages(STANDING, stops()).texts(LIFTED, lifted);
+    List<String> times = new ArrayList<>();
+    lifted.values().forEach(each -> times.add(text(each.saidMicros())));
+    state.messages(STANDING, stops()).texts(LIFTED, lifted.keySet()).texts(LIFTED_TIMES, times);
   }
 
   /** Restores the state saved by {@link #handOver}; without it, starts with no stop. */
   public void takeOver(HandOver state) {
-    lifted.addAll(state.texts(LIFTED));
+    List<String> identities = state.texts(LIFTED);
+    List<String> times =
+        state.texts(LIFTED_TIMES); // none from a predecessor that did not keep them
+    for (int i = 0; i < identities.size(); i++) {
+      OptionalLong said = i < times.size() ? micros(times.get(i)) : OptionalLong.empty();
+      lifted.put(identities.get(i), new Lifted(said, clock.micros()));
+    }
     state.messages(STANDING, EmergencyStop.class).forEach(this::latch);
+  }
+
+  private static String text(OptionalLong micros) {
+    return micros.isPresent() ? Long.toString(micros.getAsLong()) : "";
+  }
+
+  private static OptionalLong micros(String text) {
+    return text.isEmpty() ? OptionalLong.empty() : OptionalLong.of(Long.parseLong(text));
   }
 }

@@ -2,10 +2,9 @@ package org.u2sa.service.inbox;
 
 import java.util.ArrayDeque;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.Map;
-import java.util.Set;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.FunctionalityRequest;
@@ -21,8 +20,9 @@ import org.u2sa.messages.schema.U2SAData;
  * others, but the others cannot take their room. Questions that anybody may ask, which the service
  * contract answers, fill a quarter of the rest at most.
  *
- * <p>Services keep state per source of a channel, so the inbox limits the number of sources, lest
- * invented names exhaust memory; likewise the bytes of waiting messages from other processes.
+ * <p>Services keep state per source of a channel, so the inbox limits the number of sources and the
+ * memory of their last messages, lest invented names exhaust it ({@link KnownSources}); likewise
+ * the memory of waiting messages from other processes.
  */
 public final class ServiceInbox {
   /** A message and its channel. */
@@ -30,6 +30,7 @@ public final class ServiceInbox {
     private final Channel<?> channel;
     private U2SAData message; // replaceable while queued; guarded by the inbox
     private long arrivedMicros; // likewise
+    private KnownSources.Source source; // whose latest it is; null if each message matters
 
     /** A message on its channel, with its time of arrival [µs]. */
     public Delivery(Channel<?> channel, U2SAData message, long arrivedMicros) {
@@ -54,7 +55,7 @@ public final class ServiceInbox {
     }
   }
 
-  /** Sources of a channel whose messages it takes: the first that it gets. */
+  /** Sources of a channel whose messages it takes at the same time. */
   public static final int MAX_SOURCES = 500;
 
   /** Outcome of queueing a message. */
@@ -64,21 +65,22 @@ public final class ServiceInbox {
     /** Lost: the queue is full, or its messages take too much memory. */
     DROPPED,
     /** Lost: too many sources. */
-    UNKNOWN_SOURCE
+    UNKNOWN_SOURCE,
+    /** Lost: the last messages of all sources take too much memory. */
+    TOO_LONG
   }
 
   private static final int QUESTIONS_PART = 4;
   private static final long MAX_BYTES =
       Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 64); // several of the longest messages
-  private static final Delivery NONE_WAITS = new Delivery(null, null, 0L);
+  private static final long MAX_LAST_BYTES = // of a channel's sources, each of which services keep
+      Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 32);
 
   private final int capacity;
+  private final Clock clock;
   private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
   private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
-  private final Map<Channel<?>, Map<String, Delivery>> newest =
-      new HashMap<>(); // queued deliveries of each known source
-  private final Map<Channel<?>, Set<String>> sources =
-      new HashMap<>(); // of channels on which no message may be lost
+  private final Map<Channel<?>, KnownSources> sources = new HashMap<>();
   private int reserved; // number in the queue, as the next ones
   private int questions;
   private long bytes; // of waiting messages from other processes
@@ -86,9 +88,15 @@ public final class ServiceInbox {
   private long replaced;
   private ServiceInbox successor; // null until messages are forwarded
 
-  /** An empty inbox for this many messages. */
-  public ServiceInbox(int capacity) {
+  /**
+   * An empty inbox.
+   *
+   * @param capacity number of messages
+   * @param clock for the silence of sources
+   */
+  public ServiceInbox(int capacity, Clock clock) {
     this.capacity = capacity;
+    this.clock = clock;
   }
 
   /**
@@ -100,43 +108,66 @@ public final class ServiceInbox {
     if (successor != null) {
       return successor.put(channel, message, arrivedMicros);
     }
-    String source = channel.sourceOf(message);
-    if (channel.deliversEvery()) {
-      if (!source.isEmpty() && !isKnown(channel, source)) {
-        dropped++;
-        return Outcome.UNKNOWN_SOURCE;
-      }
+    String name = channel.sourceOf(message);
+    if (channel.deliversEvery() && name.isEmpty()) {
       return enqueue(lineOf(channel), new Delivery(channel, message, arrivedMicros));
     }
-    Map<String, Delivery> ofChannel = newest.computeIfAbsent(channel, key -> new HashMap<>());
-    Delivery waiting = ofChannel.get(source);
-    if (waiting == null && ofChannel.size() >= MAX_SOURCES) {
+    KnownSources known = sourcesOf(channel);
+    KnownSources.Source source = known.heard(name);
+    Outcome refusal = refusal(known, source, name, message);
+    if (refusal != Outcome.KEPT) {
       dropped++;
-      return Outcome.UNKNOWN_SOURCE;
+      return refusal;
     }
-    if (waiting != null && waiting != NONE_WAITS) {
-      int more = message.receivedBytes() - waiting.message.receivedBytes();
-      if (isTooMuch(channel, more)) {
-        dropped++;
-        return Outcome.DROPPED;
-      }
-      bytes += more;
-      waiting.message = message;
-      waiting.arrivedMicros = arrivedMicros;
-      replaced++;
-      return Outcome.KEPT;
-    }
-    Delivery delivery = new Delivery(channel, message, arrivedMicros);
-    Outcome outcome = enqueue(lineOf(channel), delivery);
+    Delivery waiting = source == null ? null : source.waiting();
+    Outcome outcome =
+        waiting == null
+            ? enqueue(lineOf(channel), new Delivery(channel, message, arrivedMicros))
+            : replace(waiting, message, arrivedMicros);
     if (outcome == Outcome.KEPT) {
-      ofChannel.put(source, delivery);
+      KnownSources.Source its = source == null ? known.add(name) : source;
+      if (!name.isEmpty()) {
+        known.takes(its, message.receivedBytes());
+      }
+      if (waiting == null && !channel.deliversEvery()) {
+        waits(lineOf(channel).peekLast(), its);
+      }
     }
     return outcome;
   }
 
-  private boolean isKnown(Channel<?> channel, String source) {
-    Set<String> known = sources.computeIfAbsent(channel, key -> new HashSet<>());
-    return known.contains(source) || known.size() < MAX_SOURCES && known.add(source);
+  private static void waits(Delivery latest, KnownSources.Source source) {
+    source.waiting(latest);
+    latest.source = source;
+  }
+
+  private KnownSources sourcesOf(Channel<?> channel) {
+    return sources.computeIfAbsent(channel, key -> new KnownSources(clock, MAX_LAST_BYTES));
+  }
+
+  /** {@link Outcome#KEPT} if the source does not matter or may send this. */
+  private static Outcome refusal(
+      KnownSources known, KnownSources.Source source, String name, U2SAData message) {
+    if (source == null && !known.hasRoom()) {
+      return Outcome.UNKNOWN_SOURCE;
+    }
+    boolean isSingle = name.isEmpty(); // the channel has only one, and its message a place
+    return isSingle || known.fits(source, message.receivedBytes())
+        ? Outcome.KEPT
+        : Outcome.TOO_LONG;
+  }
+
+  private Outcome replace(Delivery waiting, U2SAData message, long arrivedMicros) {
+    int more = message.receivedBytes() - waiting.message.receivedBytes();
+    if (isTooMuch(waiting.channel, more)) {
+      dropped++;
+      return Outcome.DROPPED;
+    }
+    bytes += more;
+    waiting.message = message;
+    waiting.arrivedMicros = arrivedMicros;
+    replaced++;
+    return Outcome.KEPT;
   }
 
   private ArrayDeque<Delivery> lineOf(Channel<?> channel) {
@@ -190,8 +221,8 @@ public final class ServiceInbox {
     if (delivery == null) {
       return null;
     }
-    if (!delivery.channel.deliversEvery()) {
-      newest.get(delivery.channel).put(delivery.channel.sourceOf(delivery.message), NONE_WAITS);
+    if (delivery.source != null) {
+      delivery.source.waiting(null);
     }
     count(delivery, -1);
     return delivery;
@@ -210,7 +241,7 @@ public final class ServiceInbox {
       ahead.addAll(next.queue);
       next.urgent.clear();
       next.queue.clear();
-      next.newest.clear();
+      next.sources.clear();
       next.questions = 0;
       next.bytes = 0;
       next.reserved = 0;
@@ -226,7 +257,7 @@ public final class ServiceInbox {
       next.replaced += replaced;
       urgent.clear();
       queue.clear();
-      newest.clear();
+      sources.clear();
       questions = 0;
       bytes = 0;
       reserved = 0;
@@ -235,20 +266,26 @@ public final class ServiceInbox {
   }
 
   private boolean isWaiting(Delivery handled) {
-    Delivery waiting =
-        newest
-            .getOrDefault(handled.channel, Map.of())
-            .getOrDefault(handled.channel.sourceOf(handled.message), NONE_WAITS);
-    return waiting != NONE_WAITS;
+    String name = handled.channel.sourceOf(handled.message);
+    KnownSources.Source source = sourcesOf(handled.channel).heard(name);
+    return source != null && source.waiting() != null;
   }
 
   private void append(Delivery delivery) {
     lineOf(delivery.channel).add(delivery);
     count(delivery, 1);
+    String name = delivery.channel.sourceOf(delivery.message);
+    if (delivery.channel.deliversEvery() && name.isEmpty()) {
+      return;
+    }
+    KnownSources known = sourcesOf(delivery.channel);
+    KnownSources.Source source = known.heard(name);
+    source = source == null ? known.add(name) : source;
+    if (!name.isEmpty()) {
+      known.takes(source, delivery.message.receivedBytes());
+    }
     if (!delivery.channel.deliversEvery()) {
-      newest
-          .computeIfAbsent(delivery.channel, key -> new HashMap<>())
-          .put(delivery.channel.sourceOf(delivery.message), delivery);
+      waits(delivery, source);
     }
   }
 

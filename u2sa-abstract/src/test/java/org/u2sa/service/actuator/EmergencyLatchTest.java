@@ -9,7 +9,8 @@ import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.service.handover.HandOver;
 
 class EmergencyLatchTest {
-  private final EmergencyLatch latch = new EmergencyLatch(new LockstepClock(), "boat");
+  private final LockstepClock clock = new LockstepClock();
+  private final EmergencyLatch latch = new EmergencyLatch(clock, "boat");
 
   private static EmergencyStop stop(long micros) {
     EmergencyStop stop = new EmergencyStop().active(true);
@@ -63,6 +64,61 @@ class EmergencyLatchTest {
 
   private static EmergencyStop named(String id, long micros) {
     return stop(micros).stopId(id);
+  }
+
+  /** A button, or a program, that calls all its stops the same. */
+  @Test
+  void accept_laterStopUnderTheIdOfALiftedOne_latchesAgain() {
+    latch.accept(named("button", 100));
+    latch.accept(clear(100).lifts(List.of("button")));
+
+    assertThat(latch.accept(named("button", 100))).as("a repetition").isFalse();
+    assertThat(latch.accept(named("button", 101))).isTrue();
+    assertThat(latch.accept(clear(0).lifts(List.of("button")))).isTrue();
+    assertThat(latch.accept(named("button", 101))).isFalse();
+    assertThat(latch.accept(named("button", 90))).as("after a step of its clock").isTrue();
+  }
+
+  @Test
+  void accept_laterStopUnderTheIdOfOneThatHolds_countsForClearsUpToATime() {
+    latch.accept(named("button", 100));
+    latch.accept(named("button", 200));
+    latch.accept(named("button", 150));
+
+    assertThat(latch.identities()).containsExactly("button");
+    assertThat(latch.accept(clear(199))).isFalse();
+    assertThat(latch.accept(clear(200))).isTrue();
+  }
+
+  private static EmergencyStop untimed(String id) {
+    return new EmergencyStop().active(true).stopId(id);
+  }
+
+  @Test
+  void accept_stopWithoutATimeUnderTheIdOfALiftedOne_latchesAgainAfterTheTimeOfRepetitions()
+      throws InterruptedException {
+    latch.accept(untimed("button"));
+    latch.accept(clear(0).lifts(List.of("button")));
+
+    clock.advance(10_000_000);
+    assertThat(latch.accept(untimed("button"))).isFalse();
+    assertThat(latch.accept(named("button", 5))).as("of who stamped it on arrival").isFalse();
+    clock.advance(1);
+    assertThat(latch.accept(untimed("button"))).isTrue();
+  }
+
+  @Test
+  void takeOver_stopUnderTheIdOfALiftedOne_latchesIfItIsAnother() {
+    latch.accept(named("button", 100));
+    latch.accept(clear(100));
+    HandOver state = new HandOver("test");
+    latch.handOver(state);
+
+    EmergencyLatch successor = new EmergencyLatch(clock, "boat");
+    successor.takeOver(state);
+
+    assertThat(successor.accept(named("button", 100))).isFalse();
+    assertThat(successor.accept(named("button", 101))).isTrue();
   }
 
   @Test

@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.cbor.ByteString;
@@ -27,7 +28,8 @@ import org.u2sa.service.inbox.ServiceInbox.Outcome;
 class ServiceInboxLimitsTest {
   private static final int CAPACITY = 8;
 
-  private final ServiceInbox inbox = new ServiceInbox(CAPACITY);
+  private final LockstepClock clock = new LockstepClock();
+  private final ServiceInbox inbox = new ServiceInbox(CAPACITY, clock);
 
   private static boolean put(ServiceInbox inbox, Channel<?> channel, U2SAData message) {
     return inbox.put(channel, message, 0L) == Outcome.KEPT;
@@ -88,7 +90,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void put_longMessagesOfManySources_takesSomeMegabytesOnly() throws MalformedMessageException {
-    ServiceInbox large = new ServiceInbox(1_000);
+    ServiceInbox large = new ServiceInbox(1_000, clock);
     int kept = 0;
     while (kept < 1_000 && put(large, Channels.IMAGES, received("camera " + kept, LONG))) {
       kept++;
@@ -107,7 +109,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void put_shortMessagesReplacedByLongOnes_countTheirBytesToo() throws MalformedMessageException {
-    ServiceInbox large = new ServiceInbox(1_000);
+    ServiceInbox large = new ServiceInbox(1_000, clock);
     for (int i = 0; i < 400; i++) {
       put(large, Channels.IMAGES, received("camera " + i, 10));
     }
@@ -131,7 +133,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void put_questionIntoASmallInbox_hasRoomForOne() {
-    ServiceInbox small = new ServiceInbox(3);
+    ServiceInbox small = new ServiceInbox(3, clock);
 
     assertThat(fill(small, Channels.FUNCTIONALITY, new FunctionalityRequest())).isOne();
     assertThat(fill(small, Channels.GOAL_COMMANDS, new GoalCommand())).isEqualTo(2);
@@ -168,7 +170,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void moveTo_allThatWaits_comesAheadOfWhatIsThereAndUrgentFirst() {
-    ServiceInbox next = new ServiceInbox(CAPACITY);
+    ServiceInbox next = new ServiceInbox(CAPACITY, clock);
     putNumber(inbox, "old 1");
     put(inbox, Channels.EMERGENCY_STOP, new EmergencyStop());
     putNumber(next, "new 1");
@@ -185,7 +187,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void moveTo_urgentOneWaitsInTheSuccessorAlready_isThereOnceBehindTheOthers() {
-    ServiceInbox next = new ServiceInbox(CAPACITY);
+    ServiceInbox next = new ServiceInbox(CAPACITY, clock);
     EmergencyStop before = new EmergencyStop();
     EmergencyStop after = new EmergencyStop();
     put(inbox, Channels.EMERGENCY_STOP, before);
@@ -200,7 +202,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void put_afterTheMoveToAFullSuccessor_isLostThere() {
-    ServiceInbox next = new ServiceInbox(1);
+    ServiceInbox next = new ServiceInbox(1, clock);
     inbox.moveTo(next, List.of());
 
     assertThat(putNumber(inbox, "1")).isTrue();
@@ -210,7 +212,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void moveTo_handledBefore_isSeenFirstUnlessANewerOneWaits() {
-    ServiceInbox next = new ServiceInbox(CAPACITY);
+    ServiceInbox next = new ServiceInbox(CAPACITY, clock);
     put(inbox, Channels.STATE, state("A"));
     put(inbox, Channels.STATE, state("B"));
     List<ServiceInbox.Delivery> handled = List.of(inbox.poll(), inbox.poll());
@@ -224,7 +226,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void moveTo_latestThatWaits_isReplacedInItsNewPlace() {
-    ServiceInbox next = new ServiceInbox(CAPACITY);
+    ServiceInbox next = new ServiceInbox(CAPACITY, clock);
     put(inbox, Channels.STATE, state("A"));
     inbox.moveTo(next, List.of());
 
@@ -236,7 +238,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void moveTo_lostAndReplacedSoFar_areSummed() {
-    ServiceInbox next = new ServiceInbox(1);
+    ServiceInbox next = new ServiceInbox(1, clock);
     fill(inbox, Channels.GOAL_COMMANDS, new GoalCommand());
     put(inbox, Channels.ARMING_STATE, new ArmingState());
     put(inbox, Channels.ARMING_STATE, new ArmingState());
@@ -252,7 +254,7 @@ class ServiceInboxLimitsTest {
 
   @Test
   void moveTo_questionsAndReservedOnesOfBoth_countInTheSuccessor() {
-    ServiceInbox next = new ServiceInbox(CAPACITY);
+    ServiceInbox next = new ServiceInbox(CAPACITY, clock);
     put(inbox, Channels.DISCOVERY, new DiscoveryRequest());
     put(next, Channels.DISCOVERY, new DiscoveryRequest());
     put(inbox, Channels.ARMING, new ArmCommand());
@@ -291,5 +293,84 @@ class ServiceInboxLimitsTest {
         .isEqualTo(Outcome.UNKNOWN_SOURCE);
     assertThat(put(inbox, Channels.SENSED_OBJECTS, new Circle().sensorName("s0"))).isTrue();
     assertThat(put(inbox, Channels.SENSED_OBJECTS, new Circle())).isTrue(); // names no source
+  }
+
+  private static final long SILENT_MICROS = 60_000_000;
+
+  private boolean hears(String sensor) {
+    boolean kept = put(inbox, Channels.SENSED_STATE, state(sensor));
+    inbox.poll();
+    return kept;
+  }
+
+  private void fillSources() {
+    for (int i = 0; i < ServiceInbox.MAX_SOURCES; i++) {
+      assertThat(hears("s" + i)).isTrue();
+    }
+  }
+
+  @Test
+  void put_newSourceWhileAllOthersSpeak_findsNoRoomHoweverLong() throws InterruptedException {
+    fillSources();
+    for (int minute = 0; minute < 5; minute++) {
+      clock.advance(SILENT_MICROS);
+      assertThat(hears("new")).isFalse();
+      for (int i = 0; i < ServiceInbox.MAX_SOURCES; i++) {
+        assertThat(hears("s" + i)).isTrue();
+      }
+    }
+  }
+
+  @Test
+  void put_newSourceAfterOneFellSilent_takesItsRoomAndNobodyElses() throws InterruptedException {
+    fillSources();
+    assertThat(hears("new")).isFalse();
+    for (int half = 0; half < 4; half++) {
+      clock.advance(SILENT_MICROS / 2);
+      for (int i = 1; i < ServiceInbox.MAX_SOURCES; i++) {
+        assertThat(hears("s" + i)).isTrue();
+      }
+      assertThat(hears("new")).as("after %s half minutes", half + 1).isEqualTo(half == 3);
+    }
+
+    assertThat(hears("another")).isFalse();
+    assertThat(hears("s0")).as("the one that was silent").isFalse();
+    assertThat(hears("s1")).isTrue();
+    assertThat(hears("new")).isTrue();
+  }
+
+  @Test
+  void put_silentSourceWhoseMessageStillWaits_keepsItsRoom() throws InterruptedException {
+    ServiceInbox roomy = new ServiceInbox(1_000, clock);
+    for (int i = 0; i < ServiceInbox.MAX_SOURCES; i++) {
+      assertThat(put(roomy, Channels.SENSED_STATE, state("s" + i))).isTrue();
+    }
+    for (int minute = 0; minute < 4; minute++) {
+      clock.advance(SILENT_MICROS);
+      assertThat(put(roomy, Channels.SENSED_STATE, state("new"))).isFalse();
+    }
+    assertThat(contents(roomy)).hasSize(ServiceInbox.MAX_SOURCES).startsWith("s0");
+  }
+
+  @Test
+  void put_longMessagesOfManySourcesOneAfterAnother_areTakenUpToSomeMegabytes()
+      throws MalformedMessageException {
+    ServiceInbox large = new ServiceInbox(1_000, clock);
+    long most = Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 32);
+    int kept = 0;
+    while (kept < 500
+        && put(large, Channels.IMAGES, received("camera " + kept, kept == 0 ? 700_000 : LONG))) {
+      large.poll();
+      kept++;
+    }
+    assertThat((long) kept * (1 << 20)).isBetween(most - (1 << 20), most);
+    assertThat(large.put(Channels.IMAGES, received("one more", LONG), 0L))
+        .isEqualTo(Outcome.TOO_LONG);
+
+    assertThat(put(large, Channels.IMAGES, received("camera 0", LONG)))
+        .as("somewhat longer than before")
+        .isTrue();
+    assertThat(put(large, Channels.IMAGES, received("short", 1_000))).isTrue();
+    assertThat(put(large, Channels.SENSED_STATE, state("another channel"))).isTrue();
   }
 }

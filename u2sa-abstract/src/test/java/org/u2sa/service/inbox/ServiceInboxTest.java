@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.DiscoveryRequest;
@@ -18,7 +19,8 @@ import org.u2sa.service.inbox.ServiceInbox.Outcome;
 class ServiceInboxTest {
   private static final int CAPACITY = 8;
 
-  private final ServiceInbox inbox = new ServiceInbox(CAPACITY);
+  private final LockstepClock clock = new LockstepClock();
+  private final ServiceInbox inbox = new ServiceInbox(CAPACITY, clock);
 
   private int questionsTaken() {
     int taken = 0;

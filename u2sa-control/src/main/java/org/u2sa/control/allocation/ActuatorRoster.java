@@ -19,6 +19,7 @@ public final class ActuatorRoster {
   private static final double RENEWAL_S = 5.0; // for actuators that announce none
   private static final double MISSED = 3.0;
   private static final double ALL_PERCENT = 100.0;
+  private static final int MAX_KNOWN = 500; // beyond it, those that are gone are forgotten
 
   /** State of one actuator. */
   private static final class Known {
@@ -32,6 +33,9 @@ public final class ActuatorRoster {
 
   /** Processes an announcement received at a time. */
   public void see(ActuatorAnnouncement announcement, long nowMicros) {
+    if (actuators.size() >= MAX_KNOWN && !actuators.containsKey(announcement.actuatorName())) {
+      actuators.values().removeIf(each -> !isPresent(each, nowMicros));
+    }
     Known known = actuators.computeIfAbsent(announcement.actuatorName(), name -> new Known());
     known.revision += says(known.announced, announcement) ? 0 : 1;
     known.announced = announcement;

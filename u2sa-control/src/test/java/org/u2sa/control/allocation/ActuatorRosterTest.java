@@ -38,4 +38,15 @@ class ActuatorRosterTest {
     roster.see(new HealthReport().serviceName("Other").status(ServiceStatus.FAILED));
     assertThat(roster.lost(0)).isEmpty();
   }
+
+  @Test
+  void see_inventedActuatorsByTheHundred_forgetsThoseThatAreGoneAndNoOther() {
+    for (int i = 0; i < 2_000; i++) {
+      roster.see(motor(), i * 10_000L);
+      roster.see(motor().actuatorName("invented " + i), i * 10_000L);
+    }
+
+    assertThat(roster.sound()).hasSizeLessThanOrEqualTo(500);
+    assertThat(roster.present(19_990_000)).extracting(Effector::name).contains("MOTOR");
+  }
 }

@@ -16,6 +16,9 @@ import org.u2sa.messages.schema.U2SAData;
  * disarmed are ignored.
  */
 final class ActuationWatch implements Watch {
+  private static final int MAX_SERVICES = 500; // beyond it, silent ones are forgotten
+  private static final long FORGOTTEN_MICROS = 60 * Clock.MICROS_PER_SECOND;
+
   /** Last report of a service. */
   private static final class Heard {
     private String instance = "";
@@ -24,6 +27,7 @@ final class ActuationWatch implements Watch {
     private long refusedBefore; // count when it began to refuse all
     private long sinceMicros = Clock.NEVER; // when it began to refuse all; NEVER if it obeys
     private long refusedMicros; // time of the last refusal
+    private long heardMicros;
   }
 
   private final Supplier<SafetyVariables> settings;
@@ -60,7 +64,11 @@ final class ActuationWatch implements Watch {
   }
 
   private void hear(HealthReport report, long nowMicros) {
+    if (services.size() >= MAX_SERVICES && !services.containsKey(report.serviceName())) {
+      services.values().removeIf(each -> nowMicros - each.heardMicros > FORGOTTEN_MICROS);
+    }
     Heard service = services.computeIfAbsent(report.serviceName(), name -> new Heard());
+    service.heardMicros = nowMicros;
     String instance = report.instance().orElse("");
     long obeyed = report.commandsObeyed().getAsLong();
     long refused = report.commandsRefused().orElse(0L);

@@ -35,6 +35,9 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   private static final double STEPS_PER_S = 50.0;
   private static final double FULL_PERCENT = 100.0;
 
+  /** More than any such link brings: a flood must not keep emergency stops waiting. */
+  private static final int MAX_BYTES_A_STEP = 1 << 16;
+
   private final ByteLink link;
   private final DeviceWatch watch;
   private final MavlinkStream stream;
@@ -114,7 +117,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
       state.beginAnew();
     }
     int count;
-    while ((count = link.read(buffer)) > 0) {
+    for (int all = 0; all < MAX_BYTES_A_STEP && (count = link.read(buffer)) > 0; all += count) {
       stream.accept(buffer, count, message -> take(message, now));
     }
     watch.malformed(stream.malformed() + state.refused(), "");

@@ -128,6 +128,7 @@ class DeviceWatchTest {
   void malformed_flood_isSaidAtPowersOfTwo() {
     link.fromDevice(new byte[60]);
     assertThat(lastError()).hasValue("the sonar sent invalid data (32 times so far), last: noise");
-    assertThat(kit.log("Listener").stream().filter(line -> line.contains("invalid data"))).hasSize(6);
+    assertThat(kit.log("Listener").stream().filter(line -> line.contains("invalid data")))
+        .hasSize(6);
   }
 }

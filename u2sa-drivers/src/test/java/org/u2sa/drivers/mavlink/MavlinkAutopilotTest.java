@@ -28,6 +28,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.mavlink.MavlinkStream;
@@ -518,5 +519,18 @@ class MavlinkAutopilotTest {
     command("STEERING", 80.0);
     kit.advance(0.1);
     assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1900);
+  }
+
+  @Test
+  @Timeout(120)
+  void step_floodOnTheLinkThatNeverEnds_leavesTimeForAnEmergencyStop() {
+    start();
+    link.producing(() -> link.fromDevice(new byte[4_096]));
+
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("a"));
+    kit.advance(0.5);
+
+    assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::emergencyStops))
+        .contains(List.of("a"));
   }
 }

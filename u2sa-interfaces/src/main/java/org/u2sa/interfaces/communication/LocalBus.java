@@ -130,10 +130,15 @@ public final class LocalBus implements Transport {
   private static final class Route {
     private static final int MAX_RETAINED = 1_000; // sources, which others may invent
 
+    /** Memory for the retained messages of other processes. */
+    private static final long MAX_RETAINED_BYTES =
+        Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
+
     /** Copy-on-write under this; an array because every message iterates over it. */
     private volatile Subscription[] subscriptions = {};
 
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
+    private long retainedBytes; // of other processes' messages
     private final Map<String, LocalConnection> publishers =
         new HashMap<>(); // latest publishers, by source
     private Channel<?> channel; // channel of the retained messages
@@ -151,9 +156,7 @@ public final class LocalBus implements Transport {
         synchronized (this) {
           channel = on;
           String source = on.sourceOf(message);
-          if (retained.size() < MAX_RETAINED || retained.containsKey(source)) {
-            retained.put(source, message);
-          }
+          retain(source, message, publisher != null);
           hand(message, carrier);
           if (publisher != null) {
             publishers.put(source, publisher);
@@ -167,6 +170,24 @@ public final class LocalBus implements Transport {
         if (publisher != null) {
           publisher.cross(on, message, Bridge::forward);
         }
+      }
+    }
+
+    /**
+     * Retains a message if there is room. One without room is not retained, and neither is what it
+     * replaces, because that is no longer true.
+     */
+    private void retain(String source, U2SAData message, boolean isOwn) {
+      U2SAData before = retained.get(source);
+      long bytes =
+          retainedBytes + message.receivedBytes() - (before == null ? 0 : before.receivedBytes());
+      boolean isNew = before == null && retained.size() >= MAX_RETAINED;
+      if (isOwn || !isNew && bytes <= MAX_RETAINED_BYTES) {
+        retained.put(source, message);
+        retainedBytes = bytes;
+      } else if (before != null) {
+        retained.remove(source);
+        retainedBytes -= before.receivedBytes();
       }
     }
 

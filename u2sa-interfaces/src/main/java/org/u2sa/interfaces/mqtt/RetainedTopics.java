@@ -28,7 +28,7 @@ final class RetainedTopics {
   private static final int MAX_UTF8_BYTES_PER_CHAR = 3;
 
   private final Map<String, Published> published = new ConcurrentHashMap<>();
-  private final Map<String, byte[]> received = new ConcurrentHashMap<>();
+  private final ReceivedMessages received = new ReceivedMessages();
   private final Set<String> knownBefore = ConcurrentHashMap.newKeySet();
   private volatile Inquiry inquiry; // null unless the broker is being queried
 
@@ -95,7 +95,7 @@ final class RetainedTopics {
 
   /** Forgets messages received on a channel, so that a new subscription delivers them again. */
   void forget(Channel<?> channel) {
-    received.keySet().removeIf(topic -> Topic.parse(topic).channel().equals(channel.name()));
+    received.forget(topic -> Topic.parse(topic).channel().equals(channel.name()));
   }
 
   /**
@@ -106,7 +106,8 @@ final class RetainedTopics {
    * @throws MqttException if the broker does not answer
    */
   void restore(MqttSession session) throws MqttException, InterruptedException {
-    knownBefore.addAll(received.keySet());
+    knownBefore.clear();
+    knownBefore.addAll(received.topics());
     Map<String, Published> mine = new LinkedHashMap<>(published);
     if (mine.isEmpty()) {
       return;

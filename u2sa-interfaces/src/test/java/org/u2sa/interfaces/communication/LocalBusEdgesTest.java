@@ -4,10 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.PathStatus;
+import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /** What the local bus answers: to bridges that come late, closed connections, faulty receivers. */
@@ -50,6 +57,59 @@ class LocalBusEdgesTest {
     bus.attach((channel, message) -> given.add(channel + " " + (message == goals)));
 
     assertThat(given).containsExactly("goals true");
+  }
+
+  private static PlannedPath plan(String subsystem, int points) {
+    return new PlannedPath()
+        .subsystem(subsystem)
+        .planner("PathPlanner")
+        .status(PathStatus.FOLLOWED)
+        .points(Collections.nCopies(points, Point.of(1.0, 2.0, 3.0)));
+  }
+
+  private static PlannedPath received(PlannedPath sent) throws MalformedMessageException {
+    return (PlannedPath)
+        frozen(
+            new MessageCodec(StandardTypes.registry()).decode(sent.typeChain(), sent.serialize()));
+  }
+
+  private List<String> retainedPlans() {
+    received.clear();
+    try (Connection late = bus.connect("late", receiver)) {
+      late.subscribe(Channels.PLANS);
+    }
+    return received.stream().map(message -> ((PlannedPath) message).subsystem()).toList();
+  }
+
+  @Test
+  void subscribe_afterLongMessagesOfInventedSources_bringsSomeMegabytesOnly()
+      throws MalformedMessageException {
+    long most = Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
+    PlannedPath first = received(plan("s0", 30_000));
+    int sent = (int) (2 * most / first.receivedBytes()) + 2;
+    for (int i = 0; i < sent; i++) {
+      bus.deliver(Channels.PLANS, received(plan("s" + i, 30_000)));
+    }
+    bus.connect("PathPlanner", receiver).publish(Channels.PLANS, frozen(plan("own", 30_000)));
+
+    List<String> plans = retainedPlans();
+    assertThat(plans).hasSizeBetween(2, sent).startsWith("s0").endsWith("own");
+    assertThat((plans.size() - 1L) * first.receivedBytes()).isLessThanOrEqualTo(most);
+  }
+
+  @Test
+  void deliver_messageThatHasNoRoom_leavesNoOlderOneInItsPlace() throws MalformedMessageException {
+    long most = Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
+    bus.deliver(Channels.PLANS, received(plan("real", 1)));
+    int all = (int) (most / received(plan("s0", 30_000)).receivedBytes());
+    for (int i = 0; i < all; i++) {
+      bus.deliver(Channels.PLANS, received(plan("s" + i, 30_000)));
+    }
+    assertThat(retainedPlans()).contains("real", "s" + (all - 1));
+
+    bus.deliver(Channels.PLANS, received(plan("real", 30_000)));
+
+    assertThat(retainedPlans()).hasSize(all).doesNotContain("real");
   }
 
   @Test

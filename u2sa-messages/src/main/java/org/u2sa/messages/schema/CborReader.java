@@ -34,6 +34,11 @@ final class CborReader {
   private static final int OTHER = -2; // a field without an index
   private static final int SOME = 16; // initial capacity of indefinite-length lists
 
+  /** Memory per element of a list or map: a point or short text and the reference to it [B]. */
+  private static final int ELEMENT_BYTES = 48;
+
+  private static final int NESTED_BYTES = 400; // per message within a message, beside its lists
+
   /** Reads the next element of a list. */
   interface Element<V> {
     V read() throws MalformedMessageException;
@@ -49,6 +54,7 @@ final class CborReader {
   private String other; // current key without an index
   private int depth; // nesting depth of arrays and maps
   private Origin origin; // from the outermost map; null if absent
+  private long more; // memory taken beyond the bytes read [B]
 
   private CborReader(MessageTypes types, List<String> chain, CborInput in) {
     this.types = types;
@@ -70,7 +76,7 @@ final class CborReader {
       if (!in.isAtEnd()) {
         throw malformed("expected the end of the message, not more bytes");
       }
-      message.decodedFrom(in.offset());
+      message.decodedFrom((int) Math.min(Integer.MAX_VALUE, in.offset() + more));
       return message;
     } catch (RuntimeException e) { // from the input or a setter
       throw new MalformedMessageException(where(), in.offset(), e.getMessage(), e);
@@ -186,6 +192,7 @@ final class CborReader {
     int outerIndex = index;
     path = where();
     index = BETWEEN;
+    more += NESTED_BYTES;
     M message = expected.messageClass().cast(message(type, itsChain, pairs, 1));
     path = outerPath;
     table = outerTable;
@@ -243,6 +250,7 @@ final class CborReader {
   List<Double> numbers() throws MalformedMessageException {
     List<Double> typed = typedNumbers();
     if (typed != null) {
+      more += (long) Double.BYTES * typed.size();
       return typed; // bounded by the message size; the field's bounds are checked later
     }
     long length = in.array();
@@ -251,6 +259,7 @@ final class CborReader {
     }
     requireRoom(length);
     deeper();
+    more += Double.BYTES * length;
     double[] numbers = new double[(int) length];
     in.numbers(numbers);
     depth--;
@@ -309,6 +318,7 @@ final class CborReader {
               "expected %s times %s numbers and the end, not %s", count, columns, numbers.size()));
     }
     depth--;
+    more += ELEMENT_BYTES * count;
     List<V> rows = new ArrayList<>((int) count);
     for (int at = 0; at < numbers.size(); at += (int) columns) {
       rows.add(row.of(numbers, at, at + (int) columns));
@@ -361,6 +371,7 @@ final class CborReader {
       elements.add(element.read());
     }
     depth--;
+    more += (long) ELEMENT_BYTES * elements.size();
     return elements;
   }
 
@@ -381,6 +392,7 @@ final class CborReader {
       }
     }
     depth--;
+    more += 2L * ELEMENT_BYTES * map.size();
     return Collections.unmodifiableMap(map);
   }
 

@@ -31,7 +31,7 @@ public abstract class U2SAData {
   private final FieldStorage storage;
   private UnknownPart unknown; // fields of the unknown subclass in placeholders; else null
   private Origin origin; // of messages received over MQTT; else null
-  private int receivedBytes; // of decoded messages; else 0
+  private int receivedBytes; // memory of decoded messages; else 0
 
   /** Creates an empty message of the type {@link #type()}. */
   protected U2SAData() {
@@ -98,7 +98,10 @@ public abstract class U2SAData {
     return Optional.ofNullable(origin);
   }
 
-  /** Bytes that it was decoded from: about what it takes in memory; 0 if it was made here. */
+  /**
+   * About the memory that it takes [B], at least the bytes that it was decoded from; 0 if it was
+   * made here. For budgets: a packed list of points takes seven times its bytes.
+   */
   public final int receivedBytes() {
     return receivedBytes;
   }

@@ -3,6 +3,8 @@ package org.u2sa.messages.schema;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Collections;
+import java.util.HexFormat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.ObjectList;
@@ -56,5 +58,31 @@ class MessageCodecTest {
   void serialize_requiredFieldMissing_namesIt() {
     assertThatThrownBy(() -> new Waypoint().uid("1").serialize())
         .hasMessage("Waypoint.horizontalThreshold is required and was never set");
+  }
+
+  @Test
+  void receivedBytes_packedPoints_areAboutTheirMemoryAndNotTheirBytes()
+      throws MalformedMessageException {
+    PointCloud cloud = new PointCloud().uid("c").x(1).y(2).referenceFrame(ReferenceFrame.BODY);
+    cloud.points(Collections.nCopies(1_000, Point.of(1, 2, 3)));
+    byte[] halves = // the same points as 16-bit floats (RFC 8746)
+        HexFormat.of()
+            .parseHex(
+                HexFormat.of()
+                    .formatHex(cloud.points(List.of()).serialize())
+                    .replace(
+                        "66706f696e747380",
+                        "66706f696e7473"
+                            + "d828828219"
+                            + "03e803"
+                            + "d850591770"
+                            + "3c0040004200".repeat(1_000)));
+
+    U2SAData read = codec.decode(cloud.typeChain(), halves);
+
+    assertThat(((PointCloud) read).points()).hasSize(1_000).contains(Point.of(1, 2, 3));
+    assertThat(halves.length).isLessThan(6_200);
+    assertThat(read.receivedBytes()).isBetween(40_000, 100_000);
+    assertThat(cloud.receivedBytes()).isZero();
   }
 }

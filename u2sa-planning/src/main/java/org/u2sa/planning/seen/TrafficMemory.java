@@ -13,6 +13,8 @@ final class TrafficMemory {
   /** Objects stationary for longer count as parked [µs]. */
   private static final long PARKED_AFTER_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
+  private static final int MAX_MOVERS = 1_000;
+
   /** Velocity at its fastest, and time of the last motion [µs]. */
   private record Motion(long micros, double northMps, double eastMps, long lastMicros) {
     double mps() {
@@ -39,6 +41,12 @@ final class TrafficMemory {
    */
   void moves(Mover mover) {
     long seen = mover.seenMicros();
+    if (moved.size() >= MAX_MOVERS && !moved.containsKey(mover.name())) {
+      moved.values().removeIf(each -> Math.abs(seen - each.lastMicros()) > PARKED_AFTER_MICROS);
+    }
+    if (moved.size() >= MAX_MOVERS && !moved.containsKey(mover.name())) {
+      return; // more than any real traffic: invented names
+    }
     moved.merge(
         mover.name(), new Motion(seen, mover.northMps(), mover.eastMps(), seen), Motion::and);
   }

@@ -10,8 +10,12 @@ class TrafficMemoryTest {
   private final TrafficMemory memory = new TrafficMemory();
 
   private static Mover walker(double seconds, double eastMps) {
+    return walker("walker", seconds, eastMps);
+  }
+
+  private static Mover walker(String name, double seconds, double eastMps) {
     return new Mover(
-        "walker",
+        name,
         Clock.micros(seconds),
         0.0,
         new double[] {3.0},
@@ -52,6 +56,32 @@ class TrafficMemoryTest {
     memory.moves(walker(10.0, 0.4));
     memory.moves(walker(18.0, 0.3));
     assertThat(mightMove(25.0)).containsExactlyInAnyOrder(0.4, -0.4);
+  }
+
+  /** Objects that move are never asked about, so only their number and age can end the memory. */
+  @Test
+  void moves_inventedNamesByTheThousand_areForgottenWhenTheyAreOld() {
+    for (int i = 0; i < 1_000; i++) {
+      memory.moves(walker("invented " + i, 10.0, 0.4));
+    }
+    memory.moves(walker(19.0, 0.4));
+    assertThat(mightMove(19.5)).as("as many as any traffic has").isEmpty();
+
+    memory.moves(walker(20.1, 0.4));
+
+    assertThat(mightMove(20.5)).containsExactlyInAnyOrder(0.4, -0.4);
+    assertThat(memory.mightMove(walker("invented 0", 12.0, 0.0))).isEmpty();
+  }
+
+  @Test
+  void moves_inventedNamesDatedInTheFuture_makeRoomAtOnce() {
+    for (int i = 0; i < 1_000; i++) {
+      memory.moves(walker("invented " + i, 1.0e9, 0.4));
+    }
+    memory.moves(walker(10.0, 0.4));
+
+    assertThat(mightMove(12.0)).containsExactlyInAnyOrder(0.4, -0.4);
+    assertThat(memory.mightMove(walker("invented 0", 1.0e9 + 1.0, 0.0))).isEmpty();
   }
 
   @Test
