@@ -160,7 +160,7 @@ class FailsafeMissionTest {
               new FailsafeMissions(
                   manager,
                   new MissionFiles(context),
-                  context.configuration().settings(MissionSettings.class)::get));
+                  context.configuration().settings(MissionVariables.class)::get));
           return manager;
         });
     Files.writeString(file, "<mission><waypoint/></mission>");
