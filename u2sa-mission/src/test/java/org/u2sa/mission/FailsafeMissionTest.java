@@ -158,9 +158,10 @@ class FailsafeMissionTest {
           MissionManager manager = new MissionManager(context);
           missions.set(
               new FailsafeMissions(
-                  manager,
+                  new MissionRun(context.clock(), () -> 1.0),
                   new MissionFiles(context),
-                  context.configuration().settings(MissionVariables.class)::get));
+                  context.configuration().settings(MissionVariables.class)::get,
+                  manager));
           return manager;
         });
     Files.writeString(file, "<mission><waypoint/></mission>");
