@@ -64,7 +64,7 @@ class NewCommandTest {
     "two--hyphens, expected letters",
     "waypoint, message Waypoint",
     "settings, uses a class of that name",
-    "tuning, uses a class of that name",
+    "variables, uses a class of that name",
     "service-context, uses a class of that name",
   })
   void make_badName_isRefused(String name, String why) {
