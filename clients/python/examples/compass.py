@@ -23,6 +23,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from u2sa import Broker, CannotConnect, Message, Service, Variable  # noqa: E402
 
 TURN = 2.0 * math.pi
+LONGEST_LINE = 1_024  # characters; a device that sends no line ends must not fill the memory
 VARIABLES = (
     Variable("DECLINATION", 0.0, "rad", -math.pi, math.pi,
              description="Angle from true to magnetic north, east positive; added to magnetic headings."),
@@ -103,7 +104,8 @@ def main(arguments: List[str]) -> int:
         device = None
         if given.device is not None:
             device = sys.stdin if given.device == "-" else open(given.device, encoding="ascii", errors="replace")
-        compass = Compass(device, system_id=given.system, file=given.configuration,
+        sentences = None if device is None else iter(functools.partial(device.readline, LONGEST_LINE), "")
+        compass = Compass(sentences, system_id=given.system, file=given.configuration,
                           broker=Broker(host, int(port or 1883), given.user, password, given.ca))
         return compass.run()
     except (CannotConnect, OSError, ValueError) as e:

@@ -77,8 +77,8 @@ def _origin(value: Any) -> Optional[Tuple[str, int]]:
     if value is None:
         return None
     if (not isinstance(value, list) or len(value) != 2 or not isinstance(value[0], str) or not 1 <= len(value[0]) <= 64
-            or type(value[1]) is not int or value[1] < 1):
-        raise Malformed(f"origin: expected the sender and a number from 1, not {value!r}")
+            or type(value[1]) is not int or not 1 <= value[1] < 1 << 63):
+        raise Malformed(f"origin: expected the sender and a number from 1 of 64 bits, not {value!r}")
     return value[0], value[1]
 
 

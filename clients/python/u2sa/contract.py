@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from typing import TYPE_CHECKING, List
+from typing import TYPE_CHECKING, List, Sequence
 
 from .configuration import Assignment, BadConfiguration
 from .message import Message
@@ -110,7 +110,7 @@ class Contract:
                 for name, before, now in done]
         except BadConfiguration as e:
             result["reason"] = str(e)
-            result["assignments"] = message.get("assignments") if message.is_a("ConfigurationTransaction") else ()
+            result["assignments"] = self._told_back(message)
         result["revision"] = self._service.configuration.revision
         self._answered[request] = result
         while len(self._answered) > _REMEMBERED:
@@ -118,6 +118,12 @@ class Contract:
         self._service.send("configuration", result)
         if done:
             self._service.configuration_changed([name for name, _before, _now in done])
+
+    def _told_back(self, message: Message) -> Sequence[Message]:
+        """What was wanted and refused. More assignments than there are variables cannot be meant: the answer would be larger
+        than a message may be, and is kept."""
+        wanted: Sequence[Message] = message.get("assignments") if message.is_a("ConfigurationTransaction") else ()
+        return wanted[:len(self._service.configuration.describe())]
 
     def _undo(self, message: Message) -> List[Assignment]:
         return self._service.configuration.undo(message.get("author"))

@@ -5,10 +5,12 @@ import threading
 import time
 from typing import Any, Callable, Dict, List, Optional
 
+from . import texts
 from .message import Message
 
 _REMEMBERED = 256
-_MOST = (1 << 63) - 1  # a count beyond it could not be reported
+_MAX_COUNT = (1 << 63) - 1  # of the integers of a message
+_ERROR_CHARACTERS = 1_000  # as HealthReport.lastError takes
 
 
 class Health:
@@ -23,9 +25,10 @@ class Health:
         self.in_a_row = 0
 
     def count(self, what: str, more: int = 1) -> None:
-        """Adds to dropped, replaced, refused, overruns, exceptions, published, expired or missed."""
+        """Adds to dropped, replaced, refused, overruns, exceptions, published, expired or missed, up to 64 bits: the numbers
+        from which `missed` is counted are the sender's."""
         with self._lock:
-            self._counts[what] = min(_MOST, self._counts[what] + more)
+            self._counts[what] = min(_MAX_COUNT, self._counts[what] + more)
 
     def run(self, code: Callable[[], None]) -> Optional[Exception]:
         """Runs an author's code, measures it, and returns the exception that it threw."""
@@ -41,10 +44,15 @@ class Health:
             self._running_since = None
             self._took = (self._took + [time.monotonic() - begun])[-_REMEMBERED:]
             self.in_a_row = self.in_a_row + 1 if failure else 0
-            if failure:
-                self._counts["exceptions"] += 1
-                self.last_error = f"{type(failure).__name__}: {failure}"
+        if failure:
+            self.failed(failure)
         return failure
+
+    def failed(self, failure: Exception) -> str:
+        """Counts an exception and remembers its text, which is returned."""
+        self.count("exceptions")
+        self.last_error = texts.shortened(_ERROR_CHARACTERS, _text(failure))
+        return self.last_error
 
     def report(self, service: str, status: str, inbox: int) -> Message:
         """A health report; the service adds instance and interval."""
@@ -64,3 +72,11 @@ class Health:
     def _percentile(self, share: float) -> float:
         ordered = sorted(self._took)
         return ordered[min(len(ordered) - 1, int(share * len(ordered)))] if ordered else 0.0
+
+
+def _text(failure: Exception) -> str:
+    name = type(failure).__name__
+    try:
+        return f"{name}: {failure}"
+    except Exception:  # of an author's own exception class
+        return name

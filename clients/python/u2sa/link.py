@@ -14,6 +14,7 @@ import paho.mqtt.client as mqtt
 
 from .codec import encode
 from .message import Message
+from .occurrences import Occurrences
 from .retained import Retained
 from .topics import Topic, delivery, encoded
 
@@ -82,6 +83,7 @@ class Link:
         self._system_id = system_id
         self._received = received
         self._trouble = trouble
+        self._occurrences = Occurrences()
         self._filters: Set[str] = set()
         self._asked: Dict[int, str] = {}  # filter by packet identifier, until the broker answers
         self._refused: Set[str] = set()  # filters that the broker did not grant
@@ -115,11 +117,22 @@ class Link:
         client.reconnect_delay_set(*_BACK_OFF_S)
         client.max_inflight_messages_set(_IN_FLIGHT)
         client.max_queued_messages_set(_IN_FLIGHT)
-        client.on_connect = self._connected
-        client.on_disconnect = self._disconnected
-        client.on_message = self._message
-        client.on_subscribe = self._subscribed
+        client.on_connect = self._surviving("connecting", self._connected)
+        client.on_disconnect = self._surviving("disconnecting", self._disconnected)
+        client.on_message = self._surviving("receiving a message", self._message)
+        client.on_subscribe = self._surviving("subscribing", self._subscribed)
         return client
+
+    def _surviving(self, what: str, callback: Callable[..., None]) -> Callable[..., None]:
+        """A callback that reports its exceptions: they would end paho's thread, and with it the connection."""
+        def survivor(*details: Any) -> None:
+            try:
+                callback(*details)
+            except Exception as e:
+                count = self._occurrences.to_log(what)
+                if count is not None:
+                    self._trouble(f"{what} failed ({count} times so far): {type(e).__name__}: {e}")
+        return survivor
 
     def open(self, within_s: float = 5.0) -> None:
         """Connects. :raises CannotConnect: if that fails; later losses are repaired without a word to the caller"""
@@ -203,11 +216,9 @@ class Link:
         self._answered.set()
 
     def _message(self, _client: Any, _data: Any, packet: Any) -> None:
-        self._retained.arrived(packet.topic)
-        try:
-            self._received(packet.topic, packet.payload, bool(packet.retain))
-        except Exception as e:  # it would end paho's thread, and with it the connection
-            self._trouble(f"receiving a message on {packet.topic} failed: {type(e).__name__}: {e}")
+        topic = packet.topic
+        self._retained.arrived(topic)
+        self._received(topic, packet.payload, bool(packet.retain))
 
     def _disconnected(self, client: Any, _data: Any, *details: Any) -> None:
         self._retained.unconfirmed(self._discarded(client))

@@ -19,6 +19,7 @@ from .health import Health
 from .inbox import Inbox
 from .link import Broker, Link
 from .message import Message
+from .occurrences import Occurrences
 from .schema import STANDARD, Malformed, Schema
 from .topics import Topic, check_channel, check_system_id, delivery, topic_filter
 
@@ -32,6 +33,7 @@ COMMON_VARIABLES = (
 )
 _SILENT_INTERVALS = 3
 _SENDERS = 4096
+_LOGGED_CHARACTERS = 500  # of what came from outside
 
 
 class Service:
@@ -74,6 +76,7 @@ class Service:
         #: The emergency stops that hold, for services that subscribe to emergency-stop; health reports tell them.
         self.emergency = EmergencyLatch(system_id)
         self.log = logging.getLogger(f"u2sa.{name}")
+        self.__occurrences = Occurrences()
         self.status = "CREATED"
         self.publishers: Dict[str, str] = {}
         self.subscribers: Dict[str, str] = {}
@@ -86,7 +89,6 @@ class Service:
         self.__thread = threading.current_thread()
         self.link = Link(broker, system_id, name, self._arrived, self._trouble)
         self.__contract = Contract(self)
-        self.__unreadable = 0  # messages; on paho's thread only
         self.__newest: Dict[Tuple[str, str], int] = {}  # number of the last message; on paho's thread only
 
     # What authors write.
@@ -225,7 +227,7 @@ class Service:
 
     def _handle(self, channel: str, message: Message) -> None:
         if channel in Contract.CHANNELS:
-            self.__contract.answer(channel, message)
+            self._surviving("answering a request", lambda: self.__contract.answer(channel, message))
         if message.is_a(self.subscribers.get(channel, "")):
             if channel == "emergency-stop":
                 self._latch(message)
@@ -237,11 +239,22 @@ class Service:
         if self.emergency.stops != before:
             self.__reported = -math.inf  # tells at once: whoever stops the vehicle waits for it
 
+    def _surviving(self, what: str, code: Callable[[], None]) -> None:
+        """Runs the framework's own code, on any thread. What others send must not end the service: an exception is logged
+        and counted, but not among those in a row, which are for the author's code."""
+        try:
+            code()
+        except Exception as e:
+            error, count = self.health.failed(e), self.__occurrences.to_log(what)
+            if count is not None:
+                self.log.error("%s failed (%d times so far): %s", what, count, error, exc_info=e)
+
     def _guarded(self, code: Callable[[], None]) -> None:
         failure = self.health.run(code)
         if failure is None:
             return
-        self.log.error("%s (exception %d in a row)", self.health.last_error, self.health.in_a_row, exc_info=failure)
+        where = failure if self.__occurrences.to_log("exceptions") is not None else None
+        self.log.error("%s (exception %d in a row)", self.health.last_error, self.health.in_a_row, exc_info=where)
         if self.health.in_a_row >= self.configuration.number("MAX ERRORS IN A ROW"):
             self.log.error("ends itself after %d exceptions in a row", self.health.in_a_row)
             self.status = "FAILED"
@@ -251,6 +264,9 @@ class Service:
 
         :param retained: whether it was published before the subscription that brings it
         """
+        self._surviving("receiving a message", lambda: self._receive(topic, payload, retained))
+
+    def _receive(self, topic: str, payload: bytes, retained: bool) -> None:
         try:
             where = Topic.parse(topic)
             if retained and where.channel in tables.CHANNELS and not delivery(where.channel)[1]:
@@ -258,9 +274,10 @@ class Service:
             message = decode(where.chain, payload, self.__schema)
         except Malformed as e:
             self.health.count("refused")
-            self.__unreadable += 1
-            if self.__unreadable & (self.__unreadable - 1) == 0:  # the 1st, 2nd, 4th, 8th …, so that a flood fills no disk
-                self.log.warning("a message on %s cannot be read: %s (%d so far)", topic, e, self.__unreadable)
+            count = self.__occurrences.to_log("unreadable")
+            if count is not None:
+                self.log.warning("a message on %.*r cannot be read (%d so far): %.*s", _LOGGED_CHARACTERS, topic, count,
+                                 _LOGGED_CHARACTERS, e)
             return
         self._count_missed(topic, message)
         if where.channel == "stop" and self.__contract.is_order_to_stop(message):
@@ -288,7 +305,13 @@ class Service:
 
     def _report(self) -> None:
         self.__reported = time.monotonic()
-        self.send("health", self._described(self.health.report(self.name, self.status, self.__inbox.depth())))
+        self._surviving("the health report", lambda: self.__send_report({}))
+
+    def __send_report(self, more: Mapping[str, object]) -> None:
+        report = self._described(self.health.report(self.name, self.status, self.__inbox.depth()))
+        for key, value in more.items():
+            report[key] = value
+        self.send("health", report)
 
     def _described(self, report: Message) -> Message:
         report["instance"] = self.link.instance
@@ -306,10 +329,8 @@ class Service:
         while not self.__stopping.wait(interval):
             interval = self.configuration.number("HEALTH INTERVAL")
             if time.monotonic() - self.__reported > _SILENT_INTERVALS * interval:
-                report = self._described(self.health.report(self.name, self.status, self.__inbox.depth()))
-                report["threadAlive"] = self.__thread.is_alive()
-                report["callbackRunning"] = self.health.running_s()
-                self.send("health", report)
+                stuck = {"threadAlive": self.__thread.is_alive(), "callbackRunning": self.health.running_s()}
+                self._surviving("the health report", lambda: self.__send_report(stuck))
 
     def _trouble(self, what: str) -> None:
         self.log.warning("%s", what)

@@ -75,10 +75,14 @@ public final class LocalBus implements Transport {
     return route != null && route.subscriptions.length > 0;
   }
 
-  /** Counts messages from other processes lost on the way to the bus. */
+  /**
+   * Counts messages from other processes lost on the way to the bus, at most {@link
+   * Long#MAX_VALUE}.
+   */
   public void missed(Channel<?> channel, long messages) {
     for (Subscription subscription : route(channel).subscriptions) {
-      subscription.owner.missed.addAndGet(messages);
+      subscription.owner.missed.accumulateAndGet(
+          messages, (before, more) -> before + more < 0 ? Long.MAX_VALUE : before + more);
     }
   }
 

@@ -45,7 +45,8 @@ public final class Gaps {
     }
     last.put(stream, sequence);
     long gap = before == null ? 0 : sequence - before - 1;
-    missed += gap;
+    // sequence numbers are the sender's: a forged one must not turn the sum negative
+    missed = missed + gap < 0 ? Long.MAX_VALUE : missed + gap;
     return gap;
   }
 
@@ -54,7 +55,7 @@ public final class Gaps {
     last.keySet().removeIf(stream -> topics.test(stream.topic()));
   }
 
-  /** Number of messages missed since the start. */
+  /** Number of messages missed since the start, at most {@link Long#MAX_VALUE}. */
   public synchronized long missed() {
     return missed;
   }

@@ -48,6 +48,16 @@ class GapsTest {
   }
 
   @Test
+  void missed_sumBeyond64Bits_isTheLargestNumber() {
+    for (String sender : new String[] {"a", "b", "c"}) {
+      arrived(sender, 1);
+      assertThat(arrived(sender, Long.MAX_VALUE)).isEqualTo(Long.MAX_VALUE - 2);
+    }
+
+    assertThat(gaps.missed()).isEqualTo(Long.MAX_VALUE);
+  }
+
+  @Test
   void arrived_fromManySenders_remembersTheLatestOnly() {
     arrived("first", 1);
     for (int sender = 0; sender < 5_000; sender++) {
