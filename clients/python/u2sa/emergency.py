@@ -11,6 +11,18 @@ _TOLD_APART = 64  # stops that are told apart; of more, as a flood makes them, o
 _REPEATED_S = 10.0  # how long after the clear a stop without a timestamp may repeat the lifted one
 
 
+def _micros(stop: Message) -> int:
+    return int(stop["timestamp"])
+
+
+def _stamped(stop: Message) -> Message:
+    copy = Message.carrier(stop.type, stop.chain)
+    for key, value in stop.items():
+        copy[key] = value
+    copy["timestamp"] = time.time_ns() // 1000
+    return copy
+
+
 class EmergencyLatch:
     """Latched by each EmergencyStop with active for itself, lifted by one without that names it in `lifts`, or without
     names it or a newer one in `clears`.
@@ -23,9 +35,9 @@ class EmergencyLatch:
 
     def __init__(self, system_id: Optional[str] = None) -> None:
         self._system_id = system_id
-        self._standing: Dict[str, int] = {}  # by identity: timestamp [µs]
-        self._beyond: Optional[int] = None  # the newest timestamp of those that are not told apart [µs]
-        self._untimed: Set[str] = set()  # those of them that had no timestamp of their own
+        self._standing: Dict[str, Message] = {}  # by identity, in order of arrival; each with a timestamp
+        self._beyond: Optional[Message] = None  # the newest of those that are not told apart
+        self._untimed: Set[str] = set()  # those standing that had no timestamp of their own
         self._lifted: Dict[str, Tuple[Optional[int], float]] = {}  # by identity: timestamp, if any, and when; the oldest first
 
     @property
@@ -38,31 +50,38 @@ class EmergencyLatch:
         """Which stops hold, as `emergencyStops` of a HealthReport lists them."""
         return list(self._standing)
 
+    @property
+    def newest(self) -> Optional[Message]:
+        """The newest stop that holds, with the timestamp under which it is known; None if none holds."""
+        held = [*self._standing.values(), *([] if self._beyond is None else [self._beyond])]
+        return max(reversed(held), key=_micros) if held else None
+
     def take(self, stop: Message) -> bool:
         """Takes note of a message of the channel emergency-stop; returns whether everything must be neutral now.
 
         A repetition of a stop that was lifted, of one who has not heard of the clear, changes nothing.
         """
         if stop.get("active"):
-            self._latch(stop, stop.get("timestamp"))
+            self._latch(stop)
         elif self._is_ours(stop):
             self._lift(stop.get("lifts", []), stop.get("clears", -1))
         return self.active
 
-    def _latch(self, stop: Message, told: Optional[int]) -> None:
-        at = time.time_ns() // 1000 if told is None else told
+    def _latch(self, message: Message) -> None:
+        told: Optional[int] = message.get("timestamp")
+        stop = _stamped(message) if told is None else message
         identity = stop.get("stopId") or "|".join(
-            [stop.get("systemId", ""), str(at), stop.get("operator", ""), stop.get("reason", "")])
+            [stop.get("systemId", ""), str(_micros(stop)), stop.get("operator", ""), stop.get("reason", "")])
         if self._repeats_lifted(identity, told):
             return
         before = self._standing.get(identity)
-        if before is not None and (told is None or told <= before):
+        if before is not None and (told is None or told <= _micros(before)):
             return
         if before is not None or len(self._standing) < _TOLD_APART:
-            self._standing[identity] = at
+            self._standing[identity] = stop
             (self._untimed.add if told is None else self._untimed.discard)(identity)
-        else:
-            self._beyond = max(at, self._beyond or at)
+        elif self._beyond is None or _micros(stop) > _micros(self._beyond):
+            self._beyond = stop
 
     def _repeats_lifted(self, identity: str, told: Optional[int]) -> bool:
         """Repetitions keep the timestamp, so another one is another stop, even if its sender uses one ID for all."""
@@ -74,9 +93,9 @@ class EmergencyLatch:
         return before is None or before == told
 
     def _lift(self, names: List[str], until: int) -> None:
-        over = [each for each, at in self._standing.items() if (each in names if names else at <= until)]
+        over = [each for each, stop in self._standing.items() if (each in names if names else _micros(stop) <= until)]
         for identity in over:
-            at: Optional[int] = self._standing.pop(identity)
+            at: Optional[int] = _micros(self._standing.pop(identity))
             if identity in self._untimed:
                 self._untimed.discard(identity)
                 at = None
@@ -84,7 +103,7 @@ class EmergencyLatch:
             self._lifted[identity] = at, time.monotonic()
         while len(self._lifted) > 2 * _TOLD_APART:
             del self._lifted[next(iter(self._lifted))]
-        if self._beyond is not None and self._beyond <= until:
+        if self._beyond is not None and _micros(self._beyond) <= until:
             self._beyond = None
 
     def _is_ours(self, clear: Message) -> bool:

@@ -2,6 +2,7 @@ package org.u2sa.report;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.OutputStreamWriter;
 import java.io.Writer;
@@ -12,9 +13,15 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.recorder.mcap.record.Opcode;
 
-/** Writes a file atomically: to a temporary file in the same folder, renamed when complete. */
+/**
+ * Writes a file atomically: to a temporary file in the same folder, renamed when complete. Never
+ * replaces a recording, which a mistyped command would otherwise lose.
+ */
 public final class ReportFile {
 
   /** Writes a file's bytes. */
@@ -35,6 +42,7 @@ public final class ReportFile {
    * Writes UTF-8.
    *
    * @throws RunFailedException if it cannot be written; nothing is left behind then
+   * @throws BadInputException if the file is a recording
    */
   public static void writeText(Path file, Text content) {
     write(
@@ -48,8 +56,12 @@ public final class ReportFile {
 
   /**
    * @throws RunFailedException if it cannot be written; nothing is left behind then
+   * @throws BadInputException if the file is a recording
    */
   public static void write(Path file, Bytes content) {
+    if (isRecording(file)) {
+      throw new BadInputException(file + " is a recording; expected another file to write to");
+    }
     Path temporary = file.resolveSibling("." + file.getFileName() + ".part");
     try {
       try (OutputStream out = Files.newOutputStream(temporary)) {
@@ -60,6 +72,18 @@ public final class ReportFile {
     } catch (IOException e) {
       throw new RunFailedException(
           "cannot write " + file + ": " + reason(e), discard(temporary, e));
+    }
+  }
+
+  private static boolean isRecording(Path file) {
+    if (!Files.isRegularFile(file)) {
+      return false;
+    }
+    byte[] magic = Opcode.magic();
+    try (InputStream in = Files.newInputStream(file)) {
+      return Arrays.equals(in.readNBytes(magic.length), magic);
+    } catch (IOException e) {
+      throw new RunFailedException("cannot read what " + file + " is: " + reason(e), e);
     }
   }
 

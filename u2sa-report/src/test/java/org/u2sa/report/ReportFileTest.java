@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.RunFailedException;
 
 class ReportFileTest {
@@ -36,5 +37,22 @@ class ReportFileTest {
     Path file = directory.resolve("gone/track.csv");
     assertThatThrownBy(() -> ReportFile.writeText(file, out -> out.write("x")))
         .hasMessage("cannot write " + file + ": its directory does not exist");
+  }
+
+  @Test
+  void write_overARecording_isRefusedAndKeepsIt() throws IOException {
+    byte[] recording = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n', 1, 2, 3};
+    Path file = Files.write(directory.resolve("a.mcap"), recording);
+    assertThatThrownBy(() -> ReportFile.writeText(file, out -> out.write("<html>")))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage(file + " is a recording; expected another file to write to");
+    assertThat(file).hasBinaryContent(recording);
+  }
+
+  @Test
+  void write_overAShortFile_replacesIt() throws IOException {
+    Path file = Files.write(directory.resolve("a.html"), new byte[] {(byte) 0x89, 'M'});
+    ReportFile.writeText(file, out -> out.write("<html>"));
+    assertThat(file).hasContent("<html>");
   }
 }

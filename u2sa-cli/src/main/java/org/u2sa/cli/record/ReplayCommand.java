@@ -82,6 +82,7 @@ public final class ReplayCommand implements Callable<Integer> {
           command.commandLine(), "--rate " + rate + ": expected more than 0, at most 1000000");
     }
     if (rerun.isWanted()) {
+      refuseParts();
       return rerun.run(file);
     }
     try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
@@ -115,6 +116,17 @@ public final class ReplayCommand implements Callable<Integer> {
               + " messages published"
               + (refused == 0 ? "" : ", " + refused + " not taken by the broker"));
       return refused == 0 ? ExitCode.DONE : ExitCode.FAILED;
+    }
+  }
+
+  /** Services are executed again from their start, on all that they were given. */
+  private void refuseParts() {
+    for (String option : List.of("--from", "--to", "--channel", "--rate", "--loop")) {
+      if (command.commandLine().getParseResult().hasMatchedOption(option)) {
+        throw new ParameterException(
+            command.commandLine(),
+            option + ": expected without --rerun, which executes the whole recording");
+      }
     }
   }
 

@@ -273,6 +273,33 @@ class ReportTest {
   }
 
   @Test
+  void compare_outputForgotten_keepsTheRecordingInItsPlace() throws IOException {
+    Path a = record("a");
+    byte[] before = Files.readAllBytes(a);
+    channels.clear();
+    Path b = record("b");
+
+    assertThat(run("compare", "-o", a.toString(), b.toString(), b.toString()))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(run("report", a.toString(), "-o", a.toString())).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(run("export", a.toString(), "--format", "kml", "--out", a.toString()))
+        .isEqualTo(ExitCode.BAD_INPUT);
+
+    assertThat(out.toString()).contains(a + " is a recording");
+    assertThat(a).hasBinaryContent(before);
+  }
+
+  @Test
+  void replay_partOfARerun_isRefused() throws IOException {
+    String file = record("a").toString();
+
+    assertThat(run("replay", file, "--rerun", "Control", "--from", "1"))
+        .isEqualTo(ExitCode.BAD_INPUT);
+
+    assertThat(out.toString()).contains("--from: expected without --rerun");
+  }
+
+  @Test
   void report_wrongFiles_areRefused() throws IOException {
     assertThat(run("report", folder.resolve("none.mcap").toString())).isEqualTo(ExitCode.BAD_INPUT);
     Path file = record("drive");

@@ -80,8 +80,11 @@ public record ControlInputs(
         limit("brakeRight", brakeRight, 0.0));
   }
 
-  /** Copy with one of {@link #NAMES} set to a new value. */
+  /** Copy with one of {@link #NAMES} set to a new value; NaN, no signal, is {@link #neutral}. */
   ControlInputs with(String name, double value) {
+    if (Double.isNaN(value)) {
+      return with(name, name.equals("MIXTURE") ? neutral().mixture : 0.0);
+    }
     return switch (name) {
       case "AILERON" -> withSurfaces(value, elevator, rudder);
       case "ELEVATOR" -> withSurfaces(aileron, value, rudder);

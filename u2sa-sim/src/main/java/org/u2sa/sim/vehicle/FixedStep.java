@@ -2,7 +2,9 @@ package org.u2sa.sim.vehicle;
 
 /** Splits steps of any length into fixed-length ticks. Not thread-safe. */
 public final class FixedStep {
-  private static final double LONGEST_STEP_S = 60.0;
+  /** Longest step that {@link SimulatedVehicle#step} takes [s]. */
+  static final double LONGEST_STEP_S = 60.0;
+
   private static final double ROUNDING = 1e-6; // relative to a tick
 
   private final int ticksPerSecond;

@@ -5,8 +5,9 @@ import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
  * A vehicle shared by sensors, actuators and observers of a run: the first access at a time
- * advances the vehicle to it. Time starts at the first call. Thread-safe; deterministic for the
- * same sequence of calls.
+ * advances the vehicle to it. Time starts at the first call. A jump of the clock, as when the
+ * machine slept, advances it by the longest step only. Thread-safe; deterministic for the same
+ * sequence of calls.
  */
 public final class VehicleRun {
   private static final double US_PER_S = 1e6;
@@ -37,7 +38,7 @@ public final class VehicleRun {
     }
     long elapsed = nowMicros - beginMicros;
     if (elapsed > steppedMicros) {
-      vehicle.step((elapsed - steppedMicros) / US_PER_S);
+      vehicle.step(Math.min(FixedStep.LONGEST_STEP_S, (elapsed - steppedMicros) / US_PER_S));
       steppedMicros = elapsed;
       truth = vehicle.truth();
       watch.look(vehicle, truth);

@@ -68,6 +68,27 @@ class VehicleRunTest {
 
   @ParameterizedTest
   @MethodSource("vehicles")
+  void at_clockJumpsByAnHour_goesOnFromThere(SimulatedVehicle vehicle) {
+    VehicleRun run = new VehicleRun(vehicle);
+    run.at(7L);
+
+    assertThat(run.at(3_600_000_007L).timeS()).isCloseTo(60.0, within(0.01));
+    assertThat(run.at(3_601_000_007L).timeS()).isCloseTo(61.0, within(0.01));
+  }
+
+  @ParameterizedTest
+  @MethodSource("vehicles")
+  void command_noSignal_isTaken(SimulatedVehicle vehicle) {
+    VehicleRun run = new VehicleRun(vehicle);
+    for (String actuator : vehicle.actuators()) {
+      run.command(7L, actuator, Double.NaN);
+    }
+
+    assertThat(run.at(1_000_007L).speedMps()).isLessThan(0.1);
+  }
+
+  @ParameterizedTest
+  @MethodSource("vehicles")
   void command_unknownActuator_isRefusedWithThoseThereAre(SimulatedVehicle vehicle) {
     assertThatThrownBy(() -> vehicle.command("SAIL", 0.0))
         .isInstanceOf(IllegalArgumentException.class)
