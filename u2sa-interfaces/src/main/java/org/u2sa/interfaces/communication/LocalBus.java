@@ -78,7 +78,8 @@ public final class LocalBus implements Transport {
   /** Counts messages from other processes lost on the way to the bus. */
   public void missed(Channel<?> channel, long messages) {
     for (Subscription subscription : route(channel).subscriptions) {
-      subscription.owner.missed.addAndGet(messages);
+      subscription.owner.missed.updateAndGet(
+          count -> messages > Long.MAX_VALUE - count ? Long.MAX_VALUE : count + messages);
     }
   }
 

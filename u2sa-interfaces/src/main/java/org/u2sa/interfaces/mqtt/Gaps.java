@@ -45,7 +45,7 @@ public final class Gaps {
     }
     last.put(stream, sequence);
     long gap = before == null ? 0 : sequence - before - 1;
-    missed += gap;
+    missed = gap > Long.MAX_VALUE - missed ? Long.MAX_VALUE : missed + gap; // senders choose it
     return gap;
   }
 

@@ -162,6 +162,9 @@ class LocalBusEdgesTest {
 
     assertThat(hears.missed()).isEqualTo(7);
     assertThat(deaf.missed()).isZero();
+
+    bus.missed(Channels.STATE, Long.MAX_VALUE);
+    assertThat(hears.missed()).isEqualTo(Long.MAX_VALUE);
   }
 
   @Test
