@@ -6,15 +6,20 @@ import static org.u2sa.world.ModelledWorld.local;
 import static org.u2sa.world.ModelledWorld.seen;
 import static org.u2sa.world.ModelledWorld.wallAhead;
 
+import java.util.Collections;
 import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.MovingSphere;
 
@@ -47,6 +52,25 @@ class MappedObjectsTest {
     assertThat(barrel.confidence().orElseThrow()).isGreaterThan(0.9);
     world.kit.advance(1.0);
     assertThat(world.remarks()).contains("OBJECTS: 1 objects, 1 confirmed, 0 moving, 3 sightings");
+  }
+
+  /** A thousand of them would fill the memory: each is kept as long as its object is known. */
+  @Test
+  void objects_sightingOfTenThousandPointsFromAnotherProcess_isRefusedAndCounted()
+      throws MalformedMessageException {
+    world.kit.with("MODELLERS", "OBJECTS").with("CONFIRM HITS", 1).start(WorldModeler::new);
+    MovingSphere absurd =
+        new MovingSphere().trajectory(Collections.nCopies(10_000, Point.of(1.0, 2.0, 3.0)));
+    absurd.uid("absurd").referenceFrame(ReferenceFrame.BODY).x(3.0).y(0.0).sensorName("Camera");
+    absurd.timestamp(world.kit.clock().micros());
+    U2SAData received =
+        new MessageCodec(StandardTypes.registry()).decode(absurd.typeChain(), absurd.serialize());
+    world.tick(local(0.0, 0.0, 0.0), seen("a", 5.0, 1.0), (ObjectDescription) received);
+    world.tick(local(0.0, 0.0, 0.0));
+    world.kit.advance(1.0);
+
+    assertThat(world.objects()).extracting(ObjectDescription::uid).containsExactly("a");
+    assertThat(world.remarks()).contains("1 refused for their length");
   }
 
   @Test

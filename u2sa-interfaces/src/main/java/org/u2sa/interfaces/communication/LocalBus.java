@@ -81,8 +81,8 @@ public final class LocalBus implements Transport {
    */
   public void missed(Channel<?> channel, long messages) {
     for (Subscription subscription : route(channel).subscriptions) {
-      subscription.owner.missed.accumulateAndGet(
-          messages, (before, more) -> before + more < 0 ? Long.MAX_VALUE : before + more);
+      subscription.owner.missed.updateAndGet(
+          count -> messages > Long.MAX_VALUE - count ? Long.MAX_VALUE : count + messages);
     }
   }
 

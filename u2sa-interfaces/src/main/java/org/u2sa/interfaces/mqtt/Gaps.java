@@ -45,8 +45,7 @@ public final class Gaps {
     }
     last.put(stream, sequence);
     long gap = before == null ? 0 : sequence - before - 1;
-    // sequence numbers are the sender's: a forged one must not turn the sum negative
-    missed = missed + gap < 0 ? Long.MAX_VALUE : missed + gap;
+    missed = gap > Long.MAX_VALUE - missed ? Long.MAX_VALUE : missed + gap; // senders choose it
     return gap;
   }
 

@@ -23,6 +23,7 @@ final class MappedObject {
   private static final double SUREST = 0.999;
   private static final double GONE = 0.05;
   private static final int BELIEVED_AFTER = 4;
+  private static final int MAX_SENSORS = 32; // whose names for it are kept
 
   private final String uid;
   private final boolean fromFile;
@@ -137,8 +138,10 @@ final class MappedObject {
       template = template == null ? detection.object() : knownAs(detection.object());
       radius = Extent.radius(template);
     }
-    if (!detection.object().sensorName().isEmpty()) {
-      sensorUids.put(detection.object().sensorName(), detection.object().uid());
+    String sensor = detection.object().sensorName();
+    boolean hasRoom = sensorUids.size() < MAX_SENSORS || sensorUids.containsKey(sensor);
+    if (!sensor.isEmpty() && hasRoom) {
+      sensorUids.put(sensor, detection.object().uid());
     }
     seenMicros = Math.max(seenMicros, micros);
   }
@@ -214,7 +217,9 @@ final class MappedObject {
 
   /** Merges UIDs, time and existence of another track of the same object. */
   void absorb(MappedObject other) {
-    other.sensorUids.forEach(sensorUids::putIfAbsent);
+    if (sensorUids.size() + other.sensorUids.size() <= MAX_SENSORS) {
+      other.sensorUids.forEach(sensorUids::putIfAbsent);
+    }
     seenMicros = Math.max(seenMicros, other.seenMicros);
     existence = Math.max(existence, other.existence);
   }

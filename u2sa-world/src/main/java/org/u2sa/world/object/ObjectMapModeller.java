@@ -31,6 +31,11 @@ public final class ObjectMapModeller implements Modeller {
   /** Maximum length of a UID to which a number may be appended. */
   private static final int MAX_NUMBERED_CHARS = 900;
 
+  /** Part of the heap that sightings of other processes may take as long as they are known. */
+  private static final int HEAP_PART = 16;
+
+  private static final long MIN_SIGHTING_BYTES = 8L << 10; // an outline of a hundred points
+
   private final Settings<ObjectMapVariables> settings;
   private final Settings<GridModeller.Variables> heights;
   private final List<MappedObject> tracks = new ArrayList<>();
@@ -44,6 +49,7 @@ public final class ObjectMapModeller implements Modeller {
   private long unplaced;
   private long misread;
   private long absurd;
+  private long tooLong;
 
   /** Creates an empty map. */
   public ObjectMapModeller(Configurator configuration) {
@@ -60,7 +66,7 @@ public final class ObjectMapModeller implements Modeller {
     ObjectMapVariables tuning = settings.get();
     List<ObjectDescription> seen =
         all.stream()
-            .filter(each -> !tuning.isUnmapped(each.objectType()))
+            .filter(each -> !tuning.isUnmapped(each.objectType()) && isShort(each, tuning))
             .collect(Collectors.toList());
     Point at = sighting.frame().vehicle(sighting.vehicle());
     hidden.lookFrom(at.x(), at.y(), sighting.micros());
@@ -96,6 +102,14 @@ public final class ObjectMapModeller implements Modeller {
       }
     }
     tidy(sighting.micros(), tuning);
+  }
+
+  /** Whether as many objects as may be kept can be of that length. */
+  private boolean isShort(ObjectDescription sighting, ObjectMapSettings tuning) {
+    long share = Runtime.getRuntime().maxMemory() / HEAP_PART / (2L * tuning.mostObjects());
+    boolean isShort = sighting.receivedBytes() <= Math.max(MIN_SIGHTING_BYTES, share);
+    tooLong += isShort ? 0 : 1;
+    return isShort;
   }
 
   /** Whether a flat object is occluded by something a scanner sees. */
@@ -307,7 +321,8 @@ public final class ObjectMapModeller implements Modeller {
         + ", "
         + misread
         + " of a name in the wrong place"
-        + (absurd == 0 ? "" : ", " + absurd + " dropped for implausible values");
+        + (absurd == 0 ? "" : ", " + absurd + " dropped for implausible values")
+        + (tooLong == 0 ? "" : ", " + tooLong + " refused for their length");
   }
 
   @Override
