@@ -105,8 +105,8 @@ public final class ObjectMapModeller implements Modeller {
   }
 
   /** Whether as many objects as may be kept can be of that length. */
-  private boolean isShort(ObjectDescription sighting, ObjectMapSettings tuning) {
-    long share = Runtime.getRuntime().maxMemory() / HEAP_PART / (2L * tuning.mostObjects());
+  private boolean isShort(ObjectDescription sighting, ObjectMapVariables tuning) {
+    long share = Runtime.getRuntime().maxMemory() / HEAP_PART / (2L * tuning.maxObjects());
     boolean isShort = sighting.receivedBytes() <= Math.max(MIN_SIGHTING_BYTES, share);
     tooLong += isShort ? 0 : 1;
     return isShort;
