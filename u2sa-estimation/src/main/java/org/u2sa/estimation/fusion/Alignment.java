@@ -35,7 +35,6 @@ final class Alignment {
     s.x[FilterState.LATITUDE] = latitude;
     s.x[FilterState.LONGITUDE] = longitude;
     s.hasPlace = true;
-    HeadingSearch.restart(s);
     s.isolate(FilterState.POSITION, north);
     s.isolate(FilterState.POSITION + 1, east);
   }

@@ -1,14 +1,13 @@
 package org.u2sa.estimation.fusion;
 
-import java.util.Arrays;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
- * Residual delays of the first {@link #SLOTS} position sources, estimated as filter states (online
- * temporal calibration; Li and Mourikis, IJRR 33(7), 2014): a position fused at time t was measured
- * at t - τ and lags by v τ. Velocity measurements do not help to estimate τ: on a vibrating
- * vehicle, no sample tells how much they changed in that time.
+ * Residual delays of the first {@link FilterState#DELAY_SLOTS} position sources, estimated as
+ * filter states (online temporal calibration; Li and Mourikis, IJRR 33(7), 2014): a position fused
+ * at time t was measured at t - τ and lags by v τ. Velocity measurements do not help to estimate τ:
+ * on a vibrating vehicle, no sample tells how much they changed in that time.
  *
  * <p>While τ is unobservable, as on a straight at constant speed, the position stays uncertain
  * along track in proportion to the uncertainty of τ; turns and speed changes make it observable if
@@ -16,7 +15,6 @@ import org.u2sa.estimation.measurement.SensedQuantity;
  */
 final class DelayErrors {
   static final int NONE = -1;
-  static final int SLOTS = 3;
 
   static final double MAX_S = 0.5; // bounds delays to [0, MAX_S]
 
@@ -30,17 +28,6 @@ final class DelayErrors {
     sigmaS = tuning.delaySigmaS();
   }
 
-  /** Slots of a state without any source. */
-  static int[] nobody() {
-    int[] sources = new int[SLOTS];
-    Arrays.fill(sources, FilterState.NO_SOURCE);
-    return sources;
-  }
-
-  private static boolean isPosition(SensedQuantity quantity) {
-    return quantity == SensedQuantity.PLACE || quantity == SensedQuantity.LOCAL_PLACE;
-  }
-
   /**
    * Slot of the source's delay; assigns a free one at its first position.
    *
@@ -48,10 +35,10 @@ final class DelayErrors {
    *     taken
    */
   int slot(FilterState s, SensedQuantity quantity, int source) {
-    if (sigmaS <= 0.0 || !isPosition(quantity)) {
+    if (sigmaS <= 0.0 || !SpeedDoubt.isOfPosition(quantity)) {
       return NONE;
     }
-    for (int slot = 0; slot < SLOTS; slot++) {
+    for (int slot = 0; slot < FilterState.DELAY_SLOTS; slot++) {
       if (s.delaySource[slot] == source) {
         return slot;
       }
@@ -83,7 +70,7 @@ final class DelayErrors {
 
   /** Adds the delay to the measurement model: p(t - τ) ≈ p - v τ. */
   static void look(
-      FilterState s, Measurement m, SensedQuantity quantity, MeasurementModel model, int slot) {
+      FilterState s, Measurement m, SensedQuantity quantity, Linearization model, int slot) {
     if (slot == NONE) {
       return;
     }
@@ -92,8 +79,8 @@ final class DelayErrors {
     for (int i = 0; i < quantity.size(); i++) {
       if (m.has(quantity, i)) {
         model.innovation[row] += late * s.x[FilterState.V + i];
-        model.add(row, FilterState.VELOCITY + i, -late);
-        model.add(row, FilterState.DELAY + slot, -s.x[FilterState.V + i]);
+        model.set(row, FilterState.VELOCITY + i, -late);
+        model.set(row, FilterState.DELAY + slot, -s.x[FilterState.V + i]);
         row++;
       }
     }
@@ -101,7 +88,7 @@ final class DelayErrors {
 
   /** Adds the random-walk noise of the delays. */
   static void wander(FilterState s, double dt) {
-    for (int slot = 0; slot < SLOTS; slot++) {
+    for (int slot = 0; slot < FilterState.DELAY_SLOTS; slot++) {
       if (s.delaySource[slot] != FilterState.NO_SOURCE) {
         s.p.data[(FilterState.DELAY + slot) * (FilterState.N + 1)] += NOISE * NOISE * dt;
       }
@@ -117,7 +104,7 @@ final class DelayErrors {
 
   /** Estimated delay of a source [s]; 0 if too small or not significant. */
   static double lateS(FilterState s, int source) {
-    for (int slot = 0; slot < SLOTS; slot++) {
+    for (int slot = 0; slot < FilterState.DELAY_SLOTS; slot++) {
       double late = s.x[FilterState.DELAYS + slot];
       double sigma = Math.sqrt(s.variance(FilterState.DELAY + slot));
       if (s.delaySource[slot] == source && late > Math.max(MIN_S, SIGMAS * sigma)) {

@@ -162,7 +162,7 @@ public final class Estimate {
 
   /** Acceleration over ground [m/s²], north, east or down, as of the newest specific force. */
   public double accelerationMps2(int axis) {
-    double sum = axis == 2 ? ProcessModel.gravity(s) : 0.0;
+    double sum = axis == 2 ? s.gravity() : 0.0;
     for (int k = 0; k < 3; k++) {
       sum += r[3 * axis + k] * (s.x[FilterState.FORCE + k] - s.x[FilterState.BF + k]);
     }

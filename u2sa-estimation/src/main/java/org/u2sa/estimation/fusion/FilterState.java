@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 
 /**
@@ -18,7 +19,12 @@ import org.ejml.data.DMatrixRMaj;
  * limited range. The position relative to the start (north, east, down) is kept as well.
  */
 final class FilterState {
-  static final int N = 21 + PersistentErrors.STATES + DelayErrors.SLOTS;
+  static final int POSITION_SOURCES = 3; // with persistent errors
+  static final int HEADING_SOURCES = 3;
+  static final int PERSISTENT_SLOTS = POSITION_SOURCES + HEADING_SOURCES;
+  static final int PERSISTENT_STATES = 2 * POSITION_SOURCES + HEADING_SOURCES;
+  static final int DELAY_SLOTS = 3; // position sources with an estimated delay
+  static final int N = 21 + PERSISTENT_STATES + DELAY_SLOTS;
   static final int NO_SOURCE = -1;
   static final int RESUMED = -2; // unknown source, whose biases are known
   static final int POSITION = 0;
@@ -30,7 +36,7 @@ final class FilterState {
   static final int FLOW = 18;
   static final int SCALE = 20;
   static final int PERSISTENT = 21;
-  static final int DELAY = PERSISTENT + PersistentErrors.STATES;
+  static final int DELAY = PERSISTENT + PERSISTENT_STATES;
 
   // Nominal state: indices into x.
   static final int LATITUDE = 0; // rad
@@ -52,18 +58,20 @@ final class FilterState {
   static final int LEVELLING = 34; // sum of specific forces during levelling, three axes
   static final int LEVELLED = 37; // number of summands
   static final int PERSISTENT_ERRORS = 38; // in the order of the error state
-  static final int PERSISTENT_VARIANCE = PERSISTENT_ERRORS + PersistentErrors.STATES; // by slot
-  static final int DELAYS = PERSISTENT_VARIANCE + PersistentErrors.SLOTS; // s, by slot
-  private static final int SIZE = DELAYS + DelayErrors.SLOTS;
+  static final int PERSISTENT_VARIANCE = PERSISTENT_ERRORS + PERSISTENT_STATES; // by slot
+  static final int DELAYS = PERSISTENT_VARIANCE + PERSISTENT_SLOTS; // s, by slot
+  private static final int SIZE = DELAYS + DELAY_SLOTS;
 
   private static final double A = 6_378_137.0; // semi-major axis [m], WGS-84 (NIMA TR8350.2)
   private static final double E2 = 6.694379990141316e-3; // first eccentricity squared
+  private static final double EQUATOR_MPS2 = 9.7803253359; // normal gravity (Somigliana)
+  private static final double EQUATOR_TO_POLE = 1.931852652458e-3;
   private static final double POLE = 1e-6; // minimum cosine of latitude to divide by
 
   final double[] x = new double[SIZE];
   final DMatrixRMaj p = new DMatrixRMaj(N, N);
-  final double[] search = new double[HeadingSearch.NUMBERS];
-  final double[] sightings = new double[Sightings.NUMBERS];
+  final double[] search = new double[17]; // HeadingSearch's numbers
+  final double[] sightings = new double[36]; // Sightings' numbers: three per landmark
   double[] trust = new double[0]; // SourceTrust's numbers
   long micros;
   boolean isStarted;
@@ -94,23 +102,29 @@ final class FilterState {
   long movingMicros; // when the direction of motion became usable as heading
   long accusedMicros; // when an inertial source was found faulty; 0: never
   long resets;
-  final int[] persistentSource = PersistentErrors.nobody(); // by slot
-  final int[] delaySource = DelayErrors.nobody(); // by slot
+  final int[] persistentSource = unassigned(PERSISTENT_SLOTS); // by slot
+  final int[] delaySource = unassigned(DELAY_SLOTS); // by slot
 
   FilterState() {
     x[Q] = 1.0;
   }
 
+  private static int[] unassigned(int slots) {
+    int[] sources = new int[slots];
+    Arrays.fill(sources, NO_SOURCE);
+    return sources;
+  }
+
   void copyFrom(FilterState o) {
     System.arraycopy(o.x, 0, x, 0, SIZE);
     System.arraycopy(o.p.data, 0, p.data, 0, N * N);
-    System.arraycopy(o.search, 0, search, 0, HeadingSearch.NUMBERS);
-    System.arraycopy(o.sightings, 0, sightings, 0, Sightings.NUMBERS);
+    System.arraycopy(o.search, 0, search, 0, search.length);
+    System.arraycopy(o.sightings, 0, sightings, 0, sightings.length);
     if (trust.length < o.trust.length) {
       trust = new double[o.trust.length];
     }
     System.arraycopy(o.trust, 0, trust, 0, o.trust.length);
-    java.util.Arrays.fill(trust, o.trust.length, trust.length, 0.0);
+    Arrays.fill(trust, o.trust.length, trust.length, 0.0);
     micros = o.micros;
     isStarted = o.isStarted;
     hasPlace = o.hasPlace;
@@ -140,8 +154,8 @@ final class FilterState {
     movingMicros = o.movingMicros;
     accusedMicros = o.accusedMicros;
     resets = o.resets;
-    System.arraycopy(o.persistentSource, 0, persistentSource, 0, PersistentErrors.SLOTS);
-    System.arraycopy(o.delaySource, 0, delaySource, 0, DelayErrors.SLOTS);
+    System.arraycopy(o.persistentSource, 0, persistentSource, 0, PERSISTENT_SLOTS);
+    System.arraycopy(o.delaySource, 0, delaySource, 0, DELAY_SLOTS);
   }
 
   double variance(int i) {
@@ -155,6 +169,23 @@ final class FilterState {
       p.data[k * N + i] = 0.0;
     }
     p.data[i * N + i] = variance;
+  }
+
+  /** Whether a measured speed drives the prediction, see {@link MotionInput}. */
+  boolean hasSpeedInput() {
+    return speedSource != NO_SOURCE && !isStrapdown;
+  }
+
+  /** Whether a measured turn rate drives the prediction. */
+  boolean hasTurnInput() {
+    return turnSource != NO_SOURCE && !isInertial;
+  }
+
+  /** Gravity [m/s²] (WGS-84, NIMA TR8350.2, section 4). */
+  double gravity() {
+    double sin = hasPlace ? StrictMath.sin(x[LATITUDE]) : Math.sqrt(0.5);
+    double sin2 = sin * sin;
+    return EQUATOR_MPS2 * (1.0 + EQUATOR_TO_POLE * sin2) / Math.sqrt(1.0 - E2 * sin2);
   }
 
   /** Meridian radius of curvature at the vehicle's altitude [m]. */

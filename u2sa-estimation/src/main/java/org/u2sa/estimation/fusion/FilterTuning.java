@@ -49,6 +49,8 @@ public record FilterTuning(
     double horizonS,
     int history) {
 
+  static final double TURN_MEMORY_S = 1.0; // time constant of an unmeasured turn
+
   /** Default values for a domain. */
   public static FilterTuning of(MotionDomain domain) {
     boolean isGround = domain == MotionDomain.GROUND;

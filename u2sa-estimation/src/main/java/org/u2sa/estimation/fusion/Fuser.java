@@ -30,6 +30,7 @@ final class Fuser {
   private final PersistentErrors persistent;
   private final DelayErrors delays;
   private final MeasurementModel model = new MeasurementModel();
+  private final Linearization linear = model.linear;
   private final KalmanUpdate update = new KalmanUpdate();
   private final double[] gates = new double[4];
 
@@ -77,7 +78,9 @@ final class Fuser {
             && !judge.isStuck(s, source)
             && vote.isBelieved(s, m, source, judge.isContradicted(s, source));
     if (drives) {
-      inertial.take(s, m, source, process);
+      inertial.meet(s, m, source);
+      process.predict(s, m.micros());
+      inertial.take(s, m, source);
       count(s, trust.of(s, source, SensedQuantity.BODY_RATES), SourceTrust.USED);
     } else {
       motion.meet(s, m, source);
@@ -127,62 +130,62 @@ final class Fuser {
     if (isForward) {
       HeadingSearch.speed(s, m);
     }
-    if (!isReadable || !model.look(s, m, quantity) || model.rows == 0) {
+    if (!isReadable || !model.look(s, m, quantity) || linear.rows == 0) {
       return;
     }
     if (quantity == SensedQuantity.SPECIFIC_FORCE) {
-      for (int i = 0; i < model.rows; i++) {
-        model.variance[i] += UNUSED_INERTIAL_SIGMA * UNUSED_INERTIAL_SIGMA;
+      for (int i = 0; i < linear.rows; i++) {
+        linear.variance[i] += UNUSED_INERTIAL_SIGMA * UNUSED_INERTIAL_SIGMA;
       }
     }
     if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
-      QuantityStart.shift(s, model, quantity, at);
+      QuantityStart.shift(s, linear, quantity, at);
     }
     if (SpeedDoubt.isOfPosition(quantity)) {
       searchHeading(s, source);
     }
-    PersistentErrors.look(s, m, quantity, model, slot);
-    DelayErrors.look(s, m, quantity, model, delay);
+    PersistentErrors.look(s, m, quantity, linear, slot);
+    DelayErrors.look(s, m, quantity, linear, delay);
     double factor = SourceTrust.factor(s, at);
-    double nis = update.prepare(s, model, factor);
+    double nis = update.prepare(s, linear, factor);
     boolean isInput = motion.takes(s, m, source, quantity, factor);
     if (isInput) {
-      motion.expect(s, source, quantity, model.rows, update.expected);
-      nis = update.weigh(model, factor);
+      motion.expect(s, source, quantity, linear.rows, update.expected);
+      nis = update.weigh(linear, factor);
     }
-    if (judge.isFrozen(s, model, update.expected, source, quantity, at)) {
+    if (judge.isFrozen(s, linear, update.expected, source, quantity, at)) {
       s.trust[at + SourceTrust.GATED]++;
       return;
     }
-    trust.learn(s, at, model, update.expected);
+    trust.learn(s, at, linear, update.expected);
     SourceTrust.notedNis(s, at, nis);
-    if (SpeedDoubt.isOfSpeed(quantity) && doubts.holds(s, model, source, at)) {
+    if (SpeedDoubt.isOfSpeed(quantity) && doubts.holds(s, linear, source, at)) {
       return;
     }
-    if (nis > gates[model.rows]) {
-      boolean mustGiveWay = judge.gated(s, model, source, quantity, at);
+    if (nis > gates[linear.rows]) {
+      boolean mustGiveWay = judge.gated(s, linear, source, quantity, at);
       boolean isAlone = !judge.isCorroborated(s, source, quantity);
       boolean isJump = false;
       double wanderRate = persistent.wanderRate(s, slot);
       boolean isPosition = SpeedDoubt.isOfPosition(quantity);
-      if (isPosition && scatter.isBeyondClaim(s, model, at, isAlone)) {
+      if (isPosition && scatter.isBeyondClaim(s, linear, at, isAlone)) {
         return;
       }
-      if (isPosition && isAlone && doubts.isRaised(s, model, source, at, wanderRate)) {
+      if (isPosition && isAlone && doubts.isRaised(s, linear, source, at, wanderRate)) {
         mustGiveWay = true;
       } else if (mustGiveWay) {
         QuantityStart.doubt(s, quantity, at);
-        isJump = PersistentErrors.isPosition(slot) && s.hasHeading && MotionInput.drivesSpeed(s);
+        isJump = PersistentErrors.isPosition(slot) && s.hasHeading && s.hasSpeedInput();
       }
       if (mustGiveWay && isJump) {
-        PersistentErrors.jumped(s, model, slot, at);
+        PersistentErrors.jumped(s, linear, slot, at);
       } else if (mustGiveWay) {
         starts.reset(s, m, quantity, at, slot);
         DelayErrors.share(s, delay);
       }
     } else if (SourceJudge.passes(s, at)) {
       if (isInput) {
-        motion.take(s, m, source, quantity, model, factor);
+        motion.take(s, m, source, quantity, linear, factor);
         count(s, at, SourceTrust.USED);
         used(s, quantity);
       } else {
@@ -193,10 +196,10 @@ final class Fuser {
 
   /** Searches for an unmeasured heading from positions and wheel speeds. */
   private void searchHeading(FilterState s, int source) {
-    if (!s.hasHeading && model.rows == 2) {
-      double north = model.predicted[0] + model.innovation[0];
-      double east = model.predicted[1] + model.innovation[1];
-      double variance = Math.max(model.variance[0], model.variance[1]);
+    if (!s.hasHeading && linear.rows == 2) {
+      double north = linear.predicted[0] + linear.innovation[0];
+      double east = linear.predicted[1] + linear.innovation[1];
+      double variance = Math.max(linear.variance[0], linear.variance[1]);
       HeadingSearch.position(s, source, north, east, variance, tuning.positionCorrelationS());
     }
   }
@@ -222,12 +225,12 @@ final class Fuser {
       // Errors with correlation time τ carry as much information as independent ones every 2 τ.
       double interval = Math.max(1e-3, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
       double repeats = 1.0 + 2.0 * tuning.positionCorrelationS() / interval;
-      update.weigh(model, SourceTrust.factor(s, at) * repeats);
+      update.weigh(linear, SourceTrust.factor(s, at) * repeats);
     }
     if (quantity == SensedQuantity.LANDMARK) {
-      update.weigh(model, SourceTrust.factor(s, at) * Sightings.repeats(s, m));
+      update.weigh(linear, SourceTrust.factor(s, at) * Sightings.repeats(s, m));
     }
-    update.apply(s, model);
+    update.apply(s, linear);
     count(s, at, SourceTrust.USED);
     used(s, quantity);
   }
@@ -281,7 +284,7 @@ final class Fuser {
    */
   private void constrain(FilterState s) {
     boolean isDue = (s.micros - s.constraintMicros) / MICROS >= tuning.constraintS();
-    if (tuning.constraintS() <= 0.0 || !isDue || !s.hasHeading || MotionInput.drivesSpeed(s)) {
+    if (tuning.constraintS() <= 0.0 || !isDue || !s.hasHeading || s.hasSpeedInput()) {
       return;
     }
     boolean isGround = tuning.domain() == MotionDomain.GROUND;
@@ -290,8 +293,8 @@ final class Fuser {
     if (isGround && InertialInput.isAided(s, SPEED_FRESH_S) || isInFlow) {
       s.constraintMicros = s.micros;
       model.noSlip(s, tuning.sideSlipSigma(), !isGround, isGround);
-      if (update.prepare(s, model, 1.0) <= gates[model.rows]) {
-        update.apply(s, model);
+      if (update.prepare(s, linear, 1.0) <= gates[linear.rows]) {
+        update.apply(s, linear);
       }
     }
   }

@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import java.util.Arrays;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
@@ -28,7 +29,6 @@ final class HeadingSearch {
   private static final int CC = 13; // variances per axis of c and h
   private static final int HH = 14;
   private static final int CH = 15; // covariance E(c h*)
-  static final int NUMBERS = 17;
 
   private static final double FRESH_S = 1.0;
   private static final double SILENT_S = 5.0; // then another source may be used
@@ -63,7 +63,7 @@ final class HeadingSearch {
       double way = seconds * 0.5 * (h[FORWARD] + forward);
       h[WAY] += way * StrictMath.cos(psi);
       h[WAY + 1] += way * StrictMath.sin(psi);
-      boolean isMeasured = s.isInertial || MotionInput.drivesTurn(s);
+      boolean isMeasured = s.isInertial || s.hasTurnInput();
       h[TURN_VARIANCE] += isMeasured ? 0.0 : UNMEASURED * seconds;
     } else {
       restart(s);
@@ -97,7 +97,7 @@ final class HeadingSearch {
     boolean isLost = h[TURN_VARIANCE] > MAX_SIGMA_RAD * MAX_SIGMA_RAD;
     boolean isOther = source != (int) h[SOURCE];
     if (h[FIX_MICROS] == 0.0 || isLost || isOther && seconds > SILENT_S) {
-      java.util.Arrays.fill(h, WAY, NUMBERS, 0.0);
+      Arrays.fill(h, WAY, h.length, 0.0);
       h[FIRST] = north;
       h[FIRST + 1] = east;
       h[FIX_MICROS] = s.micros;

@@ -58,11 +58,8 @@ final class InertialInput {
         || (micros - s.gyroMicros) * 1e-6 > LONGEST_S;
   }
 
-  /**
-   * Predicts the state to the measurement's time using the mean of this input and the previous one,
-   * then holds this one.
-   */
-  void take(FilterState s, Measurement m, int source, ProcessModel model) {
+  /** Uses the mean of the previous input and this one for the prediction to m. */
+  void meet(FilterState s, Measurement m, int source) {
     boolean hasForce = m.isWhole(SensedQuantity.SPECIFIC_FORCE);
     boolean continues = s.isInertial && s.gyroSource == source;
     double[] x = s.x;
@@ -88,7 +85,11 @@ final class InertialInput {
     }
     interval(s, m.micros(), continues);
     density(s, m, continues ? gyroJump : 0.0, continues && hasForce ? forceJump : 0.0);
-    model.predict(s, m.micros());
+  }
+
+  /** Makes the input that {@link #meet} was last called with drive the prediction from m on. */
+  void take(FilterState s, Measurement m, int source) {
+    double[] x = s.x;
     System.arraycopy(held, 0, x, FilterState.GYRO, 3);
     if (s.gyroSource != source && s.gyroSource != FilterState.RESUMED) {
       begin(s); // a different sensor has different biases
@@ -99,7 +100,7 @@ final class InertialInput {
     for (int i = 0; i < 3; i++) {
       x[FilterState.W + i] = x[FilterState.GYRO + i] - x[FilterState.BG + i];
     }
-    if (hasForce) {
+    if (m.isWhole(SensedQuantity.SPECIFIC_FORCE)) {
       System.arraycopy(held, 3, x, FilterState.FORCE, 3);
       s.forceMicros = m.micros();
       level(s);
@@ -160,7 +161,7 @@ final class InertialInput {
             square(x[FilterState.FORCE])
                 + square(x[FilterState.FORCE + 1])
                 + square(x[FilterState.FORCE + 2]));
-    double g = ProcessModel.gravity(s);
+    double g = s.gravity();
     if (Math.abs(size - g) > STEADY * g) {
       return;
     }

@@ -34,7 +34,7 @@ final class KalmanUpdate {
    * @param factor factor on the claimed variances
    * @return normalised innovation squared, χ² distributed with as many degrees of freedom as rows
    */
-  double prepare(FilterState state, MeasurementModel m, double factor) {
+  double prepare(FilterState state, Linearization m, double factor) {
     rows = m.rows;
     s.reshape(rows, rows);
     inverse.reshape(rows, rows);
@@ -95,7 +95,7 @@ final class KalmanUpdate {
   }
 
   /** Repeats {@link #prepare} for the same measurement with another factor. */
-  double weigh(MeasurementModel m, double factor) {
+  double weigh(Linearization m, double factor) {
     for (int i = 0; i < rows; i++) {
       s.data[i * rows + i] = expected[i] + factor * m.variance[i];
     }
@@ -110,7 +110,7 @@ final class KalmanUpdate {
   }
 
   /** Applies the prepared update to the state. */
-  void apply(FilterState state, MeasurementModel m) {
+  void apply(FilterState state, Linearization m) {
     Arrays.fill(dx, 0.0);
     for (int a = 0; a < touches; a++) {
       int i = touched[a];
@@ -141,7 +141,7 @@ final class KalmanUpdate {
    * 2010): clamping only the delay would leave its share of the innovation to other states.
    */
   private void constrain(FilterState state) {
-    for (int slot = 0; slot < DelayErrors.SLOTS; slot++) {
+    for (int slot = 0; slot < FilterState.DELAY_SLOTS; slot++) {
       int delay = FilterState.DELAY + slot;
       double seconds = state.x[FilterState.DELAYS + slot] + dx[delay];
       double over = seconds - DelayErrors.possible(seconds);
@@ -197,10 +197,10 @@ final class KalmanUpdate {
     x[FilterState.FLOW_NORTH] += dx[FilterState.FLOW];
     x[FilterState.FLOW_NORTH + 1] += dx[FilterState.FLOW + 1];
     x[FilterState.WHEEL_SCALE] += dx[FilterState.SCALE];
-    for (int i = 0; i < PersistentErrors.STATES; i++) {
+    for (int i = 0; i < FilterState.PERSISTENT_STATES; i++) {
       x[FilterState.PERSISTENT_ERRORS + i] += dx[FilterState.PERSISTENT + i];
     }
-    for (int i = 0; i < DelayErrors.SLOTS; i++) {
+    for (int i = 0; i < FilterState.DELAY_SLOTS; i++) {
       double seconds = x[FilterState.DELAYS + i] + dx[FilterState.DELAY + i];
       x[FilterState.DELAYS + i] = DelayErrors.possible(seconds);
     }

@@ -64,7 +64,7 @@ final class LeverArm {
   }
 
   /** Adds the lever arm to a position row: north, east or down. */
-  void position(FilterState s, MeasurementModel to, int axis, double sign) {
+  void position(FilterState s, Linearization to, int axis, double sign) {
     if (isThere) {
       to.shift(sign * apartM(axis), apartVariance(axis));
       if (hasHeading) {
@@ -74,7 +74,7 @@ final class LeverArm {
   }
 
   /** Adds the lever arm to a velocity row: north, east or down. */
-  void velocity(FilterState s, MeasurementModel to, int axis) {
+  void velocity(FilterState s, Linearization to, int axis) {
     if (!isThere) {
       return;
     }
@@ -91,7 +91,7 @@ final class LeverArm {
   }
 
   /** Adds the lever arm to a velocity row along BODY_FRD. */
-  void bodyVelocity(FilterState s, MeasurementModel to, int axis) {
+  void bodyVelocity(FilterState s, Linearization to, int axis) {
     if (isThere) {
       to.shift(swing[axis], swingNoise2);
       rates(
@@ -105,7 +105,7 @@ final class LeverArm {
 
   /** Sets the attitude columns: a vector a in earth axes changes by δθ × a. */
   private static void attitude(
-      FilterState s, MeasurementModel to, double[] of, int axis, double sign) {
+      FilterState s, Linearization to, double[] of, int axis, double sign) {
     int next = (axis + 1) % 3;
     int last = (axis + 2) % 3;
     if (s.hasTilt || next == 2) {
@@ -117,8 +117,7 @@ final class LeverArm {
   }
 
   /** Sets the angular-rate columns; with gyroscopes, only the biases are uncertain. */
-  private static void rates(
-      FilterState s, MeasurementModel to, double byX, double byY, double byZ) {
+  private static void rates(FilterState s, Linearization to, double byX, double byY, double byZ) {
     int at = s.isInertial ? FilterState.GYRO_BIAS : FilterState.RATE;
     double sign = s.isInertial ? -1.0 : 1.0;
     if (s.hasTilt) {

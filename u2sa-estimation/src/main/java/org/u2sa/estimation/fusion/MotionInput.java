@@ -43,21 +43,13 @@ final class MotionInput {
     }
   }
 
-  static boolean drivesSpeed(FilterState s) {
-    return s.speedSource != FilterState.NO_SOURCE && !s.isStrapdown;
-  }
-
-  static boolean drivesTurn(FilterState s) {
-    return s.turnSource != FilterState.NO_SOURCE && !s.isInertial;
-  }
-
   /**
    * Uses the mean of two speed samples between them: sets it for the prediction to m and corrects
    * the displacement so far. Turn rates need no such correction: the lag at the start of a turn
    * cancels at its end.
    */
   void meet(FilterState s, Measurement m, int source) {
-    boolean isNext = drivesSpeed(s) && s.speedSource == source;
+    boolean isNext = s.hasSpeedInput() && s.speedSource == source;
     if (!isNext || !m.has(SensedQuantity.BODY_VELOCITY, 0)) {
       return;
     }
@@ -92,7 +84,7 @@ final class MotionInput {
 
   /** Variance of the turn-rate change between samples. */
   private double turnChange2(FilterState s, int source) {
-    double share = Math.min(1.0, 2.0 * intervalS(s, source) / ProcessModel.RATE_MEMORY_S);
+    double share = Math.min(1.0, 2.0 * intervalS(s, source) / FilterTuning.TURN_MEMORY_S);
     return tuning.turnSigma() * tuning.turnSigma() * share;
   }
 
@@ -118,17 +110,17 @@ final class MotionInput {
         boolean isKnown = isGround && s.hasHeading && !s.isStrapdown && m.has(quantity, 0);
         return isKnown
             && speed2 <= speedChange2(s, source)
-            && (!drivesSpeed(s) || s.speedSource == source);
+            && (!s.hasSpeedInput() || s.speedSource == source);
       case EULER_RATES:
       case BODY_RATES:
         double density = factor * square(m.sigma(quantity, 2)) * intervalS(s, source);
-        double unmeasured = 2.0 * square(tuning.turnSigma()) * ProcessModel.RATE_MEMORY_S;
+        double unmeasured = 2.0 * square(tuning.turnSigma()) * FilterTuning.TURN_MEMORY_S;
         Quaternions.matrix(s.x, FilterState.Q, r);
         return !s.isInertial
             && m.has(quantity, 2)
             && (!s.hasTilt || r[8] > LEVEL)
             && density <= unmeasured
-            && (!drivesTurn(s) || s.turnSource == source);
+            && (!s.hasTurnInput() || s.turnSource == source);
       default:
         return false;
     }
@@ -152,17 +144,17 @@ final class MotionInput {
       Measurement m,
       int source,
       SensedQuantity quantity,
-      MeasurementModel model,
+      Linearization model,
       double factor) {
     double heldS = Math.max(SHORTEST_S, INTERVALS * intervalS(s, source));
     long until = s.micros + (long) (heldS * 1e6);
     if (quantity == SensedQuantity.BODY_VELOCITY) {
-      boolean isRenewed = drivesSpeed(s);
+      boolean isRenewed = s.hasSpeedInput();
       s.speedSource = source;
       s.speedUntilMicros = until;
       speed(s, m, model, factor, isRenewed);
     } else {
-      boolean isRenewed = drivesTurn(s);
+      boolean isRenewed = s.hasTurnInput();
       s.turnSource = source;
       s.turnUntilMicros = until;
       turn(s, m, quantity, factor, isRenewed);
@@ -199,7 +191,7 @@ final class MotionInput {
    * error (Solà 2017, section 7).
    */
   private void speed(
-      FilterState s, Measurement m, MeasurementModel model, double factor, boolean isRenewed) {
+      FilterState s, Measurement m, Linearization model, double factor, boolean isRenewed) {
     double[] x = s.x;
     Quaternions.matrix(x, FilterState.Q, r);
     double scale = 1.0 + x[FilterState.WHEEL_SCALE];

@@ -1,15 +1,14 @@
 package org.u2sa.estimation.fusion;
 
-import java.util.Arrays;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
  * Time-correlated measurement errors as filter states: first-order Gauss-Markov processes (Brown
- * and Hwang, 3rd ed., section 5.3), two for each of the first {@link #POSITION_SOURCES} position
- * sources, because a receiver's error drifts over minutes, and one for each of the first {@link
- * #HEADING_SOURCES} heading sources, because a compass's deviation is constant while the vehicle
- * keeps its direction.
+ * and Hwang, 3rd ed., section 5.3), two for each of the first {@link FilterState#POSITION_SOURCES}
+ * position sources, because a receiver's error drifts over minutes, and one for each of the first
+ * {@link FilterState#HEADING_SOURCES} heading sources, because a compass's deviation is constant
+ * while the vehicle keeps its direction.
  *
  * <p>A single source cannot distinguish its error from the vehicle's motion, so both keep its
  * claimed uncertainty however often it repeats a measurement. But if other sensors measure how the
@@ -23,10 +22,6 @@ import org.u2sa.estimation.measurement.SensedQuantity;
  */
 final class PersistentErrors {
   static final int NONE = -1;
-  static final int POSITION_SOURCES = 3;
-  static final int HEADING_SOURCES = 3;
-  static final int SLOTS = POSITION_SOURCES + HEADING_SOURCES;
-  static final int STATES = 2 * POSITION_SOURCES + HEADING_SOURCES;
 
   /** White share of a claimed sigma. The rest is time-correlated. */
   private static final double NEW_SHARE = 0.2;
@@ -48,15 +43,8 @@ final class PersistentErrors {
     headingS = tuning.headingCorrelationS();
   }
 
-  /** Slots of a state without any source. */
-  static int[] nobody() {
-    int[] sources = new int[SLOTS];
-    Arrays.fill(sources, FilterState.NO_SOURCE);
-    return sources;
-  }
-
   static boolean isPosition(int slot) {
-    return slot != NONE && slot < POSITION_SOURCES;
+    return slot != NONE && slot < FilterState.POSITION_SOURCES;
   }
 
   private static int size(int slot) {
@@ -65,7 +53,7 @@ final class PersistentErrors {
 
   /** Index of a slot's first state among those of all slots. */
   private static int first(int slot) {
-    return isPosition(slot) ? 2 * slot : POSITION_SOURCES + slot;
+    return isPosition(slot) ? 2 * slot : FilterState.POSITION_SOURCES + slot;
   }
 
   private double timeConstantS(int slot) {
@@ -79,8 +67,11 @@ final class PersistentErrors {
    * @return NONE if errors of that quantity are not time-correlated, or all slots are taken
    */
   int slot(FilterState s, Measurement m, SensedQuantity quantity, int source, int at) {
-    int from = quantity == SensedQuantity.PLACE ? 0 : POSITION_SOURCES;
-    int to = quantity == SensedQuantity.PLACE ? POSITION_SOURCES : SLOTS;
+    int from = quantity == SensedQuantity.PLACE ? 0 : FilterState.POSITION_SOURCES;
+    int to =
+        quantity == SensedQuantity.PLACE
+            ? FilterState.POSITION_SOURCES
+            : FilterState.PERSISTENT_SLOTS;
     boolean isKind = quantity == SensedQuantity.PLACE || quantity == SensedQuantity.HEADING;
     if (!isKind || timeConstantS(from) <= 0.0) {
       return NONE;
@@ -107,7 +98,7 @@ final class PersistentErrors {
     double[] t = s.trust;
     double seconds = (s.micros - t[at + SourceTrust.WANDER_MICROS]) * 1e-6;
     t[at + SourceTrust.WANDER_MICROS] = s.micros;
-    if (!s.hasHeading || !MotionInput.drivesSpeed(s) || seconds > positionS) {
+    if (!s.hasHeading || !s.hasSpeedInput() || seconds > positionS) {
       return;
     }
     double known = Math.max(1.0, t[at + SourceTrust.WANDER]);
@@ -129,7 +120,7 @@ final class PersistentErrors {
    * source's error has jumped by this amount or the estimate is off by it. Increases the
    * uncertainty of both accordingly.
    */
-  static void jumped(FilterState s, MeasurementModel model, int slot, int at) {
+  static void jumped(FilterState s, Linearization model, int slot, int at) {
     double[] n = model.innovation;
     double by = (n[0] * n[0] + n[1] * n[1]) / 2.0;
     double known = Math.max(1.0, s.trust[at + SourceTrust.WANDER]);
@@ -185,14 +176,14 @@ final class PersistentErrors {
 
   /** Adds the persistent error to the measurement model; the remaining noise is white. */
   static void look(
-      FilterState s, Measurement m, SensedQuantity quantity, MeasurementModel model, int slot) {
+      FilterState s, Measurement m, SensedQuantity quantity, Linearization model, int slot) {
     if (slot == NONE) {
       return;
     }
     int row = 0;
     for (int i = 0; i < size(slot); i++) {
       if (m.has(quantity, i)) {
-        model.add(row, FilterState.PERSISTENT + first(slot) + i, 1.0);
+        model.set(row, FilterState.PERSISTENT + first(slot) + i, 1.0);
         model.innovation[row] -= s.x[FilterState.PERSISTENT_ERRORS + first(slot) + i];
         model.variance[row] *= NEW_VARIANCE;
         row++;
@@ -208,7 +199,7 @@ final class PersistentErrors {
 
   /** Applies the decay of the errors to state and F. */
   void fade(FilterState s, Transition f, double dt) {
-    for (int slot = 0; slot < SLOTS; slot++) {
+    for (int slot = 0; slot < FilterState.PERSISTENT_SLOTS; slot++) {
       if (s.persistentSource[slot] == FilterState.NO_SOURCE) {
         continue;
       }
@@ -228,7 +219,7 @@ final class PersistentErrors {
 
   /** Adds the process noise of the errors: driven by 2 σ² / τ they keep their σ. */
   void wander(FilterState s, double dt) {
-    for (int slot = 0; slot < SLOTS; slot++) {
+    for (int slot = 0; slot < FilterState.PERSISTENT_SLOTS; slot++) {
       if (s.persistentSource[slot] != FilterState.NO_SOURCE) {
         double q = wanderRate(s, slot);
         for (int i = first(slot); i < first(slot) + size(slot); i++) {

@@ -10,12 +10,8 @@ package org.u2sa.estimation.fusion;
 final class ProcessModel {
   private static final int N = FilterState.N;
   private static final double LONGEST_STEP_S = 0.05;
-  static final double RATE_MEMORY_S = 1.0; // time constant of an unmeasured turn
   private static final double SCALE_NOISE = 1e-4; // wheel-speed scale, per √s
   private static final double FLOW_MEMORY_S = 600.0;
-  private static final double EQUATOR_MPS2 = 9.7803253359; // WGS-84 normal gravity (Somigliana)
-  private static final double EQUATOR_TO_POLE = 1.931852652458e-3;
-  private static final double E2 = 6.694379990141316e-3;
 
   private final FilterTuning tuning;
   private final PersistentErrors persistent;
@@ -40,13 +36,6 @@ final class ProcessModel {
       advance(s, step * 1e-6);
       s.micros += step;
     }
-  }
-
-  /** Gravity [m/s²] (WGS-84, NIMA TR8350.2, section 4). */
-  static double gravity(FilterState s) {
-    double sin = s.hasPlace ? StrictMath.sin(s.x[FilterState.LATITUDE]) : Math.sqrt(0.5);
-    double sin2 = sin * sin;
-    return EQUATOR_MPS2 * (1.0 + EQUATOR_TO_POLE * sin2) / Math.sqrt(1.0 - E2 * sin2);
   }
 
   private void advance(FilterState s, double dt) {
@@ -93,7 +82,7 @@ final class ProcessModel {
       }
     }
     minusCross(a, dt, FilterState.VELOCITY, FilterState.ATTITUDE);
-    a[2] += gravity(s);
+    a[2] += s.gravity();
     for (int i = 0; i < 3; i++) {
       x[FilterState.V + i] += dt * a[i];
     }
@@ -145,11 +134,11 @@ final class ProcessModel {
         }
       }
     }
-    double left = 1.0 - dt / RATE_MEMORY_S;
+    double left = 1.0 - dt / FilterTuning.TURN_MEMORY_S;
     for (int i = 0; i < 3; i++) {
       if (s.isInertial) {
         x[FilterState.W + i] = w[i];
-      } else if (i < 2 || !MotionInput.drivesTurn(s)) {
+      } else if (i < 2 || !s.hasTurnInput()) {
         x[FilterState.W + i] *= left;
         f.set(FilterState.RATE + i, FilterState.RATE + i, left);
       }
@@ -178,7 +167,7 @@ final class ProcessModel {
     for (int i = 0; i < 3; i++) {
       double wander = i == 2 ? tuning.verticalNoise() : tuning.accelerationNoise();
       double q = s.isStrapdown ? x[FilterState.FORCE_DENSITY] : wander * wander;
-      if (!MotionInput.drivesSpeed(s)) {
+      if (!s.hasSpeedInput()) {
         addVelocityNoise(s, i, q, dt);
       }
       if (s.hasTilt || i == 2) {
@@ -220,11 +209,11 @@ final class ProcessModel {
       s.isolate(rate, density / Math.max(dt, s.x[FilterState.INPUT_INTERVAL]));
       return;
     }
-    if (i == 2 && MotionInput.drivesTurn(s)) {
+    if (i == 2 && s.hasTurnInput()) {
       return;
     }
     // A rate that decays with time constant τ and keeps σ is driven by 2 σ² / τ.
-    double q = 2.0 * tuning.turnSigma() * tuning.turnSigma() / RATE_MEMORY_S;
+    double q = 2.0 * tuning.turnSigma() * tuning.turnSigma() / FilterTuning.TURN_MEMORY_S;
     s.p.data[angle * N + angle] += q * dt * dt * dt / 3.0;
     s.p.data[angle * N + rate] += q * dt * dt / 2.0;
     s.p.data[rate * N + angle] += q * dt * dt / 2.0;

@@ -72,7 +72,7 @@ final class QuantityStart {
     if (SpeedDoubt.isHeadingGuessed(s)) {
       s.hasHeading = false;
       s.isolate(FilterState.ATTITUDE + 2, Math.PI * Math.PI / 3.0);
-    } else if (SpeedDoubt.isOfPosition(quantity) && MotionInput.drivesSpeed(s)) {
+    } else if (SpeedDoubt.isOfPosition(quantity) && s.hasSpeedInput()) {
       double factor = SourceTrust.factor(s, at);
       t[at + SourceTrust.DISTRUST] = Math.min(MAX_DISTRUST, DISTRUST_STEP * factor);
     }
@@ -100,6 +100,7 @@ final class QuantityStart {
             m.value(quantity, 1),
             v0 + lever.apartVariance(0),
             v1 + lever.apartVariance(1));
+        HeadingSearch.restart(s);
         s.x[FilterState.LATITUDE] -= lever.apartM(0) / s.northRadiusM();
         double longitude = s.x[FilterState.LONGITUDE] - lever.apartM(1) / s.axisDistanceM();
         s.x[FilterState.LONGITUDE] = Math.IEEEremainder(longitude, 2.0 * Math.PI);
@@ -162,7 +163,7 @@ final class QuantityStart {
   /**
    * Aligns a local frame whose origin differs from the filter's so that its first position fits.
    */
-  static void shift(FilterState s, MeasurementModel model, SensedQuantity quantity, int at) {
+  static void shift(FilterState s, Linearization model, SensedQuantity quantity, int at) {
     double[] t = s.trust;
     if (t[at + SourceTrust.HAS_OFFSET] == 0.0) {
       boolean isElsewhere = quantity == SensedQuantity.LOCAL_DOWN || s.hasPlace;

@@ -22,7 +22,7 @@ final class RefusedScatter {
   }
 
   /** Records a rejected vector; called after its streak counter was incremented. */
-  static void note(double[] t, MeasurementModel model, int at) {
+  static void note(double[] t, Linearization model, int at) {
     double first = model.innovation[0];
     double second = model.rows > 1 ? model.innovation[1] : 0.0;
     if (t[at + SourceTrust.STREAK] == 1.0) {
@@ -63,7 +63,7 @@ final class RefusedScatter {
    *
    * @param isAlone whether no other source supports the position
    */
-  boolean isBeyondClaim(FilterState s, MeasurementModel model, int at, boolean isAlone) {
+  boolean isBeyondClaim(FilterState s, Linearization model, int at, boolean isAlone) {
     double[] t = s.trust;
     double shown = model.rows == 2 ? variance(t, at) : 0.0;
     double claimed = (model.variance[0] + model.variance[1]) / 2.0;

@@ -12,9 +12,7 @@ import org.u2sa.estimation.measurement.Measurement;
 final class Sightings {
   private static final double CORRELATION_S = 0.5;
   private static final double SHORTEST_S = 0.05;
-  private static final int KEPT = 12; // landmarks
   private static final int SIZE = 3; // two coordinates, time
-  static final int NUMBERS = KEPT * SIZE;
 
   private Sightings() {}
 
@@ -24,7 +22,7 @@ final class Sightings {
   static double repeats(FilterState s, Measurement m) {
     double[] seen = s.sightings;
     int oldest = 0;
-    for (int at = 0; at < NUMBERS; at += SIZE) {
+    for (int at = 0; at < seen.length; at += SIZE) {
       if (seen[at] == m.landmark(0) && seen[at + 1] == m.landmark(1) && seen[at + 2] > 0.0) {
         double since = Math.max(SHORTEST_S, (m.micros() - seen[at + 2]) * 1e-6);
         seen[at + 2] = m.micros();

@@ -42,7 +42,7 @@ final class SourceJudge {
   /** Whether a source repeats its values while the vehicle moves. */
   boolean isFrozen(
       FilterState s,
-      MeasurementModel model,
+      Linearization model,
       double[] expected,
       int source,
       SensedQuantity quantity,
@@ -99,8 +99,7 @@ final class SourceJudge {
    * @return whether the estimate must be reset from it, because no other source supports the
    *     estimate
    */
-  boolean gated(
-      FilterState s, MeasurementModel model, int source, SensedQuantity quantity, int at) {
+  boolean gated(FilterState s, Linearization model, int source, SensedQuantity quantity, int at) {
     double[] t = s.trust;
     t[at + SourceTrust.GATED]++;
     t[at + SourceTrust.STREAK]++;

@@ -166,7 +166,7 @@ final class SourceTrust {
    *
    * @param expected variance of each component due to the state's uncertainty
    */
-  void learn(FilterState s, int at, MeasurementModel model, double[] expected) {
+  void learn(FilterState s, int at, Linearization model, double[] expected) {
     double[] t = s.trust;
     if (t[at + LEARNT] == 0.0) {
       t[at + FACTOR] = 1.0;

@@ -48,7 +48,7 @@ final class SpeedDoubt {
    * @param wanderRate process noise of its error, per axis [m²/s]
    * @return whether speed or heading are now considered wrong
    */
-  boolean isRaised(FilterState s, MeasurementModel model, int source, int at, double wanderRate) {
+  boolean isRaised(FilterState s, Linearization model, int source, int at, double wanderRate) {
     double[] t = s.trust;
     double seconds = (s.micros - t[at + SourceTrust.STREAK_SINCE]) * 1e-6;
     if (model.rows != 2 || t[at + SourceTrust.STREAK] < 3.0 || seconds < SHORTEST_S) {
@@ -118,7 +118,7 @@ final class SpeedDoubt {
    * Whether a speed is still doubted. The doubt ends when its mean difference from the estimate is
    * small, or when no more positions contradict it.
    */
-  boolean holds(FilterState s, MeasurementModel model, int source, int at) {
+  boolean holds(FilterState s, Linearization model, int source, int at) {
     double[] t = s.trust;
     double found = t[at + SourceTrust.DOUBT_MPS];
     if (found == 0.0) {

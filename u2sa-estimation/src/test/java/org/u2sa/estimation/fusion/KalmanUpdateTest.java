@@ -18,7 +18,7 @@ class KalmanUpdateTest {
   private final Random random = new Random(11);
   private final KalmanUpdate update = new KalmanUpdate();
   private final FilterState state = new FilterState();
-  private final MeasurementModel model = new MeasurementModel();
+  private final Linearization model = new Linearization();
 
   private void begin(int rows) {
     DMatrixRMaj root = RandomMatrices_DDRM.rectangle(N, N, -1.0, 1.0, random);

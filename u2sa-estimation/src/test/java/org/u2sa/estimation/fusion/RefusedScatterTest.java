@@ -13,7 +13,7 @@ class RefusedScatterTest {
 
   private final Random random = new Random(3);
   private final RefusedScatter scatter = new RefusedScatter(FilterTuning.of(MotionDomain.GROUND));
-  private final MeasurementModel model = new MeasurementModel();
+  private final Linearization model = new Linearization();
   private final FilterState s = new FilterState();
   private int refusals;
 

@@ -32,7 +32,7 @@ class SightingTest {
 
   private double innovation(FilterState s, int row) {
     assertThat(model.look(s, m, SensedQuantity.LANDMARK)).isTrue();
-    return model.innovation[row];
+    return model.linear.innovation[row];
   }
 
   private static void disturb(FilterState s, int error, double by) {
@@ -60,7 +60,7 @@ class SightingTest {
           double before = innovation(s, row);
           double slope = -Math.IEEEremainder(innovation(moved, row) - before, 6.283185307179586);
           innovation(s, row);
-          assertThat(model.h.data[row * N + error])
+          assertThat(model.linear.h.data[row * N + error])
               .as("row %d, error %d", row, error)
               .isCloseTo(slope / SMALL, within(1e-3));
         }
@@ -74,7 +74,7 @@ class SightingTest {
     FilterState s = at(1.0, 1.0, 0.0, 0.0, 0.0); // 3 m north of it, 4 m east
     assertThat(innovation(s, 0)).isCloseTo(0.5, within(1e-12));
     assertThat(innovation(s, 1)).isCloseTo(1.0 - Math.atan2(4.0, 3.0), within(1e-12));
-    assertThat(model.variance[0]).as("no doubt of the place").isCloseTo(0.01, within(1e-12));
+    assertThat(model.linear.variance[0]).as("no doubt of the place").isCloseTo(0.01, within(1e-12));
   }
 
   @Test
@@ -84,8 +84,8 @@ class SightingTest {
     s.isolate(FilterState.POSITION, 0.25);
     s.isolate(FilterState.POSITION + 1, 0.25);
     innovation(s, 0);
-    assertThat(model.variance[0]).isCloseTo(0.01 + 0.25 / 2.0, within(1e-12));
-    assertThat(model.variance[1]).isCloseTo(0.0025 + 0.25 / 2.0, within(1e-12));
+    assertThat(model.linear.variance[0]).isCloseTo(0.01 + 0.25 / 2.0, within(1e-12));
+    assertThat(model.linear.variance[1]).isCloseTo(0.0025 + 0.25 / 2.0, within(1e-12));
   }
 
   @Test
