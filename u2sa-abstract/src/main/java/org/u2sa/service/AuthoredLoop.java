@@ -39,8 +39,8 @@ final class AuthoredLoop {
   /**
    * @param thread runs the loop
    * @param isRunning whether the loop should continue
-   * @param handleMessages run by the other thread, in {@link #turns}
-   * @param kill ends the loop as its author wants
+   * @param handleMessages body of the thread that handles messages; takes {@link #turns}
+   * @param kill clears {@code isRunning} and calls the author's kill()
    */
   AuthoredLoop(
       Thread thread,

@@ -16,8 +16,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A service's end of its communication: publishes on the connection, and subscribes what the
- * service is registered for.
+ * A service's connection: publishes on it, subscribes to the service's channels, and hands it to a
+ * successor.
  */
 final class ServiceConnection {
   private final ServiceContext context;

@@ -37,7 +37,7 @@ final class ServiceLife {
   private volatile ServiceLife successor; // null until one has taken over
 
   /**
-   * The service that lives.
+   * The service as its life cycle sees it.
    *
    * @param isRunning whether its loops should continue
    * @param setRunning sets {@code isRunning}
@@ -122,7 +122,10 @@ final class ServiceLife {
     waiter.await(clock.micros());
   }
 
-  /** Takes all turns on the calling service thread, waiting on the run's clock in between. */
+  /**
+   * Takes all turns of the calling service thread, waiting on the run's clock in between. The clock
+   * may run them on its own thread unless the service {@linkplain #keepToOwnThread keeps to its}.
+   */
   void takeAll(Clock.Turns turns) throws InterruptedException {
     if (!keepsToOwnThread) {
       waiter.lend(turns);

@@ -17,7 +17,7 @@ import org.u2sa.service.inbox.ServiceInbox;
  * from one message to the next.
  */
 final class ServiceReceiver implements Receiver {
-  /** What a service receives, and where it waits for the service's thread. */
+  /** A service as the dispatcher sees it: its channels, its inbox, and what wakes or stops it. */
   record Recipient(
       ServiceConfiguration configuration,
       Registrations registrations,

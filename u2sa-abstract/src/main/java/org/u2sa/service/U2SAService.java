@@ -68,7 +68,7 @@ public abstract class U2SAService extends Thread
   private final ServiceRole role;
   private final ServiceConfiguration configuration;
   private final Registrations registrations = new Registrations();
-  private final ServiceRegistration registration;
+  private final ServiceRegistration channels;
   private final HealthReporter reporter;
 
   /**
@@ -93,7 +93,7 @@ public abstract class U2SAService extends Thread
     recipient = new ServiceReceiver.Recipient(configuration, registrations, inbox, life);
     connection = new ServiceConnection(context, recipient, loop);
     context.onAbandon(connection::close);
-    registration = new ServiceRegistration(connection, role);
+    channels = new ServiceRegistration(connection, role);
     configurationWriter = new ConfigurationWriter(configuration, life);
     succession = new Succession(context, configuration, this::takeOver, this::firstStepAt);
     reporter =
@@ -294,42 +294,42 @@ public abstract class U2SAService extends Thread
 
   @Override
   public final boolean beginCommunication() {
-    return registration.begin();
+    return channels.begin();
   }
 
   @Override
   public final boolean registerPublisher(Class<? extends U2SAData> dataType) {
-    return registration.toPublish(dataType).filter(registration::registerPublisher).isPresent();
+    return channels.toPublish(dataType).filter(channels::registerPublisher).isPresent();
   }
 
   /** {@link #registerPublisher(Class)} on the channel of that name (thesis 8.2.3.1). */
   public final boolean registerPublisher(String channelName) {
-    return registration.named(channelName).filter(registration::registerPublisher).isPresent();
+    return channels.named(channelName).filter(channels::registerPublisher).isPresent();
   }
 
   /** {@link #registerPublisher(Class)} on a channel. */
   public final boolean registerPublisher(Channel<?> channel) {
-    return registration.registerPublisher(channel);
+    return channels.registerPublisher(channel);
   }
 
   @Override
   public final boolean unregisterPublisher(Class<? extends U2SAData> dataType) {
-    return registration.toPublish(dataType).filter(connection::unregisterPublisher).isPresent();
+    return channels.toPublish(dataType).filter(connection::unregisterPublisher).isPresent();
   }
 
   @Override
   public final boolean registerSubscriber(Class<? extends U2SAData> dataType) {
-    return registration.toSubscribe(dataType).filter(registration::registerSubscriber).isPresent();
+    return channels.toSubscribe(dataType).filter(channels::registerSubscriber).isPresent();
   }
 
   /** {@link #registerSubscriber(Class)} on the channel of that name (thesis 8.2.3.1). */
   public final boolean registerSubscriber(String channelName) {
-    return registration.named(channelName).filter(registration::registerSubscriber).isPresent();
+    return channels.named(channelName).filter(channels::registerSubscriber).isPresent();
   }
 
   /** {@link #registerSubscriber(Class)} on a channel. */
   public final boolean registerSubscriber(Channel<?> channel) {
-    return registration.registerSubscriber(channel);
+    return channels.registerSubscriber(channel);
   }
 
   /**
@@ -366,10 +366,7 @@ public abstract class U2SAService extends Thread
 
   @Override
   public final boolean unregisterSubscriber(Class<? extends U2SAData> dataType) {
-    return registration
-        .toSubscribe(dataType)
-        .filter(registration::unregisterSubscriber)
-        .isPresent();
+    return channels.toSubscribe(dataType).filter(channels::unregisterSubscriber).isPresent();
   }
 
   @Override
@@ -383,7 +380,7 @@ public abstract class U2SAService extends Thread
 
   /** Publishes on the channel of that name (thesis 8.2.3.1). */
   public final boolean publish(String channelName, U2SAData data) {
-    return registration.named(channelName).filter(channel -> publish(channel, data)).isPresent();
+    return channels.named(channelName).filter(channel -> publish(channel, data)).isPresent();
   }
 
   /**
