@@ -1,17 +1,12 @@
 package org.u2sa.cli.mission;
 
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
-import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa mission insert}. */
 @Command(
@@ -19,12 +14,9 @@ import picocli.CommandLine.Spec;
     description = {
       "Insert the goals of a mission file.",
       "",
-      "What followed the goal before follows them. Names must be new; a next may name goals of the mission."
+      "The previous successors of the goal follow them. Names must be new; a next may name goals of the mission."
     })
-final class InsertCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
-  @Mixin private RemoteSystem remote;
-
+final class InsertCommand extends OrderCommand {
   @Parameters(paramLabel = "FILE", description = "A mission file with goals only.")
   private Path file;
 
@@ -38,18 +30,13 @@ final class InsertCommand implements Callable<Integer> {
         description = "The goal that they follow. Default: the current one.")
     private String after;
 
-    @Option(
-        names = "--now",
-        description = "Pursue them at once, and what is current now after them.")
+    @Option(names = "--now", description = "Pursue them at once, and the current goal after them.")
     private boolean now;
   }
 
   @Override
-  public Integer call() throws InterruptedException {
+  MissionOrder order() {
     MissionOrder order = OrderToMissionManager.withGoals(MissionAction.INSERT, file).now(place.now);
-    if (place.after != null) {
-      order.uid(place.after);
-    }
-    return OrderToMissionManager.give(remote, order, command.commandLine().getOut());
+    return place.after == null ? order : order.uid(place.after);
   }
 }
