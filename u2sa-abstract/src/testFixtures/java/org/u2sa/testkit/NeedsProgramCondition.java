@@ -8,18 +8,9 @@ import org.junit.jupiter.api.extension.ExecutionCondition;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.platform.commons.support.AnnotationSupport;
 
-/** Judges {@link NeedsProgram} before a test's fixtures are made: none of them runs in vain. */
+/** Evaluates {@link NeedsProgram} before any of a test's fixtures is created. */
 final class NeedsProgramCondition implements ExecutionCondition {
-  private final ForeignPrograms programs;
-
-  /** Made by JUnit. */
-  NeedsProgramCondition() {
-    this(ForeignPrograms.ofThisMachine());
-  }
-
-  NeedsProgramCondition(ForeignPrograms programs) {
-    this.programs = programs;
-  }
+  private final ForeignPrograms programs = ForeignPrograms.ofThisMachine();
 
   @Override
   public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {

@@ -1,17 +1,12 @@
 package org.u2sa.cli.mission;
 
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
-import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa mission insert}. */
 @Command(
@@ -21,10 +16,7 @@ import picocli.CommandLine.Spec;
       "",
       "What followed that goal follows them. Names must be new; a next may name goals of the mission."
     })
-final class InsertCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
-  @Mixin private RemoteSystem remote;
-
+final class InsertCommand extends OrderCommand {
   @Parameters(paramLabel = "FILE", description = "A mission file with goals only.")
   private Path file;
 
@@ -43,11 +35,8 @@ final class InsertCommand implements Callable<Integer> {
   }
 
   @Override
-  public Integer call() throws InterruptedException {
+  MissionOrder order() {
     MissionOrder order = OrderToMissionManager.withGoals(MissionAction.INSERT, file).now(place.now);
-    if (place.after != null) {
-      order.uid(place.after);
-    }
-    return OrderToMissionManager.give(remote, order, command.commandLine().getOut());
+    return place.after == null ? order : order.uid(place.after);
   }
 }

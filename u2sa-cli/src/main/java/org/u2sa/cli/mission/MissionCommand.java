@@ -18,12 +18,12 @@ import picocli.CommandLine.Spec;
     },
     subcommands = {
       ShowMissionCommand.class,
-      GoToCommand.class,
-      SkipCommand.class,
+      OrderCommand.GoTo.class,
+      OrderCommand.Skip.class,
       InsertCommand.class,
-      UpdateGoalsCommand.class,
-      PauseCommand.class,
-      ResumeCommand.class
+      OrderCommand.Update.class,
+      OrderCommand.Pause.class,
+      OrderCommand.Resume.class
     })
 public final class MissionCommand implements Runnable {
   @Spec private CommandSpec command;

@@ -1,6 +1,8 @@
 package org.u2sa.planning.avoidance;
 
 import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 
@@ -12,9 +14,13 @@ final class Searching implements Behaviour {
   /** A moving vehicle restarts its search, which may therefore not terminate. */
   private static final String NOT_IN_TIME = "no way to the goal was found in time";
 
+  private static final double LOOK_STEP_RAD = Math.toRadians(60.0);
+  private static final long LOOK_MICROS = 5 * Clock.MICROS_PER_SECOND / 2; // in each direction
+
   private final RouteKeeper routes;
-  private final LookAround lookAround = new LookAround();
   private long sinceMicros;
+  private long turnedMicros = Long.MIN_VALUE;
+  private double lookToRad;
 
   /**
    * @param sinceMicros time of the first step without a route [µs]
@@ -35,9 +41,16 @@ final class Searching implements Behaviour {
     boolean looks =
         settings.overlookAfter() > 0.0
             && now.micros() - sinceMicros > 2 * settings.overlookMicros();
-    return looks
-        ? arcs.lookTo(lookAround.headingRad(now.pose(), now.micros()))
-        : arcs.withoutRoute();
+    return looks ? arcs.lookTo(lookToRad(now.pose(), now.micros())) : arcs.withoutRoute();
+  }
+
+  /** Heading in which to look for a route [rad]. */
+  private double lookToRad(Pose pose, long micros) {
+    if (turnedMicros == Long.MIN_VALUE || micros - turnedMicros > LOOK_MICROS) {
+      turnedMicros = micros;
+      lookToRad = Pose.wrapped(pose.headingRad() + LOOK_STEP_RAD);
+    }
+    return lookToRad;
   }
 
   @Override

@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
 import org.u2sa.testkit.Repository;
 
@@ -29,7 +30,7 @@ class ForeignEyesTest {
   void demo_realTime_pythonReadsTheTopicsAndTheEndIsInOrder()
       throws IOException, InterruptedException {
     String python = ForeignProgram.python();
-    String port = String.valueOf(ForeignProgram.freePort());
+    String port = String.valueOf(FreePort.find());
     Process demo = demo(port);
     try {
       ForeignProgram.Ended read = awaitMessages(python, port);

@@ -3,8 +3,6 @@ package org.u2sa.scenarios.cessna;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -63,11 +61,5 @@ final class ForeignProgram {
   /** Mosquitto, the broker. Skips the test where it is not, except under CI. */
   static String mosquitto() {
     return ForeignPrograms.ofThisMachine().required("mosquitto");
-  }
-
-  static int freePort() throws IOException {
-    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return free.getLocalPort();
-    }
   }
 }

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
 import org.u2sa.testkit.Repository;
 
@@ -51,7 +52,7 @@ class PlainClientTest {
   void cessna_throughTheEmbeddedBroker_isWhatThePageSays(String form)
       throws IOException, InterruptedException {
     String python = ForeignProgram.python();
-    int port = ForeignProgram.freePort();
+    int port = FreePort.find();
     system =
         ForeignProgram.u2sa(
             file("demo.txt"),
@@ -77,7 +78,7 @@ class PlainClientTest {
   void cessna_throughMosquittoAndKilled_isWhatThePageSaysWillsToo()
       throws IOException, InterruptedException {
     String python = ForeignProgram.python();
-    int port = ForeignProgram.freePort();
+    int port = FreePort.find();
     broker =
         ForeignProgram.start(
             file("mosquitto.txt"), List.of(ForeignProgram.mosquitto(), "-p", String.valueOf(port)));
