@@ -91,7 +91,7 @@ class DeviceSensorTest {
     assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError)).isEmpty();
     kit.advance(2.0);
     assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError))
-        .hasValue("the range finder has sent nothing readable for more than 5.0 s");
+        .hasValue("the range finder has sent no valid data for more than 5.0 s");
   }
 
   @Test

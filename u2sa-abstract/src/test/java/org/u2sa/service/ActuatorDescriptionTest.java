@@ -157,7 +157,7 @@ class ActuatorDescriptionTest {
     assertThat(servo.percent).isZero();
     assertThat(kit.latest(Channels.HEALTH).orElseThrow().commandsRefused()).hasValue(1);
     assertThat(kit.log("Thruster"))
-        .anySatisfy(line -> assertThat(line).contains("refused", "does not take"));
+        .anySatisfy(line -> assertThat(line).contains("refused", "does not accept"));
   }
 
   @Test

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.log.Logger;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
@@ -16,7 +17,8 @@ import org.u2sa.messages.safety.FailsafeAction;
 
 /** The goals for the failsafes RETURN and LAND. */
 final class FailsafeMissions {
-  private final MissionManager manager;
+  private final MissionRun run;
+  private final Logger logger;
   private final MissionFiles files;
   private final Supplier<MissionSettings> settings;
   private final Map<FailsafeAction, List<GoalInformation>> goals =
@@ -28,8 +30,10 @@ final class FailsafeMissions {
    *
    * @throws org.u2sa.interfaces.BadInputException if one is wrong
    */
-  FailsafeMissions(MissionManager manager, MissionFiles files, Supplier<MissionSettings> settings) {
-    this.manager = manager;
+  FailsafeMissions(
+      MissionRun run, MissionFiles files, Supplier<MissionSettings> settings, Logger logger) {
+    this.run = run;
+    this.logger = logger;
     this.files = files;
     this.settings = settings;
     load();
@@ -67,11 +71,11 @@ final class FailsafeMissions {
       files.forget(variable);
       return Collections.emptyList();
     }
-    Mission mission = files.load(variable, path, manager.thresholdM());
-    manager.log(variable + " " + mission.origin() + " loaded");
+    Mission mission = files.load(variable, path, run.thresholdM());
+    logger.log(LogLevelEnum.INFO, variable + " " + mission.origin() + " loaded");
     mission
         .home()
-        .map(place -> place.waypoint(MissionManager.HOME, manager.thresholdM()))
+        .map(place -> place.waypoint(Home.NAME, run.thresholdM()))
         .ifPresent(home -> homes.put(action, renamed(home, action + " ")));
     return mission.goals().stream()
         .map(goal -> renamed(goal, action + " "))
@@ -106,14 +110,14 @@ final class FailsafeMissions {
     }
     List<GoalInformation> own = goals.get(action);
     if (own.isEmpty() && action == FailsafeAction.LAND) {
-      manager.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
+      logger.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
       own = goals.get(FailsafeAction.RETURN);
     }
     if (own.isEmpty() && home.isPresent()) {
       own = Collections.singletonList(renamed(home.get(), FailsafeAction.RETURN + " "));
     }
     if (own.isEmpty()) {
-      manager.log(
+      logger.log(
           LogLevelEnum.ERROR,
           "failsafe " + action + " without a RETURN MISSION or a home: holding");
       return Optional.of(ended());

@@ -21,6 +21,9 @@ public record Home(
     double y,
     OptionalDouble z,
     OptionalDouble headingRad) {
+  /** Name of the goal to which a vehicle returns on command; also of the home's element. */
+  static final String NAME = "home";
+
   /** Geographic position, at altitude 0 if none is given; empty in a local frame. */
   public Optional<Geodetic> geodetic() {
     return referenceFrame.equals(ReferenceFrame.GLOBAL)

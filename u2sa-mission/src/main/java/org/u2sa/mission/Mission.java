@@ -115,7 +115,7 @@ public final class Mission {
    */
   public BadInputException goalError(int index, String what) {
     return root.children().stream()
-        .filter(element -> !element.name().equals(MissionManager.HOME))
+        .filter(element -> !element.name().equals(Home.NAME))
         .filter(element -> !element.name().equals(MissionLimit.ELEMENT))
         .skip(index)
         .findFirst()

@@ -52,9 +52,6 @@ public final class MissionManager extends PeriodicService {
               text = "Horizontal threshold of waypoints without one.")
           double defaultThreshold) {}
 
-  /** Name of the goal to which a vehicle returns on command. */
-  static final String HOME = "home";
-
   private static final String NAME = "MissionManager";
   private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
@@ -64,11 +61,10 @@ public final class MissionManager extends PeriodicService {
   private final FailsafeMissions failsafes;
   private final MissionFiles files;
   private final MissionOrders orders;
-  private final TimeLimits limits = new TimeLimits(this);
+  private final MissionRun run = new MissionRun(clock(), this::thresholdM);
+  private final TimeLimits limits = new TimeLimits(run, this);
   private final RepeatedReports reports = new RepeatedReports();
   private final Resumable resumable;
-  private Mission mission; // as in its file
-  private MissionProgress progress;
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
   private long repeatDueMicros; // of the current goals, for a planner unaware of them
@@ -81,10 +77,12 @@ public final class MissionManager extends PeriodicService {
   public MissionManager(ServiceContext context) {
     super(context, ServiceRole.MISSION_MANAGER, NAME, LIMITS_CHECKED_HZ);
     files = new MissionFiles(context);
-    progress = new MissionProgress(load());
-    failsafes = new FailsafeMissions(this, files, settings);
-    orders = new MissionOrders(this, context.messageTypes());
-    resumable = new Resumable(this, new SavedMission(context, NAME), settings);
+    run.progress(new MissionProgress(load()));
+    failsafes = new FailsafeMissions(run, files, settings, this);
+    resumable =
+        new Resumable(
+            run, new SavedMission(context, NAME, MissionManager.class.getName()), settings, this);
+    orders = new MissionOrders(run, resumable, context.messageTypes(), this, this::publishGoals);
     registerPublisher(Channels.GOALS);
     registerPublisher(Channels.MISSION);
     subscribe(Channels.GOAL_REPORTS, this::onReport);
@@ -102,36 +100,21 @@ public final class MissionManager extends PeriodicService {
   }
 
   private GoalSequence load() {
-    mission = files.load(MissionSettings.MISSION, settings.get().mission(), thresholdM());
+    Mission mission = files.load(MissionSettings.MISSION, settings.get().mission(), thresholdM());
+    run.mission(mission);
     log("mission " + mission.origin() + " with goals " + names(mission.goals()));
     mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
     GoalSequence loaded =
         new GoalSequence(mission.goals(), settings.get().loop(), settings.get().options());
-    home = mission.home().map(place -> place.waypoint(HOME, thresholdM()));
-    if (home.isPresent() && !loaded.knows(HOME)) {
+    home = mission.home().map(place -> place.waypoint(Home.NAME, thresholdM()));
+    if (home.isPresent() && !loaded.knows(Home.NAME)) {
       loaded.update(home.get());
     }
     return loaded;
   }
 
-  /** The mission as in its file. */
-  Mission mission() {
-    return mission;
-  }
-
-  /** Default horizontal threshold of waypoints [m]. */
-  double thresholdM() {
+  private double thresholdM() {
     return defaults.get().defaultThreshold();
-  }
-
-  /** Mission progress. */
-  MissionProgress progress() {
-    return progress;
-  }
-
-  /** Current time [µs of the run's clock]. */
-  long micros() {
-    return clock().micros();
   }
 
   @Override
@@ -144,7 +127,7 @@ public final class MissionManager extends PeriodicService {
       loadFailsafes();
     }
     if (variableNames.contains("LOOP") || variableNames.contains("OPTIONS")) {
-      progress.rules(settings.get().loop(), settings.get().options());
+      run.progress().rules(settings.get().loop(), settings.get().options());
       publishGoals();
     }
   }
@@ -159,7 +142,7 @@ public final class MissionManager extends PeriodicService {
 
   private void beginAnew() {
     try {
-      progress.begin(load());
+      run.progress().begin(load());
       reports.forget();
       resumable.forgetOther();
     } catch (BadInputException e) {
@@ -174,7 +157,7 @@ public final class MissionManager extends PeriodicService {
     state.text(MissionSettings.MISSION, settings.get().mission());
     state.number(MissionSettings.DEFAULT_THRESHOLD, thresholdM());
     limits.handOver(state);
-    progress.handOver(state);
+    run.progress().handOver(state);
   }
 
   @Override
@@ -190,7 +173,7 @@ public final class MissionManager extends PeriodicService {
         MissionProgress.takenOver(state, settings.get().loop(), settings.get().options());
     before.ifPresent(
         taken -> {
-          progress = taken;
+          run.progress(taken);
           limits.takeOver(state);
           beginsAnew = false;
         });
@@ -199,7 +182,7 @@ public final class MissionManager extends PeriodicService {
   @Override
   protected void begin() {
     if (beginsAnew) {
-      resumable.atStart().ifPresent(saved -> progress = saved);
+      resumable.atStart().ifPresent(run::progress);
     }
     publishGoals();
   }
@@ -227,46 +210,13 @@ public final class MissionManager extends PeriodicService {
     if (message instanceof MissionRequest request) {
       publish(Channels.MISSION, report(request.requestId()));
     } else if (message instanceof MissionOrder order) {
-      publish(Channels.MISSION, orders.obey(order));
+      publish(Channels.MISSION, orders.obey(order, getServiceName()));
     }
   }
 
   private MissionReport report(String requestId) {
-    return new MissionReportMaker(this)
-        .report(requestId, resumable.where().or(() -> progress.backTo()));
-  }
-
-  /**
-   * Ends a pause, or else goes on where the process before ended, or returns to where the mission
-   * was left. Returns a description.
-   */
-  String resumeMission() {
-    boolean wasPaused = progress.isPaused() && !progress.mission().isOver();
-    Optional<MissionProgress> saved = wasPaused ? Optional.empty() : resumable.taken();
-    saved.ifPresent(before -> progress = before);
-    progress.pause(false);
-    if (saved.isEmpty() && !wasPaused && !progress.goBack()) {
-      throw new BadInputException(
-          progress.isLeft()
-              ? "the failsafe "
-                  + progress.pursuedFor()
-                  + " is pursued; the mission resumes after it"
-              : "there is nothing to resume: the mission was not left");
-    }
-    return "resumed at "
-        + names(progress.mission().current())
-        + (progress.isLeft() ? ", after the failsafe " + progress.pursuedFor() : "");
-  }
-
-  /** Records that an order was carried out. */
-  void ordered(String what) {
-    log(what);
-    publishGoals();
-  }
-
-  /** Records that an order was refused. */
-  void refused(String why) {
-    log(LogLevelEnum.WARN, why);
+    return MissionReportMaker.report(
+        run, requestId, getServiceName(), resumable.where().or(() -> run.progress().backTo()));
   }
 
   private void onFailsafe(FailsafeState failsafe) {
@@ -278,11 +228,11 @@ public final class MissionManager extends PeriodicService {
 
   /** Switches to a failsafe's own mission, or back to where the mission was left. */
   private void react(FailsafeAction action) {
-    if (action == progress.pursuedFor()) {
+    if (action == run.progress().pursuedFor()) {
       return;
     }
     passTime();
-    if (progress.turnTo(action, failsafes.sequence(action, home))) {
+    if (run.progress().turnTo(action, failsafes.sequence(action, home))) {
       boolean resumes = action == FailsafeAction.CONTINUE;
       log(
           resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,
@@ -303,10 +253,11 @@ public final class MissionManager extends PeriodicService {
   private void finish(GoalInformation goal) {
     String uid = goal.uid();
     GoalResult result = goal.completed() ? GoalResult.DONE : GoalResult.FAILED;
-    boolean current = progress.pursued().currentNames().contains(uid);
+    boolean current = run.progress().pursued().currentNames().contains(uid);
     if (reports.repeats(goal)
-        || !progress.finish(uid, result, Optional.of(goal), "given up by the planner", micros())) {
-      boolean known = progress.pursued().knows(uid);
+        || !run.progress()
+            .finish(uid, result, Optional.of(goal), "given up by the planner", run.micros())) {
+      boolean known = run.progress().pursued().knows(uid);
       String what = current ? "came before" : known ? "is not current" : "is not known";
       log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" ignored: it " + what);
       if (known) {
@@ -324,13 +275,13 @@ public final class MissionManager extends PeriodicService {
   }
 
   private void update(GoalInformation goal) {
-    if (!progress.pursued().book().hasRoomForUpdate(goal)) {
+    if (!run.progress().pursued().book().hasRoomForUpdate(goal)) {
       log(
           LogLevelEnum.WARN,
           "update of goal \"" + goal.uid() + "\" refused: the goals would be too long to publish");
       return;
     }
-    if (progress.pursued().update(goal)) {
+    if (run.progress().pursued().update(goal)) {
       log("goal \"" + goal.uid() + "\" updated");
     } else {
       log(
@@ -343,38 +294,40 @@ public final class MissionManager extends PeriodicService {
   }
 
   private void changeTo(String uid) {
-    if (!progress.pursued().knows(uid)) {
+    if (!run.progress().pursued().knows(uid)) {
       log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" refused: it is not known");
       return;
     }
     passTime();
-    progress.changeTo(uid);
+    run.progress().changeTo(uid);
     log("changing to goal \"" + uid + "\" on command");
     publishGoals();
   }
 
   private void publishGoals() {
-    GoalSequence sequence = progress.pursued();
+    GoalSequence sequence = run.progress().pursued();
     if (sequence.isOver()) {
-      log("mission is over: " + progress.words());
+      log("mission is over: " + run.progress().words());
     } else {
-      log((progress.isHeld() ? "paused at goals " : "current goals ") + names(sequence.current()));
+      log(
+          (run.progress().isHeld() ? "paused at goals " : "current goals ")
+              + names(sequence.current()));
     }
     remember();
-    resumable.save(progress);
+    resumable.save(run.progress());
     files.faults().forEach(fault -> log(LogLevelEnum.WARN, fault));
     publish(Channels.GOALS, goalList());
   }
 
   private GoalList goalList() {
-    GoalSequence sequence = progress.pursued();
+    GoalSequence sequence = run.progress().pursued();
     GoalList list =
         new GoalList()
             .goals(sequence.current())
             .upcoming(sequence.upcoming())
             .landGoals(failsafes.landGoals())
-            .elapsed(progress.elapsedS());
-    if (progress.isHeld()) {
+            .elapsed(run.progress().elapsedS());
+    if (run.progress().isHeld()) {
       list.paused(true);
     }
     List<String> faults = files.faults();
@@ -387,7 +340,7 @@ public final class MissionManager extends PeriodicService {
    * reports.
    */
   private void repeatGoals() {
-    long now = micros();
+    long now = run.micros();
     if (now >= repeatDueMicros) {
       repeatDueMicros = now + REPEAT_EVERY_MICROS;
       publish(Channels.GOALS, goalList());

@@ -10,6 +10,8 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.log.Logger;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
@@ -20,14 +22,17 @@ import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * Carries out operators' orders to a {@link MissionManager} and reports the results. Idempotent: a
+ * Carries out operators' orders to a Mission Manager and reports the results. Idempotent: a
  * repeated order is answered again but not executed again.
  */
 final class MissionOrders {
   private static final int REMEMBERED = 64;
 
-  private final MissionManager manager;
+  private final MissionRun run;
+  private final Resumable resumable;
   private final MessageTypes types;
+  private final Logger logger;
+  private final Runnable changed;
   private final Map<String, MissionOrderResult> answered =
       new LinkedHashMap<>() {
         private static final long serialVersionUID = 1L;
@@ -38,25 +43,35 @@ final class MissionOrders {
         }
       };
 
-  MissionOrders(MissionManager manager, MessageTypes types) {
-    this.manager = manager;
+  /**
+   * @param changed called after each order that was carried out
+   */
+  MissionOrders(
+      MissionRun run, Resumable resumable, MessageTypes types, Logger logger, Runnable changed) {
+    this.run = run;
+    this.resumable = resumable;
     this.types = types;
+    this.logger = logger;
+    this.changed = changed;
   }
 
-  /** Carries out an order unless already done. Returns the answer. */
-  MissionOrderResult obey(MissionOrder order) {
+  /** Carries out an order unless already done. Returns the answer of the manager of that name. */
+  MissionOrderResult obey(MissionOrder order, String manager) {
     MissionOrderResult before = answered.get(order.requestId());
     if (before != null) {
       return (MissionOrderResult) before.copy();
     }
     MissionOrderResult result =
-        new MissionOrderResult().requestId(order.requestId()).serviceName(manager.getServiceName());
+        new MissionOrderResult().requestId(order.requestId()).serviceName(manager);
     try {
       String outcome = outcome(order);
-      manager.ordered(order.action() + " by " + order.operator() + ": " + outcome);
+      logger.log(LogLevelEnum.INFO, order.action() + " by " + order.operator() + ": " + outcome);
+      changed.run();
       result.accepted(true).outcome(outcome);
     } catch (BadInputException e) {
-      manager.refused(order.action() + " by " + order.operator() + " refused: " + e.getMessage());
+      logger.log(
+          LogLevelEnum.WARN,
+          order.action() + " by " + order.operator() + " refused: " + e.getMessage());
       result.accepted(false).outcome(e.getMessage());
     }
     answered.put(order.requestId(), (MissionOrderResult) result.copy());
@@ -69,7 +84,7 @@ final class MissionOrders {
   private String outcome(MissionOrder order) {
     switch (order.action()) {
       case GOTO:
-        return goTo(known(manager.progress().pursued(), order.uid().orElse("")));
+        return goTo(known(run.progress().pursued(), order.uid().orElse("")));
       case SKIP:
         return skip(order);
       case INSERT:
@@ -77,7 +92,7 @@ final class MissionOrders {
       case UPDATE:
         return update(order);
       case RESUME:
-        return manager.resumeMission();
+        return resumable.resume();
       case PAUSE:
         return pause();
       default:
@@ -86,12 +101,12 @@ final class MissionOrders {
   }
 
   private String goTo(String uid) {
-    manager.progress().changeTo(uid);
+    run.progress().changeTo(uid);
     return "pursuing goal \"" + uid + "\"";
   }
 
   private String pause() {
-    MissionProgress progress = manager.progress();
+    MissionProgress progress = run.progress();
     if (progress.mission().isOver()) {
       throw new BadInputException("the mission is over: there is nothing to pause");
     }
@@ -104,17 +119,16 @@ final class MissionOrders {
   }
 
   private String skip(MissionOrder order) {
-    GoalSequence pursued = manager.progress().pursued();
+    GoalSequence pursued = run.progress().pursued();
     String uid = order.uid().map(name -> known(pursued, name)).orElseGet(() -> only(pursued));
     boolean skipped =
-        manager
-            .progress()
+        run.progress()
             .finish(
                 uid,
                 GoalResult.SKIPPED,
                 Optional.empty(),
                 "skipped by " + order.operator(),
-                manager.micros());
+                run.micros());
     if (!skipped) {
       throw new BadInputException(
           "goal \"" + uid + "\" is not current; current: " + currentOf(pursued));
@@ -134,7 +148,7 @@ final class MissionOrders {
   }
 
   private String insert(MissionOrder order) {
-    GoalSequence mission = manager.progress().mission();
+    GoalSequence mission = run.progress().mission();
     List<GoalInformation> goals = reader().readAdded(root(order), mission.book());
     checkRoom(mission, goals);
     GoalInsertion insertion = new GoalInsertion(mission, goals);
@@ -145,7 +159,7 @@ final class MissionOrders {
       }
       String then = currentOf(mission);
       insertion.now();
-      manager.progress().pause(false);
+      run.progress().pause(false);
       return "pursuing " + insertion.names() + ", then " + then;
     }
     String after =
@@ -173,7 +187,7 @@ final class MissionOrders {
   }
 
   private String update(MissionOrder order) {
-    GoalSequence mission = manager.progress().mission();
+    GoalSequence mission = run.progress().mission();
     List<GoalInformation> changes = reader().readChanged(root(order), mission.book());
     checkRoom(mission, changes);
     changes.forEach(mission::update);
@@ -188,7 +202,7 @@ final class MissionOrders {
   }
 
   private MissionReader reader() {
-    return new MissionReader(types, OptionalDouble.of(manager.thresholdM()));
+    return new MissionReader(types, OptionalDouble.of(run.thresholdM()));
   }
 
   private static XmlElement root(MissionOrder order) {

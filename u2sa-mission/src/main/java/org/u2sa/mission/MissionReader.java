@@ -31,8 +31,8 @@ final class MissionReader {
     GoalGraph graph =
         new GoalGraph(
             goals,
-            home.isPresent() && !goals.containsKey(MissionManager.HOME)
-                ? List.of(MissionManager.HOME)
+            home.isPresent() && !goals.containsKey(Home.NAME)
+                ? List.of(Home.NAME)
                 : Collections.emptyList());
     graph.refuseUnknownSuccessors();
     Optional<MissionLimit> limit =
@@ -105,7 +105,7 @@ final class MissionReader {
 
   private static void refuseAllBut(XmlElement root) {
     root.refuseUnknownAttributes();
-    for (String other : List.of(MissionManager.HOME, MissionLimit.ELEMENT)) {
+    for (String other : List.of(Home.NAME, MissionLimit.ELEMENT)) {
       root.child(other)
           .ifPresent(
               element -> {
@@ -118,7 +118,7 @@ final class MissionReader {
       XmlElement root, Collection<String> taken, boolean complete) {
     List<GoalElement> read = new ArrayList<>();
     for (XmlElement child : root.children()) {
-      if (!child.name().equals(MissionManager.HOME) && !child.name().equals(MissionLimit.ELEMENT)) {
+      if (!child.name().equals(Home.NAME) && !child.name().equals(MissionLimit.ELEMENT)) {
         read.add(GoalElement.read(child, classes.of(child)));
       }
     }

@@ -9,19 +9,17 @@ import org.u2sa.messages.mission.MissionReport;
 
 /** Creates mission reports. */
 final class MissionReportMaker {
-  private final MissionManager manager;
-
-  MissionReportMaker(MissionManager manager) {
-    this.manager = manager;
-  }
+  private MissionReportMaker() {}
 
   /**
    * Creates the answer to a request.
    *
+   * @param manager the Mission Manager's name
    * @param resumable where RESUME would return to; empty: nowhere
    */
-  MissionReport report(String requestId, Optional<String> resumable) {
-    MissionProgress progress = manager.progress();
+  static MissionReport report(
+      MissionRun run, String requestId, String manager, Optional<String> resumable) {
+    MissionProgress progress = run.progress();
     GoalSequence pursued = progress.pursued();
     List<GoalInformation> goals = new ArrayList<>();
     List<Double> finished = new ArrayList<>();
@@ -32,8 +30,8 @@ final class MissionReportMaker {
     MissionReport report =
         new MissionReport()
             .requestId(requestId)
-            .serviceName(manager.getServiceName())
-            .mission(manager.mission().origin())
+            .serviceName(manager)
+            .mission(run.mission().origin())
             .goals(goals)
             .finished(finished)
             .current(names(pursued.current()))
@@ -43,7 +41,7 @@ final class MissionReportMaker {
     if (progress.isLeft()) {
       report.failsafe(progress.pursuedFor().name());
     }
-    manager.mission().timeLimit().ifPresent(report::timeLimit);
+    run.mission().timeLimit().ifPresent(report::timeLimit);
     progress.beganMicros().ifPresent(report::began);
     resumable.ifPresent(report::resumable);
     if (progress.isPaused()) {

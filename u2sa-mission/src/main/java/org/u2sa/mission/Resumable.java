@@ -3,9 +3,12 @@ package org.u2sa.mission;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.log.Logger;
 import org.u2sa.mission.MissionSettings.Resumption;
 
 /**
@@ -13,15 +16,17 @@ import org.u2sa.mission.MissionSettings.Resumption;
  * thread-safe.
  */
 final class Resumable {
-  private final MissionManager manager;
+  private final MissionRun run;
+  private final Logger logger;
   private final SavedMission saved;
   private final Supplier<MissionSettings> settings;
   private Optional<MissionProgress> found = Optional.empty();
   private String foundDigest = ""; // of the mission whose progress was loaded
   private long notSaved;
 
-  Resumable(MissionManager manager, SavedMission saved, Supplier<MissionSettings> settings) {
-    this.manager = manager;
+  Resumable(MissionRun run, SavedMission saved, Supplier<MissionSettings> settings, Logger logger) {
+    this.run = run;
+    this.logger = logger;
     this.saved = saved;
     this.settings = settings;
   }
@@ -39,15 +44,16 @@ final class Resumable {
       foundDigest = SavedMission.digest(file());
       found = saved.read(file(), settings.get().loop(), settings.get().options());
     } catch (IOException e) {
-      manager.log(LogLevelEnum.WARN, e.getMessage() + ": starting the mission from its first goal");
+      logger.log(LogLevelEnum.WARN, e.getMessage() + ": starting the mission from its first goal");
     }
     if (rule == Resumption.ALWAYS) {
-      found.ifPresent(before -> manager.log("resuming the mission of the previous process"));
+      found.ifPresent(
+          before -> logger.log(LogLevelEnum.INFO, "resuming the mission of the previous process"));
       return taken();
     }
     found.ifPresent(
         before ->
-            manager.log(
+            logger.log(
                 LogLevelEnum.WARN,
                 "the previous process ended at goal "
                     + before.mission().currentNames()
@@ -56,7 +62,7 @@ final class Resumable {
   }
 
   private Path file() {
-    return Paths.get(manager.mission().origin());
+    return Paths.get(run.mission().origin());
   }
 
   /** Takes the loaded progress, once. */
@@ -64,6 +70,32 @@ final class Resumable {
     Optional<MissionProgress> taken = found;
     found = Optional.empty();
     return taken;
+  }
+
+  /**
+   * Ends a pause, or else goes on where the process before ended, or returns to where the mission
+   * was left.
+   *
+   * @return where it goes on, in words
+   * @throws BadInputException if there is nothing to resume
+   */
+  String resume() {
+    boolean wasPaused = run.progress().isPaused() && !run.progress().mission().isOver();
+    Optional<MissionProgress> before = wasPaused ? Optional.empty() : taken();
+    before.ifPresent(run::progress);
+    MissionProgress progress = run.progress();
+    progress.pause(false);
+    if (before.isEmpty() && !wasPaused && !progress.goBack()) {
+      throw new BadInputException(
+          progress.isLeft()
+              ? "the failsafe "
+                  + progress.pursuedFor()
+                  + " is pursued; the mission resumes after it"
+              : "there is nothing to resume: the mission was not left");
+    }
+    return "resumed at "
+        + List.copyOf(progress.mission().currentNames())
+        + (progress.isLeft() ? ", after the failsafe " + progress.pursuedFor() : "");
   }
 
   /** Discards the loaded progress if it is of another mission than the one that begins now. */
@@ -75,7 +107,7 @@ final class Resumable {
     try {
       return SavedMission.digest(mission).equals(foundDigest);
     } catch (IOException e) {
-      manager.log(
+      logger.log(
           LogLevelEnum.WARN, e + ": the order resume no longer continues at " + where().orElse(""));
       return false;
     }
@@ -101,7 +133,7 @@ final class Resumable {
     } catch (IOException e) { // such as a full disk: not fatal
       notSaved++;
       if (Long.bitCount(notSaved) == 1) { // 1, 2, 4, 8…: may persist
-        manager.log(
+        logger.log(
             LogLevelEnum.ERROR, "the mission was not saved, it cannot be resumed from here: " + e);
       }
     }

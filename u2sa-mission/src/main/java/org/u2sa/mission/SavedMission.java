@@ -20,10 +20,15 @@ final class SavedMission {
   private static final String DIGEST = "MISSION SHA-256";
 
   private final Path file;
+  private final String writer;
   private final String systemId;
   private final MessageCodec codec;
 
-  SavedMission(ServiceContext context, String serviceName) {
+  /**
+   * @param writer class of the service that saves, as told in the file
+   */
+  SavedMission(ServiceContext context, String serviceName, String writer) {
+    this.writer = writer;
     file = context.logDirectory().resolve(serviceName + ".mission");
     systemId = context.systemId();
     codec = new MessageCodec(context.messageTypes());
@@ -40,7 +45,7 @@ final class SavedMission {
    * @throws IOException if writing fails; the previous file is kept
    */
   void write(MissionProgress progress, Path mission) throws IOException {
-    HandOver state = new HandOver(MissionManager.class.getName());
+    HandOver state = new HandOver(writer);
     state.text(DIGEST, digest(mission));
     progress.handOver(state);
     Path folder = file.toAbsolutePath().getParent();

@@ -2,17 +2,20 @@ package org.u2sa.mission;
 
 import java.util.Optional;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.log.Logger;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.service.handover.HandOver;
 
 /** Enforces time limits of goals and the mission. Confined to the manager's thread. */
 final class TimeLimits {
-  private final MissionManager manager;
+  private final MissionRun run;
+  private final Logger logger;
   private final MissionTime time = new MissionTime();
 
-  TimeLimits(MissionManager manager) {
-    this.manager = manager;
+  TimeLimits(MissionRun run, Logger logger) {
+    this.run = run;
+    this.logger = logger;
   }
 
   /**
@@ -30,8 +33,8 @@ final class TimeLimits {
    * @return whether the current goals changed
    */
   boolean pass() {
-    MissionProgress progress = manager.progress();
-    long now = manager.micros();
+    MissionProgress progress = run.progress();
+    long now = run.micros();
     progress.pursuedFor(time.sinceLast(now), now);
     boolean changed = false;
     Optional<GoalInformation> late = progress.pursued().timedOut();
@@ -40,24 +43,21 @@ final class TimeLimits {
       timeOut(late.get(), "not done within " + late.get().timeLimit().getAsDouble() + " s");
       late = progress.pursued().timedOut();
     }
-    if (progress.passes(manager.mission().timeLimit())) {
+    if (progress.passes(run.mission().timeLimit())) {
       changed = true;
-      end(progress.pursued(), manager.mission().limit().orElseThrow());
+      end(progress.pursued(), run.mission().limit().orElseThrow());
     }
     return changed;
   }
 
   private void timeOut(GoalInformation goal, String reason) {
-    manager.log(LogLevelEnum.WARN, "goal \"" + goal.uid() + "\" timed out: " + reason);
-    manager
-        .progress()
-        .finish(goal.uid(), GoalResult.TIMED_OUT, Optional.empty(), reason, manager.micros());
+    logger.log(LogLevelEnum.WARN, "goal \"" + goal.uid() + "\" timed out: " + reason);
+    run.progress().finish(goal.uid(), GoalResult.TIMED_OUT, Optional.empty(), reason, run.micros());
   }
 
   private void end(GoalSequence mission, MissionLimit limit) {
     String reason = "the mission's time limit of " + limit.seconds() + " s has passed";
-    manager.log(
-        LogLevelEnum.WARN, reason + (limit.next().isEmpty() ? "" : ": now " + limit.next()));
+    logger.log(LogLevelEnum.WARN, reason + (limit.next().isEmpty() ? "" : ": now " + limit.next()));
     mission.current().forEach(goal -> timeOut(goal, reason));
     mission.end();
     if (!limit.next().isEmpty()) {

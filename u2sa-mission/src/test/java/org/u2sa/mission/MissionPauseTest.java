@@ -89,7 +89,7 @@ class MissionPauseTest extends ThreeWaypoints {
     assertThat(current()).containsExactly("2");
     assertThat(paused()).isTrue();
     assertThat(report().paused()).isTrue();
-    accepted(order(MissionAction.PAUSE), "paused already at 2");
+    accepted(order(MissionAction.PAUSE), "already paused at 2");
 
     accepted(order(MissionAction.RESUME), "resumed at [2]");
     assertThat(paused()).isFalse();
@@ -133,7 +133,7 @@ class MissionPauseTest extends ThreeWaypoints {
     assertThat(paused()).isFalse();
     assertThat(current()).isNotEmpty().doesNotContain("1");
     accepted(
-        order(MissionAction.PAUSE), "paused already at 1; the failsafe RETURN is pursued first");
+        order(MissionAction.PAUSE), "already paused at 1; the failsafe RETURN is pursued first");
     failsafe(FailsafeAction.CONTINUE);
     assertThat(current()).containsExactly("1");
     assertThat(paused()).isTrue();

@@ -94,7 +94,7 @@ class SavedMissionTest extends ThreeWaypoints {
     complete("2");
     nextProcess(before);
     assertThat(current()).containsExactly("1");
-    assertThat(logged("the process before ended at goal [3]")).isTrue();
+    assertThat(logged("the previous process ended at goal [3]")).isTrue();
 
     assertThat(resume().outcome()).isEqualTo("resumed at [3]");
     assertThat(current()).containsExactly("3");

@@ -79,7 +79,7 @@ class PathPlannerDriveTest {
           .anyMatch(
               line ->
                   line.contains("goal \"1\" missed")
-                      && line.contains("attempt 1 of 3: turns round"));
+                      && line.contains("attempt 1 of 3: turning round"));
     }
   }
 

@@ -219,7 +219,7 @@ class PlannerSeesTest extends PlannedVehicle {
     see(disc("rock", 30, 30, 1.0));
     drive(60, 0, 0, 0);
 
-    assertThat(logged("stuck: frees itself, attempt 2 of 2")).isEqualTo(1);
+    assertThat(logged("stuck: freeing itself, attempt 2 of 2")).isEqualTo(1);
     assertThat(kit.published(Channels.NAVIGATION)).anyMatch(NavigationPoint::backwards);
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().reason().orElseThrow())
         .contains("stuck after 2 attempts");
@@ -325,7 +325,7 @@ class PlannerSeesTest extends PlannedVehicle {
     NavigationPoint point = kit.latest(Channels.NAVIGATION).orElseThrow();
     assertThat(path().status()).isEqualTo(PathStatus.BRAKING);
     assertThat(path().reason().orElseThrow()).contains("collision");
-    assertThat(logged("a collision is near")).isEqualTo(1);
+    assertThat(logged("collision imminent")).isEqualTo(1);
     assertThat(point.speed()).hasValue(0.0);
   }
 

@@ -367,7 +367,7 @@ class RecorderTest {
     recording.close();
 
     assertThat(told).hasSize(2).allMatch(line -> line.startsWith("recording into " + file + ": "));
-    assertThat(told.get(1)).contains("goes on");
+    assertThat(told.get(1)).contains("recording again");
     try (McapReader reader = McapReader.open(file)) {
       assertThat(reader.statistics().messages()).isEqualTo(1);
       assertThat(reader.metadata().get(0).entries())

@@ -214,7 +214,7 @@ class RecordingFilesBeginTest {
         .isEqualTo(
             "recording into "
                 + folder.resolve("recording.mcap")
-                + ": trouble 0; tried again until it works");
+                + ": trouble 0; retrying until it works");
   }
 
   @Test
@@ -247,7 +247,7 @@ class RecordingFilesBeginTest {
     assertThat(troubles).hasSize(1);
     record(files, 6 * SECOND);
     assertThat(troubles).hasSize(2);
-    assertThat(troubles.get(1)).contains("goes on");
+    assertThat(troubles.get(1)).contains("recording again");
     files.failed(new IOException("odd"));
     assertThat(troubles).as("said again after it worked").hasSize(3);
   }

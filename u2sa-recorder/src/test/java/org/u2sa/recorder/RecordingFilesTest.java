@@ -151,7 +151,7 @@ class RecordingFilesTest {
     }
     files.end(80 * SECOND, Map.of());
     assertThat(troubles).hasSize(2);
-    assertThat(troubles.get(1)).contains("goes on; what came in between is not recorded");
+    assertThat(troubles.get(1)).contains("recording again; messages in between are lost");
     List<Long> written = sequences(folder().resolve("recording.mcap"));
     assertThat(written).hasSize(80 - (int) before).startsWith(0L, 1L, 2L).endsWith(78L, 79L);
   }

@@ -106,6 +106,6 @@ class RecordingThreadsTest {
         reported.await(1, TimeUnit.MILLISECONDS);
       }
     }
-    assertThat(troubles).containsExactly("the disk does not keep what is recorded: a bug");
+    assertThat(troubles).containsExactly("the recording cannot be synced to the disk: a bug");
   }
 }

@@ -36,7 +36,7 @@ class MotionWatchTest {
     assertThat(words(TURNS, moves(0.0, 0.01), 1.0, 2.8)).isEmpty();
     assertThat(words(TURNS, moves(0.0, 0.01), 1.0, 0.3))
         .hasValue(
-            "the motors cannot turn this load here: in 3.0 s at full power it turned by 2 degrees; they rest, then it tries again");
+            "the motors cannot turn this load here: in 3.0 s at full power it turned by 2 degrees; they rest before the next attempt");
     assertThat(watch.rests(moves(0.0, 0.0), 9.5)).isTrue();
     assertThat(watch.rests(moves(0.0, 0.0), 1.0)).isFalse();
   }
@@ -65,13 +65,13 @@ class MotionWatchTest {
   @Test
   void see_rollsForwardWhileItReverses_isSaidAndMotorsGoOn() {
     assertThat(words(REVERSES, moves(0.2, 0.0), 1.0, 3.2).orElseThrow())
-        .contains("at rest it would roll away");
+        .contains("at rest the vehicle would roll away");
   }
 
   @Test
   void see_rollsBackAtFullPower_isSaidAndMotorsGoOn() {
     assertThat(words(DRIVES, moves(-0.2, 0.0), 1.0, 3.2).orElseThrow())
-        .contains("cannot move", "at rest it would roll away");
+        .contains("cannot move", "at rest the vehicle would roll away");
     assertThat(watch.rests(moves(-0.2, 0.0), STEP_S)).isFalse();
     assertThat(words(DRIVES, moves(-0.2, 0.0), 1.0, 8.0)).as("not every 3 s").isEmpty();
   }
@@ -82,6 +82,6 @@ class MotionWatchTest {
     assertThat(watch.rests(moves(0.0, 0.0), STEP_S)).isTrue();
 
     assertThat(watch.rests(moves(-0.3, 0.0), STEP_S)).isFalse();
-    assertThat(words(DRIVES, moves(0.0, 0.0), 1.0, 20.0).orElseThrow()).contains("they go on");
+    assertThat(words(DRIVES, moves(0.0, 0.0), 1.0, 20.0).orElseThrow()).contains("they stay on");
   }
 }

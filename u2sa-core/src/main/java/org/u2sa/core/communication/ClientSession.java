@@ -13,9 +13,7 @@ import io.netty.util.ReferenceCountUtil;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Optional;
-import java.util.concurrent.Executor;
 import java.util.concurrent.Future;
-import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.core.communication.access.Authenticator;
@@ -32,7 +30,7 @@ import org.u2sa.core.security.User;
  * One client's session: authenticates the client, then filters each of its packets before Moquette
  * sees it. Confined to its connection's thread.
  */
-final class ClientSession extends ChannelInboundHandlerAdapter {
+final class ClientSession extends ChannelInboundHandlerAdapter implements Client, Inflow.Gate {
   private enum Stage {
     STRANGER,
     CHECKED, // password check pending
@@ -40,9 +38,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     OUT
   }
 
-  static final String TOO_SLOW = "client disconnected, it is too slow";
-
-  private final ConnectionFilter filter;
+  private final BrokerState broker;
   private final Outflow outflow;
   private final String connection;
   private Inflow inflow;
@@ -62,45 +58,42 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private volatile boolean connected; // Moquette has finished its part
   private volatile ChannelHandlerContext context;
 
-  ClientSession(ConnectionFilter filter, Outflow outflow) {
-    this.filter = filter;
+  ClientSession(BrokerState broker, Outflow outflow) {
+    this.broker = broker;
     this.outflow = outflow;
-    connection = filter.newConnection();
+    connection = broker.clients().newConnection();
   }
 
   void inflow(Inflow before) {
     inflow = before;
   }
 
-  /** The user's name. */
-  String name() {
+  @Override
+  public String name() {
     return name;
   }
 
-  /** Whether the user is an operator, for whom connections are reserved. */
-  boolean isOperator() {
+  @Override
+  public boolean isOperator() {
     return user != null && user.roles().contains(AccessRole.OPERATOR);
   }
 
-  /** Unique ID of the connection, never reused. */
-  String connection() {
+  @Override
+  public String connection() {
     return connection;
   }
 
-  /** Whether a packet may be accepted now; if so, it is charged to the allowances. */
-  boolean isInTurn(Object packet) {
+  @Override
+  public boolean isInTurn(Object packet) {
     return subscriptions == null
         || !(packet instanceof MqttMessage message)
         || subscriptions.isInTurn(message);
   }
 
-  /**
-   * Ends the connection because its client reconnected. Its will is not published, because the
-   * client is present. May be called on any thread.
-   */
-  void replaced() {
+  @Override
+  public void replaced() {
     ChannelHandlerContext ctx = context;
-    execute(
+    Client.execute(
         ctx.executor(),
         () -> {
           will = null;
@@ -109,43 +102,34 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
         });
   }
 
-  /**
-   * Whether the next packet may be read: not while the client leaves answers unread. Moquette
-   * disconnects a client that subscribes before Moquette has finished connecting it, which may be
-   * after the client has received CONNACK.
-   */
-  boolean isReady() {
+  @Override
+  public boolean isReady() {
     return stage != Stage.CHECKED && (stage != Stage.IN || connected) && !outflow.owesAnswers();
   }
 
-  /** Called when Moquette is ready for the client's packets. May be called on any thread. */
-  void connected() {
+  @Override
+  public void connected() {
     connected = true;
   }
 
-  /** What is still unsent or unacknowledged to the client; may be called on any thread. */
-  Future<ShutdownDrain.Owed> owed() {
+  @Override
+  public Future<Client.Owed> owed() {
     return context.executor().submit(outflow::owed);
   }
 
   @Override
   public void handlerAdded(ChannelHandlerContext ctx) {
     context = ctx;
-    since = filter.nowMicros();
+    since = broker.nowMicros();
     from = ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress();
-    for (ClientSession longest : filter.pending().add(this, from)) {
+    for (Client longest : broker.pending().add(this, from)) {
       longest.putOutFor("pending connection closed in favour of a newer one");
     }
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
   }
 
-  /**
-   * Sends a message. Called on the connection's thread.
-   *
-   * @param eachMatters whether the client is to acknowledge it
-   * @return whether the client's backlog calls for slowing down the publisher
-   */
-  boolean deliver(Publication publication, boolean eachMatters) {
+  @Override
+  public boolean deliver(Publication publication, boolean eachMatters) {
     ChannelHandlerContext ctx = context;
     if (stage != Stage.IN) {
       return false;
@@ -153,7 +137,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     String why = outflow.deliver(ctx, publication, eachMatters);
     budget(ctx);
     if (why != null) {
-      putOut(ctx, TOO_SLOW, why);
+      putOut(ctx, BrokerState.TOO_SLOW, why);
     }
     return why == null && Outflow.isBehind(ctx);
   }
@@ -162,62 +146,55 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     long kept = outflow.kept(ctx);
     if (kept > BrokerLimits.BEHIND_BYTES || isBudgeted) {
       isBudgeted = kept > BrokerLimits.BEHIND_BYTES;
-      filter.unsent().set(this, isBudgeted ? kept : 0);
+      broker.unsent().set(this, isBudgeted ? kept : 0);
     }
   }
 
-  /** Records whether a subscriber of the client's last message is behind. */
-  void subscriberIsBehind(boolean behind) {
+  @Override
+  public void subscriberIsBehind(boolean behind) {
     inflow.subscriberIsBehind(behind);
   }
 
-  /** Acknowledges a message of the client. */
-  void acknowledge(int packet) {
+  @Override
+  public void acknowledge(int packet) {
     outflow.acknowledge(context, packet);
   }
 
-  /** Handles the client's acknowledgement of a message. */
-  void acknowledged(int packet) {
+  @Override
+  public void acknowledged(int packet) {
     outflow.acknowledged(packet);
   }
 
-  /** Answers the client. */
-  void answer(MqttMessage answer) {
+  @Override
+  public void answer(MqttMessage answer) {
     outflow.answer(context, answer);
   }
 
-  /** Whether the client has not identified itself yet. */
-  boolean isPending() {
+  @Override
+  public boolean isPending() {
     return stage == Stage.STRANGER;
   }
 
-  /** Whether the session has ended and its packets are ignored. */
-  boolean isOut() {
+  @Override
+  public boolean isOut() {
     return stage == Stage.OUT;
   }
 
-  /** Ends the connection. May be called on any thread. */
-  void putOutFor(String kind) {
+  @Override
+  public void putOutFor(String kind) {
     ChannelHandlerContext ctx = context;
-    execute(ctx.executor(), () -> putOut(ctx, kind, ""));
+    Client.execute(ctx.executor(), () -> putOut(ctx, kind, ""));
   }
 
-  /**
-   * Runs an action on a connection's thread, or drops it if the broker has ended that thread,
-   * because its connections are then closed.
-   */
-  static void execute(Executor connectionThread, Runnable action) {
-    try {
-      connectionThread.execute(action);
-    } catch (RejectedExecutionException e) {
-      return;
-    }
+  @Override
+  public void putOut(String kind, String details) {
+    putOut(context, kind, details);
   }
 
-  void putOut(ChannelHandlerContext ctx, String kind, String details) {
+  private void putOut(ChannelHandlerContext ctx, String kind, String details) {
     if (stage != Stage.OUT) {
       stage = Stage.OUT;
-      filter.refusals().add(kind, who() + (details.isEmpty() ? "" : ", " + details));
+      broker.refusals().add(kind, who() + (details.isEmpty() ? "" : ", " + details));
       // Bypasses the encryption, which would wait until the client has read its close_notify.
       ctx.pipeline().firstContext().close();
     }
@@ -234,13 +211,13 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
 
   private void look(ChannelHandlerContext ctx) {
     if (stage == Stage.STRANGER
-        && filter.nowMicros() - since > 1_000 * BrokerLimits.CONNECT_WITHIN_MS) {
+        && broker.nowMicros() - since > 1_000 * BrokerLimits.CONNECT_WITHIN_MS) {
       putOut(ctx, "connection closed, it does not say who it is", "");
     } else if (stage == Stage.IN) {
-      outflow.tooSlow(ctx).ifPresent(why -> putOut(ctx, TOO_SLOW, why));
+      outflow.tooSlow(ctx).ifPresent(why -> putOut(ctx, BrokerState.TOO_SLOW, why));
       budget(ctx);
       if (user != null
-          && !filter.users().flatMap(all -> all.named(name)).equals(Optional.of(user))) {
+          && !broker.users().flatMap(all -> all.named(name)).equals(Optional.of(user))) {
         putOut(ctx, "client disconnected, its user was changed or removed", "");
       }
     }
@@ -297,28 +274,28 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       putOut(ctx, ConnectionFault.MALFORMED, "the first one is no CONNECT");
       return;
     }
-    ConnectRequest said = ConnectRequest.of(connect, filter.pass());
+    ConnectRequest said = ConnectRequest.of(connect, broker.pass());
     clientId = said.clientId();
     Optional<ConnectRequest.Fault> fault = said.fault();
     if (fault.isPresent()) {
       refuse(ctx, fault.get().answer(), fault.get().reason());
-    } else if (filter.users().isEmpty()) {
+    } else if (broker.users().isEmpty()) {
       admit(ctx, said);
-    } else if (!filter.users().get().havePasswords()) {
-      loginLocally(ctx, said, filter.users().get());
+    } else if (!broker.users().get().havePasswords()) {
+      loginLocally(ctx, said, broker.users().get());
     } else if (said.user().isEmpty()) {
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, "it names no user");
     } else {
       name = said.user();
       stage = Stage.CHECKED;
       inflow.hold();
-      filter
+      broker
           .authenticator()
           .check(
               name,
               said.password(),
               from,
-              verdict -> execute(ctx.executor(), () -> judged(ctx, said, verdict)));
+              verdict -> Client.execute(ctx.executor(), () -> judged(ctx, said, verdict)));
     }
   }
 
@@ -332,7 +309,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     user = known.get();
     name = user.name();
     if (isOperator()) { // of the account, not anonymous
-      filter.pending().proven(this);
+      broker.pending().proven(this);
     }
     admit(ctx, said);
   }
@@ -352,30 +329,30 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       return;
     }
     user = verdict.user().get();
-    filter.pending().proven(this);
+    broker.pending().proven(this);
     admit(ctx, said);
     ctx.fireChannelReadComplete();
   }
 
   private void admit(ChannelHandlerContext ctx, ConnectRequest said) {
-    PacketRules its = new PacketRules(filter, user, clientId);
+    PacketRules its = new PacketRules(broker, user, clientId);
     Optional<ConnectRequest.Will> last = said.will();
     Optional<String> foreign = last.flatMap(one -> its.refusalOfSystem(one.topic()));
     if (foreign.isPresent()) { // refuse a client of a foreign system immediately
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, foreign.get());
       return;
     }
-    ConnectionFilter.Entry entry = filter.enter(clientId, this);
-    if (entry != ConnectionFilter.Entry.FREE) {
+    ClientTable.Entry entry = broker.clients().enter(clientId, this);
+    if (entry != ClientTable.Entry.FREE) {
       refuse(ctx, entry.answer(), entry.reason());
       return;
     }
     stage = Stage.IN;
     rules = its;
-    subscriptions = new ClientSubscriptions(filter, its, name, connection);
-    packets = new PacketFilter(filter, its, subscriptions, who(), this);
+    subscriptions = new ClientSubscriptions(broker, its, name, connection);
+    packets = new PacketFilter(broker, its, subscriptions, who(), this);
     inflow.hold();
-    filter.pending().remove(this);
+    broker.pending().remove(this);
     outflow.admitted(user, clientId);
     // A refused will does not refuse the client: every U2SA client has one, even an observer.
     Optional<String> refused = last.flatMap(its::refusalOfWill);
@@ -385,29 +362,29 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   private void willRefused(String why) {
-    filter.refusals().add("will refused, " + why, who());
+    broker.refusals().add("will refused, " + why, who());
   }
 
   private void publishWill() {
     ConnectRequest.Will last = will;
     will = null;
-    if (last == null || filter.isEnding()) {
+    if (last == null || broker.isEnding()) {
       return;
     }
     if (last.isRetained()) {
       rules.retain(last).ifPresent(this::willRefused); // present subscribers receive it regardless
     }
     if (last.eachMatters()) {
-      filter.keep(last.payload().length);
+      broker.keep(last.payload().length);
     }
-    filter
+    broker
         .router()
         .route(last.topic(), Unpooled.wrappedBuffer(last.payload()), last.eachMatters(), this);
   }
 
   private void refuse(ChannelHandlerContext ctx, MqttConnectReturnCode code, String why) {
     stage = Stage.OUT;
-    filter.refusals().add("log-in refused, " + why, who());
+    broker.refusals().add("log-in refused, " + why, who());
     ctx.writeAndFlush(MqttMessageBuilders.connAck().returnCode(code).build())
         .addListener(ChannelFutureListener.CLOSE);
   }
@@ -423,9 +400,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   public void handlerRemoved(ChannelHandlerContext ctx) {
     stage = Stage.OUT;
     watch.cancel(false);
-    filter.pending().remove(this);
-    filter.unsent().set(this, 0);
-    filter.leave(clientId, this);
+    broker.pending().remove(this);
+    broker.unsent().set(this, 0);
+    broker.leave(clientId, this);
   }
 
   @Override

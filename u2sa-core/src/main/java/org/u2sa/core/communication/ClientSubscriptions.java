@@ -30,7 +30,7 @@ final class ClientSubscriptions {
   private static final double RETAINED_OF_A_QUESTION = 64.0;
   private static final String SHARED = "$share/";
 
-  private final ConnectionFilter filter;
+  private final BrokerState broker;
   private final PacketRules rules;
   private final String name;
   private final String connection;
@@ -40,12 +40,12 @@ final class ClientSubscriptions {
   /**
    * @param name the user's name; filters are limited per user
    */
-  ClientSubscriptions(ConnectionFilter filter, PacketRules rules, String name, String connection) {
-    this.filter = filter;
+  ClientSubscriptions(BrokerState broker, PacketRules rules, String name, String connection) {
+    this.broker = broker;
     this.rules = rules;
     this.name = name;
     this.connection = connection;
-    newTopics = new Allowance(COMPARISONS_PER_S, COMPARISONS_AT_ONCE, filter.nowMicros());
+    newTopics = new Allowance(COMPARISONS_PER_S, COMPARISONS_AT_ONCE, broker.nowMicros());
   }
 
   /**
@@ -56,7 +56,7 @@ final class ClientSubscriptions {
   boolean isInTurn(MqttMessage packet) {
     double questions = questions(packet);
     if (questions > 0.0) {
-      return filter.questions().take(name, questions, filter.nowMicros());
+      return broker.questions().take(name, questions, broker.nowMicros());
     }
     return !(packet instanceof MqttPublishMessage publish)
         || isInTurn(publish.variableHeader().topicName());
@@ -67,11 +67,11 @@ final class ClientSubscriptions {
    * against all clients' filters and charged for it.
    */
   private boolean isInTurn(String topic) {
-    int compared = filter.subscriptions().filters();
-    if (compared == 0 || filter.subscriptions().isRemembered(topic)) {
+    int compared = broker.subscriptions().filters();
+    if (compared == 0 || broker.subscriptions().isRemembered(topic)) {
       return true;
     }
-    boolean isOpen = newTopics.isOpen(filter.nowMicros());
+    boolean isOpen = newTopics.isOpen(broker.nowMicros());
     if (isOpen) {
       newTopics.take(compared);
     }
@@ -96,7 +96,7 @@ final class ClientSubscriptions {
   }
 
   private double questions(int filters) {
-    int topics = filter.subscriptions().topics() + filter.retained().topics().size();
+    int topics = broker.subscriptions().topics() + broker.retained().topics().size();
     return 1.0 + (filters - 1) * topics / TOPICS_OF_A_QUESTION;
   }
 
@@ -124,12 +124,12 @@ final class ClientSubscriptions {
       return Optional.of("it has too many filters");
     }
     if (!added.isEmpty()
-        && filter.subscriptions().ofUser(name) + added.size() > BrokerLimits.FILTERS_PER_USER) {
+        && broker.subscriptions().ofUser(name) + added.size() > BrokerLimits.FILTERS_PER_USER) {
       return Optional.of("its user has too many filters");
     }
     filters.addAll(added);
     eachMatters.forEach(
-        (wanted, each) -> filter.subscriptions().add(connection, name, wanted, each));
+        (wanted, each) -> broker.subscriptions().add(connection, name, wanted, each));
     return Optional.empty();
   }
 
@@ -143,9 +143,9 @@ final class ClientSubscriptions {
   }
 
   /** Sends the retained messages to a client that has subscribed. */
-  void sendRetained(MqttSubscribeMessage subscribe, ClientSession subscriber) {
-    int sent = filter.router().sendRetained(filtersOf(subscribe), subscriber);
-    filter.questions().charge(name, sent / RETAINED_OF_A_QUESTION, filter.nowMicros());
+  void sendRetained(MqttSubscribeMessage subscribe, Client subscriber) {
+    int sent = broker.router().sendRetained(filtersOf(subscribe), subscriber);
+    broker.questions().charge(name, sent / RETAINED_OF_A_QUESTION, broker.nowMicros());
   }
 
   /** The answer to SUBSCRIBE. No channel uses QoS 2, so 1 is the most that is granted. */
@@ -164,7 +164,7 @@ final class ClientSubscriptions {
   void unsubscribe(MqttUnsubscribeMessage packet) {
     for (String unwanted : packet.payload().topics()) {
       if (filters.remove(unwanted)) {
-        filter.subscriptions().remove(connection, unwanted);
+        broker.subscriptions().remove(connection, unwanted);
       }
     }
   }

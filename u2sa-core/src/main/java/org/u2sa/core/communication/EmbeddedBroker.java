@@ -51,7 +51,7 @@ final class EmbeddedBroker implements AutoCloseable {
     incoming = new IncomingCopies(bus, codec, log);
     this.address = address;
     this.log = log;
-    copies = new OutgoingCopies(bus.systemId(), codec, filter, log);
+    copies = new OutgoingCopies(bus.systemId(), codec, filter.broker(), log);
   }
 
   /**
@@ -85,7 +85,7 @@ final class EmbeddedBroker implements AutoCloseable {
       filter.close();
       throw cannotListen(address, e);
     }
-    filter.router().join(broker.incoming);
+    filter.broker().router().join(broker.incoming);
     broker.copies.start();
     bus.attach(broker.copies);
     return broker;
@@ -136,7 +136,7 @@ final class EmbeddedBroker implements AutoCloseable {
   }
 
   long dropped() {
-    return copies.dropped() + filter.dropped() + notTaken.get();
+    return copies.dropped() + filter.broker().dropped() + notTaken.get();
   }
 
   @Override
@@ -175,7 +175,7 @@ final class EmbeddedBroker implements AutoCloseable {
 
     @Override
     public void onConnect(InterceptConnectMessage message) {
-      filter.connected(message.getClientID());
+      filter.broker().clients().connected(message.getClientID());
     }
   }
 }

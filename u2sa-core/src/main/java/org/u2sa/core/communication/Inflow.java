@@ -17,6 +17,22 @@ import org.u2sa.messages.OccupancyGrid;
  * client and none is lost. Confined to its connection's thread.
  */
 final class Inflow extends ChannelInboundHandlerAdapter {
+  /** Decides when packets are handled. */
+  interface Gate {
+    /**
+     * Whether the next packet may be read: not while the client leaves answers unread, nor before
+     * Moquette has finished connecting it: Moquette disconnects a client that subscribes earlier,
+     * which may be after the client has received CONNACK.
+     */
+    boolean isReady();
+
+    /** Whether a packet may be accepted now; if so, it is charged to the allowances. */
+    boolean isInTurn(Object packet);
+
+    /** Whether the client is an operator's, which never waits for others. */
+    boolean isOperator();
+  }
+
   private static final long LOOK_AGAIN_MS = 2;
 
   /** Fraction of its rates a client has while a subscriber of its messages is behind. */
@@ -40,8 +56,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   private static final int LONG_BYTES = 2 * SHORT_PAYLOAD; // no short message takes as many
 
-  private final ConnectionFilter filter;
-  private final ClientSession session;
+  private final BrokerState broker;
+  private final Gate gate;
   private final Deque<Object> held = new ArrayDeque<>(); // packets already read
   private final Allowance share; // its guaranteed share
   private final Allowance messages;
@@ -59,12 +75,12 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private boolean paused;
   private ChannelHandlerContext context;
 
-  Inflow(ConnectionFilter filter, ClientSession session) {
-    this.filter = filter;
-    this.session = session;
-    long now = filter.nowMicros();
-    double messagesPerS = filter.limits().clientMessagesPerSecond();
-    double bytesPerS = filter.limits().clientBytesPerSecond();
+  Inflow(BrokerState broker, Gate gate) {
+    this.broker = broker;
+    this.gate = gate;
+    long now = broker.nowMicros();
+    double messagesPerS = broker.limits().clientMessagesPerSecond();
+    double bytesPerS = broker.limits().clientBytesPerSecond();
     share = new Allowance(SHARE * messagesPerS, SHARE_BURST_MESSAGES, now);
     messages = new Allowance(messagesPerS, now);
     bytes = new Allowance(bytesPerS, now);
@@ -86,7 +102,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   public void channelRead(ChannelHandlerContext ctx, Object message) {
     decoded++;
     sincePacket = 0;
-    if (held.isEmpty() && isOpen() && isAffordable(message) && session.isInTurn(message)) {
+    if (held.isEmpty() && isOpen() && isAffordable(message) && gate.isInTurn(message)) {
       letIn(ctx, message);
     } else {
       held.add(message);
@@ -100,10 +116,10 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   }
 
   private boolean isOpen() {
-    long now = filter.nowMicros();
+    long now = broker.nowMicros();
     isWithinShare = share.isOpen(now);
-    return session.isReady()
-        && (isWithinShare || filter.beyondShares().isOpen(now))
+    return gate.isReady()
+        && (isWithinShare || broker.beyondShares().isOpen(now))
         && messages.isOpen(now)
         && bytes.isOpen(now)
         && (!isBehind || slowMessages.isOpen(now) && slowBytes.isOpen(now));
@@ -111,7 +127,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   /** Counts bytes as received, before decryption and decoding. */
   void received(int length) {
-    long now = filter.nowMicros();
+    long now = broker.nowMicros();
     sincePacket += length;
     chargedS = 0.0;
     bytes.take(length, now);
@@ -128,14 +144,14 @@ final class Inflow extends ChannelInboundHandlerAdapter {
    * no further while others' long messages have taken too much.
    */
   void process(Runnable read) {
-    long before = filter.nowMicros();
+    long before = broker.nowMicros();
     read.run();
-    long now = filter.nowMicros();
+    long now = broker.nowMicros();
     double seconds = Clock.seconds(now - before);
     isLong = sincePacket > LONG_BYTES || chargedS > 0.0;
     if (isLong) {
       lastReadS = Math.max(0.0, seconds - chargedS);
-      filter.costlyTime().take(this, lastReadS - advanceS, now);
+      broker.costlyTime().take(this, lastReadS - advanceS, now);
       advanceS = 0.0;
       if (!mayReadOn(now)) {
         pause(context);
@@ -145,7 +161,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   /** Whether the network's thread has time for the next read. Operators never wait. */
   private boolean mayReadOn(long now) {
-    return !isLong || session.isOperator() || filter.costlyTime().isOpen(this, now);
+    return !isLong || gate.isOperator() || broker.costlyTime().isOpen(this, now);
   }
 
   /**
@@ -158,7 +174,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   }
 
   private void letIn(ChannelHandlerContext ctx, Object message) {
-    (isWithinShare ? share : filter.beyondShares()).take(1.0);
+    (isWithinShare ? share : broker.beyondShares()).take(1.0);
     messages.take(1.0);
     if (isBehind) {
       slowMessages.take(1.0);
@@ -167,12 +183,12 @@ final class Inflow extends ChannelInboundHandlerAdapter {
       ctx.fireChannelRead(message);
       return;
     }
-    long before = filter.nowMicros();
+    long before = broker.nowMicros();
     ctx.fireChannelRead(message);
-    long now = filter.nowMicros();
+    long now = broker.nowMicros();
     double tookS = Clock.seconds(now - before);
     chargedS += tookS;
-    filter.costlyTime().take(this, tookS, now);
+    broker.costlyTime().take(this, tookS, now);
   }
 
   /**
@@ -181,8 +197,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
    */
   private boolean isAffordable(Object message) {
     return !isCostly(message)
-        || session.isOperator()
-        || filter.costlyTime().isOpen(this, filter.nowMicros());
+        || gate.isOperator()
+        || broker.costlyTime().isOpen(this, broker.nowMicros());
   }
 
   /**
@@ -211,20 +227,17 @@ final class Inflow extends ChannelInboundHandlerAdapter {
       return;
     }
     boolean any = false;
-    while (!held.isEmpty()
-        && isOpen()
-        && isAffordable(held.peek())
-        && session.isInTurn(held.peek())) {
+    while (!held.isEmpty() && isOpen() && isAffordable(held.peek()) && gate.isInTurn(held.peek())) {
       letIn(ctx, held.poll());
       any = true;
     }
     if (any) {
       ctx.fireChannelReadComplete();
     }
-    long now = filter.nowMicros();
+    long now = broker.nowMicros();
     if (held.isEmpty() && isOpen() && mayReadOn(now)) {
       if (isLong) { // in advance, or all that wait would read at once
-        filter.costlyTime().take(this, lastReadS - advanceS, now);
+        broker.costlyTime().take(this, lastReadS - advanceS, now);
         advanceS = lastReadS;
       }
       ctx.channel().config().setAutoRead(true);

@@ -39,11 +39,11 @@ final class MemoryBudget<C> {
    * @param maxBytes upper limit for any heap size [B]
    * @param why reason for the log
    */
-  static MemoryBudget<ClientSession> ofClients(int part, long maxBytes, String why) {
+  static MemoryBudget<Client> ofClients(int part, long maxBytes, String why) {
     long fitting = Math.min(maxBytes, Runtime.getRuntime().maxMemory() / part);
     return new MemoryBudget<>(
         Math.max(fitting, BrokerLimits.LONGEST_PACKET),
-        ClientSession::name,
+        Client::name,
         client -> client.putOutFor(why));
   }
 

@@ -37,22 +37,19 @@ final class MessageRouter {
 
   private final RemoteSubscriptions subscriptions;
   private final RetainedTable retained;
-  private final Map<String, ClientSession> connections;
+  private final ClientTable clients;
   private final Queue<Outgoing> outgoing = new ConcurrentLinkedQueue<>();
   private final AtomicBoolean isSending = new AtomicBoolean();
   private volatile Reader reader; // null if no service of this process listens
   private volatile EventLoop loop;
 
   /**
-   * @param connections Moquette's clients, by connection
+   * @param clients the admitted clients
    */
-  MessageRouter(
-      RemoteSubscriptions subscriptions,
-      RetainedTable retained,
-      Map<String, ClientSession> connections) {
+  MessageRouter(RemoteSubscriptions subscriptions, RetainedTable retained, ClientTable clients) {
     this.subscriptions = subscriptions;
     this.retained = retained;
-    this.connections = connections;
+    this.clients = clients;
   }
 
   /** Attaches the services of this process. */
@@ -70,7 +67,7 @@ final class MessageRouter {
    *
    * @param publisher the client
    */
-  void route(String topic, ByteBuf payload, boolean eachMatters, ClientSession publisher) {
+  void route(String topic, ByteBuf payload, boolean eachMatters, Client publisher) {
     Reader services = reader;
     if (services != null && services.wants(topic)) {
       services.read(topic, payload);
@@ -89,7 +86,7 @@ final class MessageRouter {
   void send(String topic, boolean eachMatters, boolean isRetained, byte[] payload, Runnable sent) {
     outgoing.add(new Outgoing(topic, eachMatters, isRetained, payload, sent));
     if (!isSending.getAndSet(true)) {
-      ClientSession.execute(loop, this::sendOutgoing);
+      Client.execute(loop, this::sendOutgoing);
     }
   }
 
@@ -117,7 +114,7 @@ final class MessageRouter {
    * @param filters each with whether it asks for QoS 1
    * @return the number of messages sent
    */
-  int sendRetained(Map<String, Boolean> filters, ClientSession subscriber) {
+  int sendRetained(Map<String, Boolean> filters, Client subscriber) {
     Map<RetainedTable.Retained, Boolean> wanted = new LinkedHashMap<>();
     filters.forEach(
         (filter, eachMatters) ->
@@ -143,7 +140,7 @@ final class MessageRouter {
     Publication publication = new Publication(route, payload, false);
     try {
       for (TopicRoute.Listener listener : route.listeners()) {
-        ClientSession session = connections.get(listener.connection());
+        Client session = clients.of(listener.connection());
         if (session != null) {
           isBehind |= session.deliver(publication, eachMatters && listener.eachMatters());
         }

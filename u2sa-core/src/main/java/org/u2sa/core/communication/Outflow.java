@@ -36,7 +36,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   /** More answers than one read of ordinary messages causes. */
   private static final int MAX_UNSENT_ANSWERS = 512;
 
-  private final ConnectionFilter filter;
+  private final BrokerState broker;
   private final Map<Integer, Unacknowledged> unacknowledged = new LinkedHashMap<>(); // by packet
   private User user; // null grants access to all systems
   private String client = "";
@@ -59,13 +59,13 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
    */
   private record Unacknowledged(long since, long keptBefore) {}
 
-  Outflow(ConnectionFilter filter) {
-    this.filter = filter;
+  Outflow(BrokerState broker) {
+    this.broker = broker;
   }
 
   void admitted(User whom, String clientId) {
     user = whom;
-    idleSince = filter.nowMicros();
+    idleSince = broker.nowMicros();
     client = clientId;
   }
 
@@ -79,7 +79,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     do {
       lastPacket = lastPacket % LAST_PACKET + 1;
     } while (unacknowledged.containsKey(lastPacket));
-    unacknowledged.put(lastPacket, new Unacknowledged(sentMicros, filter.kept()));
+    unacknowledged.put(lastPacket, new Unacknowledged(sentMicros, broker.kept()));
     return lastPacket;
   }
 
@@ -97,19 +97,19 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     // Retained messages come in bursts and share their payload with the table.
     long limit =
         publication.isRetained()
-            ? filter.limits().maxUnacknowledgedBytes()
+            ? broker.limits().maxUnacknowledgedBytes()
             : BrokerLimits.UNREAD_BYTES;
     if (!eachMatters && unread > limit) {
-      filter.dropped(Refusals.shown(client));
+      broker.dropped(Refusals.shown(client));
       return null;
     }
-    if (eachMatters && unread > filter.limits().maxUnacknowledgedBytes()) {
+    if (eachMatters && unread > broker.limits().maxUnacknowledgedBytes()) {
       return TOO_MANY_BYTES;
     }
     if (eachMatters && unacknowledged.size() >= MAX_UNACKNOWLEDGED) {
       return "too many messages await its acknowledgement";
     }
-    sentMicros = filter.nowMicros();
+    sentMicros = broker.nowMicros();
     if (eachMatters) {
       int packet = newNumber();
       write(ctx, publication.packet(ctx.alloc(), packet)).addListener(done -> taken++);
@@ -180,8 +180,8 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   }
 
   /** What is still unsent or unacknowledged. */
-  ShutdownDrain.Owed owed() {
-    return new ShutdownDrain.Owed(unacknowledged.size() + onTheWay, sentMicros);
+  Client.Owed owed() {
+    return new Client.Owed(unacknowledged.size() + onTheWay, sentMicros);
   }
 
   private boolean mayHear(String topic) {
@@ -219,21 +219,21 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
 
   /** Reason to disconnect the client, or empty. Called about once a second. */
   Optional<String> tooSlow(ChannelHandlerContext ctx) {
-    long now = filter.nowMicros();
+    long now = broker.nowMicros();
     if (unread(ctx) == 0 || taken != takenBefore) {
       takenBefore = taken;
       idleSince = now;
-    } else if (now - idleSince > filter.limits().patienceMicros()) {
+    } else if (now - idleSince > broker.limits().patienceMicros()) {
       return Optional.of("it reads nothing");
     }
     if (unacknowledged.isEmpty()) {
       return Optional.empty();
     }
     Unacknowledged oldest = unacknowledged.values().iterator().next();
-    if (now - oldest.since > filter.limits().patienceMicros()) {
+    if (now - oldest.since > broker.limits().patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return filter.kept() - oldest.keptBefore > filter.limits().maxUnacknowledgedBytes()
+    return broker.kept() - oldest.keptBefore > broker.limits().maxUnacknowledgedBytes()
         ? Optional.of(TOO_MANY_BYTES)
         : Optional.empty();
   }

@@ -35,7 +35,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final String systemId;
   private final MessageCodec codec;
   private final RemoteInterest interest;
-  private final ConnectionFilter filter;
+  private final BrokerState broker;
   private final Consumer<String> log;
   private final OriginNumbers numbers = OriginNumbers.ofNewSender();
   private final BlockingQueue<Copy> waiting = new ArrayBlockingQueue<>(WAITING_AT_MOST);
@@ -45,12 +45,11 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private volatile boolean closing;
 
   /** Creates a sender of one system's messages to a broker's clients. */
-  OutgoingCopies(
-      String systemId, MessageCodec codec, ConnectionFilter filter, Consumer<String> log) {
+  OutgoingCopies(String systemId, MessageCodec codec, BrokerState broker, Consumer<String> log) {
     this.systemId = systemId;
     this.codec = codec;
-    interest = new RemoteInterest(systemId, filter.subscriptions(), numbers);
-    this.filter = filter;
+    interest = new RemoteInterest(systemId, broker.subscriptions(), numbers);
+    this.broker = broker;
     this.log = log;
     sender.setDaemon(true);
   }
@@ -139,9 +138,9 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
             || closing; // request acknowledgement of the final messages
     byte[] payload = codec.encode(copy.message, copy.origin);
     if (eachMatters) {
-      filter.keep(payload.length);
+      broker.keep(payload.length);
     }
-    filter.router().send(copy.topic, eachMatters, copy.channel.isRetained(), payload, sent);
+    broker.router().send(copy.topic, eachMatters, copy.channel.isRetained(), payload, sent);
   }
 
   private void drop(String why) {

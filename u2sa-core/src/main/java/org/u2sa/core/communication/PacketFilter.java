@@ -13,22 +13,22 @@ import org.u2sa.core.communication.access.Refusals;
 
 /** Filters the packets of an admitted client. Confined to its connection's thread. */
 final class PacketFilter {
-  private final ConnectionFilter filter;
+  private final BrokerState broker;
   private final PacketRules rules;
   private final ClientSubscriptions subscriptions;
   private final String who;
-  private final ClientSession session;
+  private final Client session;
 
   /**
    * @param who client description for the log
    */
   PacketFilter(
-      ConnectionFilter filter,
+      BrokerState broker,
       PacketRules rules,
       ClientSubscriptions subscriptions,
       String who,
-      ClientSession session) {
-    this.filter = filter;
+      Client session) {
+    this.broker = broker;
     this.rules = rules;
     this.subscriptions = subscriptions;
     this.who = who;
@@ -43,7 +43,7 @@ final class PacketFilter {
   boolean examine(ChannelHandlerContext ctx, MqttMessage packet) {
     switch (packet.fixedHeader().messageType()) {
       case PUBLISH:
-        examine(ctx, (MqttPublishMessage) packet);
+        examine((MqttPublishMessage) packet);
         return false;
       case SUBSCRIBE:
         subscribe((MqttSubscribeMessage) packet);
@@ -62,7 +62,7 @@ final class PacketFilter {
         ctx.fireChannelRead(packet);
         return true;
       default: // QoS 2, a second CONNECT, or a packet only brokers send
-        session.putOut(ctx, "unexpected packet", packet.fixedHeader().messageType().toString());
+        session.putOut("unexpected packet", packet.fixedHeader().messageType().toString());
         return false;
     }
   }
@@ -72,32 +72,32 @@ final class PacketFilter {
     Optional<String> refused = subscriptions.refusalOf(wanted);
     session.answer(ClientSubscriptions.answerTo(wanted, refused.isPresent()));
     if (refused.isPresent()) {
-      filter.refusals().add("subscription refused, " + refused.get(), who);
+      broker.refusals().add("subscription refused, " + refused.get(), who);
     } else {
       subscriptions.sendRetained(wanted, session);
     }
   }
 
-  private void examine(ChannelHandlerContext ctx, MqttPublishMessage publish) {
+  private void examine(MqttPublishMessage publish) {
     MqttQoS qos = publish.fixedHeader().qosLevel();
     if (qos == MqttQoS.EXACTLY_ONCE) {
-      session.putOut(ctx, "unexpected packet", "QoS 2, which no channel of U2SA uses");
+      session.putOut("unexpected packet", "QoS 2, which no channel of U2SA uses");
       return;
     }
-    if (filter.isEnding()) { // unacknowledged, so the client knows that it is lost
-      filter.refusals().add("message not taken, the broker ends", who);
+    if (broker.isEnding()) { // unacknowledged, so the client knows that it is lost
+      broker.refusals().add("message not taken, the broker ends", who);
       return;
     }
     Optional<String> refused = rules.refusalOf(publish);
     boolean eachMatters = qos == MqttQoS.AT_LEAST_ONCE;
     if (refused.isPresent()) {
       String topic = Refusals.shown(publish.variableHeader().topicName());
-      filter.refusals().add("message refused, " + refused.get(), who + ", topic " + topic);
+      broker.refusals().add("message refused, " + refused.get(), who + ", topic " + topic);
     } else {
       if (eachMatters) {
-        filter.keep(publish.content().readableBytes());
+        broker.keep(publish.content().readableBytes());
       }
-      filter
+      broker
           .router()
           .route(publish.variableHeader().topicName(), publish.content(), eachMatters, session);
     }

@@ -21,9 +21,9 @@ final class PacketFramer extends ChannelInboundHandlerAdapter {
   private static final int INCOMPLETE = -1; // length not known yet
   private static final int REFUSED = -2;
 
-  private final ClientSession session;
+  private final Client session;
   private final Inflow inflow;
-  private final MemoryBudget<ClientSession> unfinished;
+  private final MemoryBudget<Client> unfinished;
   private ByteBuf pending; // start of an incomplete packet; null if none
   private int pendingLength; // of that packet with its header; INCOMPLETE until known
   private long handedOn; // number of packets passed on
@@ -33,7 +33,7 @@ final class PacketFramer extends ChannelInboundHandlerAdapter {
    * @param inflow counts the decoded packets
    * @param unfinished budget for incomplete packets of all connections
    */
-  PacketFramer(ClientSession session, Inflow inflow, MemoryBudget<ClientSession> unfinished) {
+  PacketFramer(Client session, Inflow inflow, MemoryBudget<Client> unfinished) {
     this.session = session;
     this.inflow = inflow;
     this.unfinished = unfinished;

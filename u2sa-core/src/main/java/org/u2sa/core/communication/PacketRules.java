@@ -20,18 +20,18 @@ import org.u2sa.messages.schema.U2SAData;
 final class PacketRules {
   private static final double BYTES_OF_AN_ORDER = 4_096.0;
 
-  private final ConnectionFilter filter;
+  private final BrokerState broker;
   private final User user; // null allows everything within the limits
   private final String owner; // owner of its retained messages
   private final TopicPermissions judge;
   private final Allowance orders;
 
-  PacketRules(ConnectionFilter filter, User user, String clientId) {
-    this.filter = filter;
+  PacketRules(BrokerState broker, User user, String clientId) {
+    this.broker = broker;
     this.user = user;
     owner = user == null ? "client " + clientId : "user " + user.name();
-    judge = new TopicPermissions(filter.codec().types(), user);
-    orders = new Allowance(filter.limits().clientOrdersPerSecond(), filter.nowMicros());
+    judge = new TopicPermissions(broker.codec().types(), user);
+    orders = new Allowance(broker.limits().clientOrdersPerSecond(), broker.nowMicros());
   }
 
   /** Whether every service answers a message on the topic. */
@@ -82,7 +82,7 @@ final class PacketRules {
 
   /** Cost of an order; a long one counts as several. */
   private boolean mayOrder(int bytes) {
-    boolean open = orders.isOpen(filter.nowMicros());
+    boolean open = orders.isOpen(broker.nowMicros());
     if (open) {
       orders.take(1.0 + bytes / BYTES_OF_AN_ORDER);
     }
@@ -160,7 +160,7 @@ final class PacketRules {
   }
 
   private Optional<String> retain(TopicPermissions.Verdict verdict, byte[] payload) {
-    return filter
+    return broker
         .retained()
         .enter(verdict.topic().toString(), owner, payload, verdict.is(AccessRule.Kind.URGENT));
   }
@@ -186,7 +186,7 @@ final class PacketRules {
 
   private Optional<U2SAData> read(Topic topic, byte[] payload) {
     try {
-      return Optional.of(filter.codec().decode(topic.typeChain(), payload));
+      return Optional.of(broker.codec().decode(topic.typeChain(), payload));
     } catch (MalformedMessageException e) {
       return Optional.empty();
     }

@@ -11,11 +11,11 @@ import org.u2sa.core.communication.limit.BrokerLimits;
  * limits the bytes before its first complete packet. Confined to its connection's thread.
  */
 final class ReceivedBytes extends ChannelInboundHandlerAdapter {
-  private final ClientSession session;
+  private final Client session;
   private final Inflow inflow;
   private long beforeFirstPacket;
 
-  ReceivedBytes(ClientSession session, Inflow inflow) {
+  ReceivedBytes(Client session, Inflow inflow) {
     this.session = session;
     this.inflow = inflow;
   }

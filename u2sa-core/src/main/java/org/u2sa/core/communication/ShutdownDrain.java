@@ -19,21 +19,13 @@ final class ShutdownDrain {
   private static final long AT_MOST_MICROS = 10_000_000;
   private static final long ANSWER_WITHIN_MS = 1_000;
 
-  private final Collection<ClientSession> clients;
+  private final Collection<Client> clients;
   private final Clock clock;
 
-  ShutdownDrain(Collection<ClientSession> clients, Clock clock) {
+  ShutdownDrain(Collection<Client> clients, Clock clock) {
     this.clients = clients;
     this.clock = clock;
   }
-
-  /**
-   * Undelivered messages of one client or all.
-   *
-   * @param messages number sent without knowing whether they arrived
-   * @param sentMicros time of the last one [µs]
-   */
-  record Owed(int messages, long sentMicros) {}
 
   /**
    * Waits while there is progress. No new messages may arrive meanwhile.
@@ -41,7 +33,7 @@ final class ShutdownDrain {
    * @return lower bound of undelivered messages; more may have been queued behind them
    */
   int await() {
-    Owed owed = new Owed(0, Long.MIN_VALUE);
+    Client.Owed owed = new Client.Owed(0, Long.MIN_VALUE);
     try (Clock.Waiter waiter = clock.newWaiter("last-words")) {
       long begun = clock.micros();
       long progress = begun;
@@ -49,38 +41,38 @@ final class ShutdownDrain {
       while (true) {
         owed = owed();
         long now = clock.micros();
-        if (owed.messages == 0 && (clients.isEmpty() || now - owed.sentMicros > QUIET_MICROS)) {
+        if (owed.messages() == 0 && (clients.isEmpty() || now - owed.sentMicros() > QUIET_MICROS)) {
           return 0;
         }
-        if (owed.messages < least || owed.sentMicros > progress) {
-          least = owed.messages;
+        if (owed.messages() < least || owed.sentMicros() > progress) {
+          least = owed.messages();
           progress = now;
         }
-        if (owed.messages > 0 && now - progress > GIVE_UP_AFTER_MICROS
+        if (owed.messages() > 0 && now - progress > GIVE_UP_AFTER_MICROS
             || now - begun > AT_MOST_MICROS) {
-          return owed.messages;
+          return owed.messages();
         }
         waiter.await(now + LOOK_EVERY_MICROS);
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return owed.messages;
+      return owed.messages();
     }
   }
 
-  private Owed owed() throws InterruptedException {
+  private Client.Owed owed() throws InterruptedException {
     int messages = 0;
     long sentMicros = Long.MIN_VALUE / 2;
-    for (ClientSession client : clients) {
-      Future<Owed> answer = client.owed();
+    for (Client client : clients) {
+      Future<Client.Owed> answer = client.owed();
       try {
-        Owed one = answer.get(ANSWER_WITHIN_MS, TimeUnit.MILLISECONDS);
-        messages += one.messages;
-        sentMicros = Math.max(sentMicros, one.sentMicros);
+        Client.Owed one = answer.get(ANSWER_WITHIN_MS, TimeUnit.MILLISECONDS);
+        messages += one.messages();
+        sentMicros = Math.max(sentMicros, one.sentMicros());
       } catch (ExecutionException | TimeoutException e) {
         messages++; // number unknown
       }
     }
-    return new Owed(messages, sentMicros);
+    return new Client.Owed(messages, sentMicros);
   }
 }

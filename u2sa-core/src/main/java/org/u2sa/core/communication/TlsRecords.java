@@ -28,17 +28,17 @@ final class TlsRecords extends ByteToMessageDecoder {
   private static final int MAX_TYPE = 24;
   private static final int MAX_LENGTH = (16 << 10) + 2_048; // TLS 1.2; less in TLS 1.3
 
-  private final ClientSession session;
-  private final ConnectionFilter filter;
+  private final Client session;
+  private final BrokerState broker;
   private final Allowance withoutData;
   private boolean established;
   private boolean hadData = true; // the last record; true before the first
   private boolean ended;
 
-  TlsRecords(ConnectionFilter filter, ClientSession session) {
-    this.filter = filter;
+  TlsRecords(BrokerState broker, Client session) {
+    this.broker = broker;
     this.session = session;
-    withoutData = new Allowance(WITHOUT_DATA_PER_S, WITHOUT_DATA_AT_ONCE, filter.nowMicros());
+    withoutData = new Allowance(WITHOUT_DATA_PER_S, WITHOUT_DATA_AT_ONCE, broker.nowMicros());
   }
 
   /** Handler placed after the decryption; detects records with data. */
@@ -73,7 +73,7 @@ final class TlsRecords extends ByteToMessageDecoder {
   }
 
   private boolean mayCarryNoData() {
-    boolean may = withoutData.isOpen(filter.nowMicros());
+    boolean may = withoutData.isOpen(broker.nowMicros());
     withoutData.take(1.0);
     return may;
   }

@@ -42,8 +42,8 @@ class AdmissionPassTest {
   @Test
   void pass_ofEachBroker_isAnotherAndHardToGuess() {
     PacketPipeline other = new PacketPipeline();
-    assertThat(client.filter.pass()).hasSizeGreaterThan(40).isNotEqualTo(other.filter.pass());
-    assertThat(other.filter.letIn(other.filter.pass().getBytes(US_ASCII))).isTrue();
+    assertThat(client.broker.pass()).hasSizeGreaterThan(40).isNotEqualTo(other.broker.pass());
+    assertThat(other.filter.letIn(other.broker.pass().getBytes(US_ASCII))).isTrue();
     other.close();
   }
 }

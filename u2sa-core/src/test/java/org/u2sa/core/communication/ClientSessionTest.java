@@ -34,7 +34,7 @@ class ClientSessionTest {
     DefaultEventLoop loop = ended();
     AtomicBoolean ran = new AtomicBoolean();
 
-    assertThatCode(() -> ClientSession.execute(loop, () -> ran.set(true)))
+    assertThatCode(() -> Client.execute(loop, () -> ran.set(true)))
         .doesNotThrowAnyException();
 
     assertThat(ran).isFalse();
@@ -56,7 +56,7 @@ class ClientSessionTest {
     Users users = new Users(file, line -> {});
     try (Authenticator authenticator = new Authenticator(users, new SystemClock(), what -> {})) {
       authenticator.check(
-          "late", new byte[1], from, verdict -> ClientSession.execute(loop, () -> {}));
+          "late", new byte[1], from, verdict -> Client.execute(loop, () -> {}));
       authenticator.check("next", new byte[1], from, verdict -> answered.set(true));
       BrokerTraffic.soon().until(() -> answered.get() || uncaught.get() != null);
     } finally {

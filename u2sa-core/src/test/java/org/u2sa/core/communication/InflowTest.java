@@ -39,12 +39,12 @@ class InflowTest {
     }
   }
 
-  private final ConnectionFilter filter = filter(Map.of());
+  private final BrokerState filter = filter(Map.of());
   private final Inflow inflow = new Inflow(filter, new ClientSession(filter, new Outflow(filter)));
   private final EmbeddedChannel channel = new EmbeddedChannel(inflow);
 
-  private ConnectionFilter filter(Map<String, Object> variables) {
-    return new ConnectionFilter(
+  private BrokerState filter(Map<String, Object> variables) {
+    return new BrokerState(
         XmlConfiguration.inMemory("test", variables).settings(BrokerLimits.class).get(),
         new MessageCodec(StandardTypes.registry()),
         new TestClock(),
@@ -52,7 +52,7 @@ class InflowTest {
         line -> {});
   }
 
-  private static EmbeddedChannel clientOf(ConnectionFilter broker) {
+  private static EmbeddedChannel clientOf(BrokerState broker) {
     return new EmbeddedChannel(new Inflow(broker, new ClientSession(broker, new Outflow(broker))));
   }
 
@@ -129,7 +129,7 @@ class InflowTest {
 
   @Test
   void channelRead_othersFlood_togetherTheyGetTheTotalAndNobodyWaitsForItsShare() {
-    ConnectionFilter crowded =
+    BrokerState crowded =
         filter(Map.of("CLIENT MESSAGES PER SECOND", 100_000, "TOTAL MESSAGES PER SECOND", 10_000));
     EmbeddedChannel flood = clientOf(crowded);
     EmbeddedChannel other = clientOf(crowded);
@@ -150,7 +150,7 @@ class InflowTest {
   }
 
   /** A client each of whose messages takes the network's thread so long. */
-  private EmbeddedChannel clientOf(ConnectionFilter broker, int millisecondsPerMessage) {
+  private EmbeddedChannel clientOf(BrokerState broker, int millisecondsPerMessage) {
     return new EmbeddedChannel(
         new Inflow(broker, new ClientSession(broker, new Outflow(broker))),
         new ChannelInboundHandlerAdapter() {
@@ -177,7 +177,7 @@ class InflowTest {
     "u2sa/cessna/grid/OccupancyGrid, 100",
   })
   void channelRead_messagesThatTakeLong_ofAllClientsGetHalfOfTheTime(String topic, int bytes) {
-    ConnectionFilter crowded = filter(Map.of());
+    BrokerState crowded = filter(Map.of());
     EmbeddedChannel flood = clientOf(crowded, 60);
     EmbeddedChannel other = clientOf(crowded, 60);
     for (int i = 0; i < 50; i++) {

@@ -84,7 +84,7 @@ class ObserverAttackTest extends SecuredClients {
     }
     assertThat(inbox.messages).allMatch(DiscoveryRequest.class::isInstance);
     assertThat(refusals()).isGreaterThan(5);
-    awaitLog("message refused, its types are no ancestry", "\"screen\"");
+    awaitLog("message refused, its types are not a class and its ancestors", "\"screen\"");
     awaitLog("message refused, discovery does not carry StopCommand", "\"screen\"");
     awaitLog("role observer may not publish on emergency-stop (EmergencyStop)");
   }
@@ -116,7 +116,7 @@ class ObserverAttackTest extends SecuredClients {
       pilot.willing("u2sa/cessna/emergency-stop/EmergencyStop", CLEAR, false);
       assertThat(pilot.introduce("clearing", "pilot", "pilot")).isZero();
     }
-    awaitLog("will refused, a will clears no emergency stop", "\"pilot\"");
+    awaitLog("will refused, a will may not clear an emergency stop", "\"pilot\"");
     try (RawClient pilot = client()) {
       pilot.willing("u2sa/cessna/emergency-stop/EmergencyStop", set.serialize(), true);
       assertThat(pilot.introduce("stopping", "pilot", "pilot")).isZero();

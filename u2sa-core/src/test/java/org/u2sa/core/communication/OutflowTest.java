@@ -38,8 +38,7 @@ class OutflowTest {
     BrokerLimits limits =
         XmlConfiguration.inMemory("test", Map.of()).settings(BrokerLimits.class).get();
     MessageCodec codec = new MessageCodec(StandardTypes.registry());
-    ConnectionFilter filter =
-        new ConnectionFilter(limits, codec, new TestClock(), null, line -> {});
+    BrokerState filter = new BrokerState(limits, codec, new TestClock(), null, line -> {});
     Outflow outflow = new Outflow(filter);
     EmbeddedChannel channel = new EmbeddedChannel(MqttEncoder.INSTANCE, outflow);
     ChannelHandlerContext context = channel.pipeline().context(outflow);

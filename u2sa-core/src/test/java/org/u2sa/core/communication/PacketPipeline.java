@@ -43,6 +43,7 @@ final class PacketPipeline implements AutoCloseable {
 
   List<String> log = new CopyOnWriteArrayList<>();
   final ConnectionFilter filter;
+  final BrokerState broker;
   final ClientSession session;
   final EmbeddedChannel channel = new Addressed();
   final List<Integer> decoded = new ArrayList<>(); // bytes of each buffer that the decoder got
@@ -69,22 +70,24 @@ final class PacketPipeline implements AutoCloseable {
             new TestClock(),
             users,
             log::add);
+    broker = filter.broker();
     session = build();
   }
 
   /** Another client of the same broker. */
   PacketPipeline(PacketPipeline first) {
     filter = first.filter;
+    broker = filter.broker();
     log = first.log;
     session = build();
   }
 
   private ClientSession build() {
-    Outflow outflow = new Outflow(filter);
-    ClientSession built = new ClientSession(filter, outflow);
-    inflow = new Inflow(filter, built);
+    Outflow outflow = new Outflow(broker);
+    ClientSession built = new ClientSession(broker, outflow);
+    inflow = new Inflow(broker, built);
     built.inflow(inflow);
-    filter.router().runOn(channel.eventLoop());
+    broker.router().runOn(channel.eventLoop());
     channel.freezeTime();
     channel
         .config()
@@ -96,7 +99,7 @@ final class PacketPipeline implements AutoCloseable {
         .addLast(
             new Network(),
             new ReceivedBytes(built, inflow),
-            new PacketFramer(built, inflow, filter.unfinished()),
+            new PacketFramer(built, inflow, broker.unfinished()),
             new Counter(),
             new MqttDecoder(BrokerLimits.LONGEST_PACKET),
             MqttEncoder.INSTANCE,
@@ -204,7 +207,7 @@ final class PacketPipeline implements AutoCloseable {
   /** The same under another client ID: a client with the same one would be replaced. */
   PacketPipeline introduced(String clientId) {
     send(MqttPacketBytes.connect(clientId, 0));
-    filter.connected(session.connection());
+    broker.clients().connected(session.connection());
     pass(2);
     taken();
     decoded.clear();

@@ -38,11 +38,11 @@ class PublishRulesTest {
   private PacketRules rulesOf(AccessRole role) {
     PasswordHash hash = PasswordHash.of("x".toCharArray(), new SecureRandom(), 1_000);
     User user = new User("ann", EnumSet.of(role), List.of("cessna"), hash);
-    return new PacketRules(pipeline.filter, user, "client");
+    return new PacketRules(pipeline.broker, user, "client");
   }
 
   private PacketRules everybodys() {
-    return new PacketRules(pipeline.filter, null, "client");
+    return new PacketRules(pipeline.broker, null, "client");
   }
 
   private static MqttPublishMessage message(
@@ -127,7 +127,7 @@ class PublishRulesTest {
         .contains("it is not a readable emergency stop");
     assertThat(refusalRetained(everybodys(), STOP, new byte[0]))
         .contains("it is not a readable emergency stop");
-    assertThat(pipeline.filter.retained().topics()).as("none of these was retained").isEmpty();
+    assertThat(pipeline.broker.retained().topics()).as("none of these was retained").isEmpty();
   }
 
   @Test
@@ -135,17 +135,17 @@ class PublishRulesTest {
     PacketRules rules = everybodys();
     assertThat(refusalRetained(rules, OWN, MAP)).isEmpty();
     assertThat(refusalRetained(rules, STOP, stop(true))).isEmpty();
-    assertThat(pipeline.filter.retained().topics()).containsExactlyInAnyOrder(OWN, STOP);
+    assertThat(pipeline.broker.retained().topics()).containsExactlyInAnyOrder(OWN, STOP);
 
     assertThat(refusalRetained(rules, OWN, new byte[0])).as("deletes").isEmpty();
-    assertThat(pipeline.filter.retained().topics()).containsExactly(STOP);
+    assertThat(pipeline.broker.retained().topics()).containsExactly(STOP);
   }
 
   @Test
   void refusalOf_retainedWithoutAcknowledgement_isRefused() {
     assertThat(everybodys().refusalOf(message(OWN, MAP, MqttQoS.AT_MOST_ONCE, true)))
         .contains("it is to be retained and has QoS 0");
-    assertThat(pipeline.filter.retained().topics()).isEmpty();
+    assertThat(pipeline.broker.retained().topics()).isEmpty();
   }
 
   @Test
@@ -192,9 +192,9 @@ class PublishRulesTest {
     pipeline.send(MqttPacketBytes.publish(OWN, 1));
 
     assertThat(pipeline.sent()).containsExactly("90", "30 \0");
-    assertThat(pipeline.filter.kept()).isZero();
+    assertThat(pipeline.broker.kept()).isZero();
     pipeline.send(MqttPacketBytes.publish(OWN, 3, 1));
-    assertThat(pipeline.filter.kept()).isEqualTo(3);
+    assertThat(pipeline.broker.kept()).isEqualTo(3);
   }
 
   @Test

@@ -195,6 +195,6 @@ class RenewedSessionTest {
     broker.cut();
 
     receiver.awaitTrouble("restored");
-    assertThat(receiver.troubles).noneMatch(line -> line.contains("no way back"));
+    assertThat(receiver.troubles).noneMatch(line -> line.contains("cannot reconnect"));
   }
 }

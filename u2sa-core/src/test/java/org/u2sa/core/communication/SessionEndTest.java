@@ -40,7 +40,7 @@ class SessionEndTest {
   private PacketPipeline withWill(int flags, byte[] will) {
     PacketPipeline client = another();
     client.send(MqttPacketBytes.connect("testator", WILL | flags, OWN, will));
-    client.filter.connected(client.session.connection());
+    client.broker.clients().connected(client.session.connection());
     client.pass(2);
     client.taken();
     return client;
@@ -160,9 +160,9 @@ class SessionEndTest {
   @Test
   void channelInactive_willOfQualityOne_countsAsKept() {
     withWill(0, map(10)).close();
-    assertThat(first.filter.kept()).isZero();
+    assertThat(first.broker.kept()).isZero();
     withWill(CONFIRMED, map(10)).close();
-    assertThat(first.filter.kept()).isEqualTo(16);
+    assertThat(first.broker.kept()).isEqualTo(16);
   }
 
   @Test
@@ -198,9 +198,9 @@ class SessionEndTest {
     first.introduced();
     PacketPipeline client = another().introduced("other");
     client.send(MqttPacketBytes.subscribe("u2sa/#"));
-    assertThat(first.filter.subscriptions().route(OWN).isWanted()).isTrue();
+    assertThat(first.broker.subscriptions().route(OWN).isWanted()).isTrue();
     client.close();
-    assertThat(first.filter.subscriptions().route(OWN).isWanted()).isFalse();
+    assertThat(first.broker.subscriptions().route(OWN).isWanted()).isFalse();
   }
 
   @Test

@@ -35,7 +35,7 @@ class SlowClientTest {
   }
 
   private void publish(boolean eachMatters, int bytes) {
-    client.filter.router().send(TOPIC, eachMatters, false, new byte[bytes], () -> {});
+    client.broker.router().send(TOPIC, eachMatters, false, new byte[bytes], () -> {});
     client.channel.runPendingTasks();
   }
 
@@ -51,11 +51,12 @@ class SlowClientTest {
     assertThat(client.channel.isOpen()).isFalse();
     assertThat(client.log)
         .anyMatch(
-            line -> line.startsWith("client put out, it is too slow: ") && line.contains(reason));
+            line ->
+                line.startsWith("client disconnected, it is too slow: ") && line.contains(reason));
   }
 
-  private ShutdownDrain.Owed owed() throws Exception {
-    Future<ShutdownDrain.Owed> owed = client.session.owed();
+  private Client.Owed owed() throws Exception {
+    Future<Client.Owed> owed = client.session.owed();
     client.channel.runPendingTasks();
     return owed.get();
   }
@@ -67,7 +68,7 @@ class SlowClientTest {
     for (int i = 0; i < 5; i++) {
       publish(false, 100_000);
     }
-    assertThat(client.filter.dropped()).isEqualTo(2);
+    assertThat(client.broker.dropped()).isEqualTo(2);
     assertThat(client.log).anyMatch(line -> line.startsWith("message to a slow client dropped"));
     assertIn();
 
@@ -75,18 +76,18 @@ class SlowClientTest {
     assertThat(client.sentPackets()).isEqualTo(3);
     publish(false, 100_000);
     assertThat(client.sentPackets()).isEqualTo(1);
-    assertThat(client.filter.dropped()).isEqualTo(2);
+    assertThat(client.broker.dropped()).isEqualTo(2);
   }
 
   @Test
   void deliver_retainedOnes_mayFillMoreThanTheBacklogButNotAnyAmount() {
     for (int i = 0; i < 8; i++) {
-      client.filter.router().send(TOPIC + i, true, true, new byte[200_000], () -> {});
+      client.broker.router().send(TOPIC + i, true, true, new byte[200_000], () -> {});
     }
     client.channel.runPendingTasks();
     client.block();
     client.send(MqttPacketBytes.subscribe("u2sa/#"));
-    assertThat(client.filter.dropped()).isEqualTo(2);
+    assertThat(client.broker.dropped()).isEqualTo(2);
 
     client.unblock();
     assertThat(client.sentPackets()).isEqualTo(1 + 6);
@@ -213,13 +214,13 @@ class SlowClientTest {
   @Test
   void look_othersPublishedTooMuchSinceTheOldestUnacknowledged_isPutOut() {
     subscribe();
-    client.filter.keep(5 * MAX_UNACKNOWLEDGED_BYTES);
+    client.broker.keep(5 * MAX_UNACKNOWLEDGED_BYTES);
     publish(true, 10);
-    client.filter.keep(MAX_UNACKNOWLEDGED_BYTES);
+    client.broker.keep(MAX_UNACKNOWLEDGED_BYTES);
     client.passSeconds(1);
     assertIn();
 
-    client.filter.keep(1);
+    client.broker.keep(1);
     client.passSeconds(1);
     assertPutOutFor("too many bytes await its acknowledgement");
   }
@@ -232,14 +233,14 @@ class SlowClientTest {
     publish(false, 10);
     publish(false, 10);
     publish(true, 10);
-    long sent = client.filter.nowMicros();
+    long sent = client.broker.nowMicros();
     client.pass(1);
-    assertThat(owed()).isEqualTo(new ShutdownDrain.Owed(3, sent));
+    assertThat(owed()).isEqualTo(new Client.Owed(3, sent));
 
     client.unblock();
-    assertThat(owed()).isEqualTo(new ShutdownDrain.Owed(1, sent));
+    assertThat(owed()).isEqualTo(new Client.Owed(1, sent));
     acknowledge(client.sentIdentifiers().get(0));
-    assertThat(owed()).isEqualTo(new ShutdownDrain.Owed(0, sent));
+    assertThat(owed()).isEqualTo(new Client.Owed(0, sent));
   }
 
   @Test
@@ -259,7 +260,7 @@ class SlowClientTest {
     PacketPipeline other = new PacketPipeline(client).introduced("other");
     subscribe();
     client.block();
-    client.filter.unsent().set(other.session, limit - 70_000);
+    client.broker.unsent().set(other.session, limit - 70_000);
     publish(false, 60_000);
     other.pass(1);
     assertThat(other.channel.isOpen()).as("a small backlog does not count").isTrue();
@@ -283,7 +284,7 @@ class SlowClientTest {
     client.passSeconds(1);
 
     PacketPipeline other = new PacketPipeline(client).introduced("other");
-    client.filter.unsent().set(other.session, limit);
+    client.broker.unsent().set(other.session, limit);
     other.pass(1);
     assertThat(other.channel.isOpen()).isTrue();
     other.close();

@@ -44,7 +44,7 @@ class TlsRecordsTest {
   }
 
   private void connect(String protocol) throws Exception {
-    TlsRecords records = new TlsRecords(broker.filter, broker.session);
+    TlsRecords records = new TlsRecords(broker.broker, broker.session);
     broker.channel.pipeline().addFirst(records, new Counter(), brokers(), records.behind());
     SSLEngine engine = TestAuthority.trusting(authority).createSSLEngine();
     engine.setUseClientMode(true);
@@ -54,7 +54,7 @@ class TlsRecordsTest {
     exchange();
     assertThat(clients.handshakeFuture().isSuccess()).isTrue();
     say(MqttPacketBytes.connect("client", 0));
-    broker.filter.connected(broker.session.connection());
+    broker.broker.clients().connected(broker.session.connection());
     broker.pass(2);
     exchange();
     decrypted = 0;

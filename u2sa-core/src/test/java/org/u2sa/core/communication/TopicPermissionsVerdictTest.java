@@ -30,9 +30,9 @@ class TopicPermissionsVerdictTest {
     "u2sa/cessna/tide/StateInformation, role observer may not publish on its own channels"
         + " (StateInformation)",
     "u2sa/cessna/stop/StateInformation, stop does not carry StateInformation",
-    "u2sa/cessna/state/StateInformation/=GPS, its topic is none of U2SA",
-    "u2sa/cessna/state, its topic is none of U2SA",
-    "u2sa/cessna/discovery/DiscoveryRequest/StopCommand, its types are no ancestry"
+    "u2sa/cessna/state/StateInformation/=GPS, its topic is not one of U2SA's",
+    "u2sa/cessna/state, its topic is not one of U2SA's",
+    "u2sa/cessna/discovery/DiscoveryRequest/StopCommand, its types are not a class and its ancestors"
   })
   void judge_forbidden_saysWhy(String topic, String why) {
     assertThat(of(AccessRole.OBSERVER).judge(topic).refusal()).isEqualTo(why);

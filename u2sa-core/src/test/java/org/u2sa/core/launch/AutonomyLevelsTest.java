@@ -51,8 +51,8 @@ class AutonomyLevelsTest {
       quoteCharacter = '`',
       textBlock =
           """
-          <autonomy perception='7' decision='3' independence='5'/> | perception: "7" is no level; expected one of 1 no sensing, 2 discrete, 3 grouped, 4 classification, 5 static learning, 6 dynamic learning
-          <autonomy perception='2' decision='memmory' independence='5'/> | decision: "memmory" is no level; expected one of 1 no decisions, 2 static response, 3 memory, 4 projection, 5 static task learning, 6 dynamic task learning; did you mean "memory"?
+          <autonomy perception='7' decision='3' independence='5'/> | perception: "7" is not a level; expected one of 1 no sensing, 2 discrete, 3 grouped, 4 classification, 5 static learning, 6 dynamic learning
+          <autonomy perception='2' decision='memmory' independence='5'/> | decision: "memmory" is not a level; expected one of 1 no decisions, 2 static response, 3 memory, 4 projection, 5 static task learning, 6 dynamic task learning; did you mean "memory"?
           <autonomy perception='2' decision='2'/> | attribute "independence" is missing
           <autonomy perception='2' decision='2' independence='2' speed='2'/> | unknown attribute "speed"; expected perception, decision, independence
           """)

@@ -54,7 +54,7 @@ class ClockAgreementTest {
     assertThat(log)
         .containsExactly(
             "this machine's clock is 3600.002 s behind that of Throttle on hub (± 0.005 s): "
-                + "goes by the system's time");
+                + "follows the system's time");
   }
 
   @Test

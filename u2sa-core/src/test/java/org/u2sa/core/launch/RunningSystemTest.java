@@ -207,7 +207,7 @@ class RunningSystemTest {
 
     assertThatThrownBy(() -> RunningSystem.start(file, options()))
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining("is no service");
+        .hasMessageContaining("is not a service");
   }
 
   @Test

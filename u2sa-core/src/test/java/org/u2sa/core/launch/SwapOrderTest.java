@@ -158,7 +158,7 @@ class SwapOrderTest {
 
   @Test
   void swap_noService_isRefused() throws InterruptedException {
-    assertRefused(swap(String.class), "is no service");
+    assertRefused(swap(String.class), "is not a service");
   }
 
   @Test

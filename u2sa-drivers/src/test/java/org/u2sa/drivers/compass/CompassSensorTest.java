@@ -133,7 +133,7 @@ class CompassSensorTest {
     say("HCHDT,20.0,T");
     assertThat(psiDeg()).isCloseTo(20.0, within(TINY));
     kit.advance(3.0);
-    assertThat(lastError()).hasValue("the compass has sent nothing readable for more than 1.5 s");
+    assertThat(lastError()).hasValue("the compass has sent no valid data for more than 1.5 s");
   }
 
   @Test

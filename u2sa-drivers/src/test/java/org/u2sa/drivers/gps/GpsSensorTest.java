@@ -103,8 +103,7 @@ class GpsSensorTest {
     kit.advance(5.0);
 
     assertThat(published()).hasSize(before);
-    assertThat(lastError())
-        .hasValue("the GPS receiver has sent nothing readable for more than 2.5 s");
+    assertThat(lastError()).hasValue("the GPS receiver has sent no valid data for more than 2.5 s");
   }
 
   @Test
@@ -147,7 +146,7 @@ class GpsSensorTest {
     link.fromDevice("$GPRMC,garbage*00\r\n$GPGGA\r\n\u0000\u0001$$$".getBytes(US_ASCII));
     assertThat(lastError())
         .hasValueSatisfying(
-            error -> assertThat(error).startsWith("the GPS receiver sent unreadable data"));
+            error -> assertThat(error).startsWith("the GPS receiver sent invalid data"));
     say(rmc(0), gga(0), rmc(1), gga(1));
     kit.advance(0.1);
     assertThat(published()).isNotEmpty();

@@ -121,7 +121,7 @@ class IoioSensingTest {
     on.start();
     on.bench.send(6, "$GPRMC,nonsense*00\r\n".repeat(4).getBytes(StandardCharsets.US_ASCII));
     on.kit.advance(0.5);
-    assertThat(on.lastError().orElseThrow()).contains("the GPS receiver sent unreadable data");
+    assertThat(on.lastError().orElseThrow()).contains("the GPS receiver sent invalid data");
     assertThat(on.kit.latest(Channels.HEALTH).orElseThrow().exceptions()).isZero();
   }
 

@@ -92,11 +92,11 @@ class DeviceWatchTest {
   @Test
   void look_silentDevice_isSaidOnceAndWhenItSpeaksAgain() {
     kit.advance(2.0);
-    assertThat(lastError()).hasValue("the sonar has sent nothing readable for more than 1.0 s");
+    assertThat(lastError()).hasValue("the sonar has sent no valid data for more than 1.0 s");
     link.fromDevice((byte) 'a');
     kit.advance(0.2);
     List<String> log = kit.log("Listener");
-    assertThat(log.stream().filter(line -> line.contains("sent nothing"))).hasSize(1);
+    assertThat(log.stream().filter(line -> line.contains("sent no valid data"))).hasSize(1);
     assertThat(log).anySatisfy(line -> assertThat(line).contains("the sonar sends again"));
   }
 
@@ -127,8 +127,7 @@ class DeviceWatchTest {
   @Test
   void malformed_flood_isSaidAtPowersOfTwo() {
     link.fromDevice(new byte[60]);
-    assertThat(lastError())
-        .hasValue("the sonar sent unreadable data (32 times so far), last: noise");
+    assertThat(lastError()).hasValue("the sonar sent invalid data (32 times so far), last: noise");
     assertThat(kit.log("Listener").stream().filter(line -> line.contains("unreadable"))).hasSize(6);
   }
 }

@@ -220,7 +220,7 @@ class MavlinkAutopilotTest {
     say(attitude(Double.NaN, 0.0));
     kit.advance(0.3);
     assertThat(kit.published(Channels.SENSED_STATE)).isEmpty();
-    assertThat(lastError()).contains("the autopilot sent unreadable data");
+    assertThat(lastError()).contains("the autopilot sent invalid data");
   }
 
   @Test
@@ -462,7 +462,7 @@ class MavlinkAutopilotTest {
       command("STEERING", 80.0);
       live(0.1);
     }
-    assertThat(lastError()).contains("the autopilot has sent nothing readable for more than 3.0 s");
+    assertThat(lastError()).contains("the autopilot has sent no valid data for more than 3.0 s");
     assertThat(last(RcChannelsOverride.class).chan1Raw()).as("given back").isZero();
     speaks = true;
     for (int i = 0; i < 10; i++) {

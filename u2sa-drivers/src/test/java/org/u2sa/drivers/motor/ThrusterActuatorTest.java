@@ -178,7 +178,7 @@ class ThrusterActuatorTest {
     startVesc();
     command(30.0, 3.0);
     assertThat(vesc.duty()).isCloseTo(0.3, within(1e-5));
-    assertThat(lastError()).contains("the thruster sent unreadable data");
+    assertThat(lastError()).contains("the thruster sent invalid data");
     vesc.garble(false);
     command(30.0, 1.0);
     assertThat(kit.published(Channels.POWER)).isNotEmpty();

@@ -242,7 +242,7 @@ class LidarSensorTest {
     kit.advance(1.0);
     device.dropEach(997);
     kit.advance(3.0);
-    assertThat(lastError()).contains("the laser sent unreadable data");
+    assertThat(lastError()).contains("the laser sent invalid data");
     device.dropEach(0);
     kit.advance(1.8);
     assertThat(scans())

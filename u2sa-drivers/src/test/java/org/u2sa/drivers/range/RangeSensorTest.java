@@ -76,6 +76,7 @@ class RangeSensorTest {
     kit.advance(2.0);
     HealthReport health = kit.latest(Channels.HEALTH).orElseThrow();
     assertThat(health.exceptions()).isZero();
-    assertThat(health.lastError()).hasValueSatisfying(e -> assertThat(e).contains("sent nothing"));
+    assertThat(health.lastError())
+        .hasValueSatisfying(e -> assertThat(e).contains("sent no valid data"));
   }
 }

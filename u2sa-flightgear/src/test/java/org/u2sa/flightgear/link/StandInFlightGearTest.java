@@ -107,7 +107,7 @@ final class StandInFlightGearTest {
   void told_nan_channelIsGoneAndSaysWhy() throws IOException {
     start(StandInSetup.ready(200.0, 1.0), FreePort.find());
     hear("nan\n");
-    until(() -> standIn.trouble().contains("would poison the flight model"));
+    until(() -> standIn.trouble().contains("would corrupt the flight model"));
   }
 
   @Test

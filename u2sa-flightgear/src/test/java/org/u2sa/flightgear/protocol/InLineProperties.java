@@ -54,7 +54,7 @@ final class InLineProperties {
     try {
       assertThat(InLine.nothing().after(text).controls()).isNotNull();
     } catch (MalformedLineException refused) {
-      assertThat(refused.getMessage()).endsWith("would poison the flight model");
+      assertThat(refused.getMessage()).endsWith("would corrupt the flight model");
     }
   }
 

@@ -74,7 +74,7 @@ class CodecEdgesTest {
     assertThat(codec.decode(goal.typeChain(), goal.serialize())).isEqualTo(goal);
     for (String broken : List.of("😀\ude00", "\ude00\ud83d", "a\ud83d", "\ud83d\ud83d\ude00")) {
       assertThatThrownBy(() -> new Waypoint().uid(broken))
-          .hasMessageContaining("without half a surrogate pair");
+          .hasMessageContaining("without unpaired surrogates");
     }
   }
 

@@ -96,8 +96,8 @@ class OccupancyGridTest {
     assertRefused(2, 3, four, "end after 4 of 6");
     assertRefused(2, 1, four, "more than 2 × 1");
     assertRefused(0, 0, four, "more than 0 × 0");
-    assertRefused(2, 2, List.of("~~"), "OccupancyGrid.cells: are no Base64 of zlib data");
-    assertRefused(2, 2, List.of("AAAA"), "OccupancyGrid.cells: are no Base64 of zlib data");
+    assertRefused(2, 2, List.of("~~"), "OccupancyGrid.cells: are not zlib data in Base64");
+    assertRefused(2, 2, List.of("AAAA"), "OccupancyGrid.cells: are not zlib data in Base64");
     assertRefused(2, 2, List.of(), "end after 0 of 4");
   }
 

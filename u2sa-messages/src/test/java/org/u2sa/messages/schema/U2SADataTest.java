@@ -172,7 +172,7 @@ class U2SADataTest {
     assertThatThrownBy(() -> new StateInformation().timestamp(Long.MAX_VALUE))
         .hasMessage("expected a time of at most 9223372036854775 µs");
     assertThatThrownBy(() -> new Waypoint().uid("\ud800"))
-        .hasMessageContaining("half a surrogate pair");
+        .hasMessageContaining("unpaired surrogate");
     assertThatThrownBy(() -> new Waypoint().uid("x".repeat(Limits.TEXT_BYTES + 1)))
         .hasMessageContaining("at most 65536 bytes");
     assertThatThrownBy(() -> new Waypoint().uid(null)).isInstanceOf(IllegalArgumentException.class);

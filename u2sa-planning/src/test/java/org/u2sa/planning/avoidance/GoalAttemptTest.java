@@ -102,7 +102,7 @@ class GoalAttemptTest {
 
     assertThat(judge(stuckS)).isEmpty();
     assertThat(attempt.hasRecovered()).isTrue();
-    assertThat(bench.said).containsExactly("stuck: frees itself, attempt 1 of 2");
+    assertThat(bench.said).containsExactly("stuck: freeing itself, attempt 1 of 2");
     int planned = bench.requests.size();
 
     ArcChoice back = step(1.3 * stuckS);
@@ -124,7 +124,7 @@ class GoalAttemptTest {
 
     assertThat(bench.said)
         .containsExactly(
-            "stuck: frees itself, attempt 1 of 2", "stuck: frees itself, attempt 2 of 2");
+            "stuck: freeing itself, attempt 1 of 2", "stuck: freeing itself, attempt 2 of 2");
     assertThat(reason).contains("stuck after 2 attempts to free itself");
   }
 

@@ -71,6 +71,6 @@ class PathNewsTest {
     announced(PathStatus.FOLLOWED, "", track);
     assertThat(announced(PathStatus.BRAKING, "", track)).isPresent();
     assertThat(announced(PathStatus.BRAKING, "", track)).isEmpty();
-    assertThat(said).containsExactly("trouble: a collision is near: brakes");
+    assertThat(said).containsExactly("trouble: collision imminent: braking");
   }
 }

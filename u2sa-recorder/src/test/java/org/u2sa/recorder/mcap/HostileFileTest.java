@@ -507,7 +507,7 @@ class HostileFileTest {
     RecordBuffer out = twoRecords();
     byte[] records = Arrays.copyOf(out.array(), out.length());
     assertThat(chunk(records, records.length, 1).salvage().trouble())
-        .hasMessageContaining("checksum is another");
+        .hasMessageContaining("checksum is wrong");
   }
 
   @Test
