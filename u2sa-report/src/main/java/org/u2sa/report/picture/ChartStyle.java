@@ -7,6 +7,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Function;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.AxisSpace;
@@ -43,6 +44,12 @@ final class ChartStyle {
   /** Half the size of a waypoint's mark [px]. */
   static final double MARK_RADIUS = 5.0;
 
+  /** Room beside and below a plot for its axes [px]. */
+  static final double LEFT = 80.0;
+
+  static final double BELOW = 50.0;
+  static final double RIGHT = 20.0;
+
   private static final Color FAINT = new Color(0xdfe3e9);
 
   private ChartStyle() {}
@@ -54,6 +61,12 @@ final class ChartStyle {
             .findFirst()
             .orElse(Font.SANS_SERIF);
     return new Font(family, style, size);
+  }
+
+  /** Formats minutes and seconds. */
+  static String clock(double seconds) {
+    long whole = Math.round(seconds);
+    return String.format(Locale.ROOT, "%d:%02d", whole / 60, whole % 60);
   }
 
   /** Stroke with a width [px], dashed if {@code dash} [px] is more than 0. */
@@ -83,7 +96,7 @@ final class ChartStyle {
     plot.setFixedDomainAxisSpace(below);
     AxisSpace beside = new AxisSpace();
     beside.setLeft(left);
-    beside.setRight(TrackPicture.RIGHT);
+    beside.setRight(RIGHT);
     plot.setFixedRangeAxisSpace(beside);
     plot.setInsets(RectangleInsets.ZERO_INSETS);
     plot.setAxisOffset(RectangleInsets.ZERO_INSETS);

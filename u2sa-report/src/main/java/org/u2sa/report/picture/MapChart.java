@@ -85,7 +85,7 @@ final class MapChart {
     NumberTickUnit grid = roundStep(widthM / unitM / MAX_GRID_LINES);
     range(east, grid, extent.getCenterX(), widthM);
     range(north, grid, extent.getCenterY(), heightM);
-    plot = ChartStyle.plot(east, north, TrackPicture.LEFT, TrackPicture.BELOW);
+    plot = ChartStyle.plot(east, north, ChartStyle.LEFT, ChartStyle.BELOW);
   }
 
   /** Smallest of 1, 2 or 5 times a power of ten that is at least {@code least}. */

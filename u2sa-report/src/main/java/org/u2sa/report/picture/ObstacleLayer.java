@@ -80,7 +80,7 @@ final class ObstacleLayer {
       ObstacleResult result = results.get(i);
       ObjectDescription then =
           Surroundings.after(plan.surroundings().objects().get(i), result.timeS());
-      String time = result.moves() ? " " + TrackPicture.clock(result.timeS()) : "";
+      String time = result.moves() ? " " + ChartStyle.clock(result.timeS()) : "";
       names.add(
           new Name(result.name() + time, place(then, middle(then)), result.moves() ? WAY : EDGE));
     }

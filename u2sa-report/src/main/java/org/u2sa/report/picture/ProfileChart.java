@@ -71,7 +71,7 @@ final class ProfileChart {
     double span = quantity.high() - quantity.low();
     value.setRange(quantity.low() - FOOTROOM * span, quantity.high() + HEADROOM * span);
     value.setNumberFormatOverride(NumberFormat.getInstance(Locale.ROOT));
-    XYPlot plot = ChartStyle.plot(time, value, TrackPicture.LEFT, TrackPicture.BELOW);
+    XYPlot plot = ChartStyle.plot(time, value, ChartStyle.LEFT, ChartStyle.BELOW);
 
     XYSeries area = new XYSeries("", false);
     track.forEach(s -> area.add(MS_PER_S * s.timeS(), quantity.of().applyAsDouble(s)));

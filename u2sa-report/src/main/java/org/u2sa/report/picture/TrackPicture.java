@@ -22,14 +22,10 @@ public final class TrackPicture {
   public static final int WIDTH = 1600;
   public static final int HEIGHT = 1200;
 
-  /** Room beside and below a plot for its axes [px]. */
-  static final double LEFT = 80.0;
-
-  static final double BELOW = 50.0;
-  static final double RIGHT = 20.0;
-
-  private static final Rectangle2D MAP = new Rectangle2D.Double(LEFT, 118.0, 1480.0, 672.0);
-  private static final Rectangle2D PROFILE = new Rectangle2D.Double(LEFT, 870.0, 1480.0, 240.0);
+  private static final Rectangle2D MAP =
+      new Rectangle2D.Double(ChartStyle.LEFT, 118.0, 1480.0, 672.0);
+  private static final Rectangle2D PROFILE =
+      new Rectangle2D.Double(ChartStyle.LEFT, 870.0, 1480.0, 240.0);
   private static final double LEGEND = 30.0; // px
 
   private TrackPicture() {}
@@ -70,19 +66,16 @@ public final class TrackPicture {
 
   private static Rectangle2D withAxes(Rectangle2D plot, double legend) {
     return new Rectangle2D.Double(
-        0.0, plot.getY(), plot.getMaxX() + RIGHT, plot.getHeight() + BELOW + legend);
+        0.0,
+        plot.getY(),
+        plot.getMaxX() + ChartStyle.RIGHT,
+        plot.getHeight() + ChartStyle.BELOW + legend);
   }
 
   private static void text(Graphics2D graphics, int y, String text, Color color, Font font) {
     graphics.setPaint(color);
     graphics.setFont(font);
-    graphics.drawString(text, (int) LEFT, y);
-  }
-
-  /** Formats minutes and seconds. */
-  static String clock(double seconds) {
-    long whole = Math.round(seconds);
-    return String.format(Locale.ROOT, "%d:%02d", whole / 60, whole % 60);
+    graphics.drawString(text, (int) ChartStyle.LEFT, y);
   }
 
   private static String subtitle(RunDetails facts, Domain domain, RunScore score) {
@@ -96,7 +89,7 @@ public final class TrackPicture {
               add(parts, "altitude RMS %.1f m on level legs", flight.altitudeRmsM());
               add(parts, "bank up to %.0f\u00b0", flight.maxBankDeg());
             });
-    parts.add(clock(score.simSeconds()) + " min simulated");
+    parts.add(ChartStyle.clock(score.simSeconds()) + " min simulated");
     parts.add(facts.simulator());
     return String.join("  \u00b7  ", parts);
   }

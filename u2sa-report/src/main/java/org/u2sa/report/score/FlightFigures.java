@@ -11,8 +11,8 @@ import java.util.OptionalDouble;
  * @param altitudeMaxErrorM largest absolute altitude error on level legs [m]
  * @param maxBankRad largest absolute bank in the air [rad]
  * @param minAirspeedMps minimum calibrated airspeed in the air [m/s]
- * @param tookOff whether the vehicle left the ground and rose {@link RunScorer#SCREEN_HEIGHT_M}
- *     above its start
+ * @param tookOff whether the vehicle left the ground and rose {@link #SCREEN_HEIGHT_M} above its
+ *     start
  */
 public record FlightFigures(
     OptionalDouble altitudeRmsM,
@@ -20,6 +20,12 @@ public record FlightFigures(
     OptionalDouble maxBankRad,
     OptionalDouble minAirspeedMps,
     boolean tookOff) {
+  /**
+   * Height above the start at which an aircraft has taken off [m]: the screen height of 50 ft (CS
+   * 23.2120).
+   */
+  public static final double SCREEN_HEIGHT_M = 15.24;
+
   private static final double LEVEL_WITHIN_M = 1.0; // altitude difference of a level leg's ends
 
   /** {@link #maxBankRad} in degrees. */
@@ -31,7 +37,7 @@ public record FlightFigures(
 
   /** Metrics of the run {@code track} of {@code plan}. */
   static FlightFigures of(RunPlan plan, List<TrackSample> track) {
-    RunScorer.RootMeanSquare altitude = new RunScorer.RootMeanSquare();
+    RootMeanSquare altitude = new RootMeanSquare();
     for (int leg = 1; leg < plan.waypoints().size(); leg++) {
       scoreAltitude(plan.waypoints().get(leg - 1), plan.waypoints().get(leg), leg, track, altitude);
     }
@@ -49,7 +55,7 @@ public record FlightFigures(
       RunPlan.Waypoint to,
       int leg,
       List<TrackSample> track,
-      RunScorer.RootMeanSquare altitude) {
+      RootMeanSquare altitude) {
     if (!isLevel(from, to)) {
       return;
     }
@@ -87,7 +93,7 @@ public record FlightFigures(
           continue;
         }
         TrackSample.Flight flight = sample.flight().get();
-        tookOff |= sample.altitudeM() - ground >= RunScorer.SCREEN_HEIGHT_M;
+        tookOff |= sample.altitudeM() - ground >= SCREEN_HEIGHT_M;
         if (tookOff) {
           bank = Math.max(bank, Math.abs(flight.rollRad()));
           airspeed = Math.min(airspeed, flight.calibratedAirspeedMps());

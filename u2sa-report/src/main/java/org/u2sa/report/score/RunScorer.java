@@ -3,18 +3,10 @@ package org.u2sa.report.score;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Geodetic;
 
 /** Scores a run against its plan by ground truth only. Assumes straight motion between samples. */
 public final class RunScorer {
-
-  /**
-   * Height above the start at which an aircraft has taken off [m]: the screen height of 50 ft (CS
-   * 23.2120).
-   */
-  public static final double SCREEN_HEIGHT_M = 15.24;
-
   private static final double SHORTEST_LEG_M = 1.0; // a shorter leg has no direction
 
   private RunScorer() {}
@@ -92,37 +84,6 @@ public final class RunScorer {
       if (alongA >= settlingM) {
         straights.add(duration, crossA, crossB);
       }
-    }
-  }
-
-  /**
-   * RMS over time of a quantity that is linear between its samples, so that uneven sampling does
-   * not bias it.
-   */
-  static final class RootMeanSquare {
-
-    private double squareSeconds;
-    private double seconds;
-    private double largest;
-
-    /** Adds a linear change from {@code from} to {@code to} in {@code durationS}. */
-    void add(double durationS, double from, double to) {
-      squareSeconds +=
-          durationS * (from * from + from * to + to * to) / 3.0; // ∫ of a squared linear function
-      seconds += durationS;
-      largest = Math.max(largest, Math.max(Math.abs(from), Math.abs(to)));
-    }
-
-    /** RMS; empty if nothing was added. */
-    OptionalDouble value() {
-      return seconds > 0.0
-          ? OptionalDouble.of(Math.sqrt(squareSeconds / seconds))
-          : OptionalDouble.empty();
-    }
-
-    /** Largest absolute value; empty if nothing was added. */
-    OptionalDouble largest() {
-      return seconds > 0.0 ? OptionalDouble.of(largest) : OptionalDouble.empty();
     }
   }
 }
