@@ -1,21 +1,29 @@
 package org.u2sa.flightgear.link;
 
-import java.io.BufferedReader;
+import java.io.BufferedInputStream;
 import java.io.IOException;
-import java.io.InputStreamReader;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 
-/** FlightGear's property server, as much as a repair needs. Calls block, at most some seconds. */
+/**
+ * FlightGear's property server, as much as a repair needs. Calls block, at most some seconds, and
+ * read a limited number of bytes, whoever it is that listens there.
+ */
 final class PropertyServer implements AutoCloseable {
   private static final int PATIENCE_MS = 3_000;
   private static final int MAX_LINES = 50;
+  private static final int MAX_LINE_BYTES = 4_096;
 
   private final Socket socket = new Socket();
-  private final BufferedReader in;
+  private final InputStream in;
   private final OutputStream out;
+  private final Clock stopwatch = new SystemClock();
+  private long untilMicros; // end of the current call
 
   /**
    * @throws IOException if nobody answers
@@ -24,9 +32,7 @@ final class PropertyServer implements AutoCloseable {
     try {
       socket.connect(new InetSocketAddress(host, port), PATIENCE_MS);
       socket.setSoTimeout(PATIENCE_MS);
-      in =
-          new BufferedReader(
-              new InputStreamReader(socket.getInputStream(), StandardCharsets.ISO_8859_1));
+      in = new BufferedInputStream(socket.getInputStream());
       out = socket.getOutputStream();
     } catch (IOException e) {
       socket.close();
@@ -78,16 +84,31 @@ final class PropertyServer implements AutoCloseable {
   }
 
   private void say(String line) throws IOException {
+    untilMicros = stopwatch.micros() + PATIENCE_MS * Clock.MICROS_PER_SECOND / 1_000;
     out.write((line + "\r\n").getBytes(StandardCharsets.ISO_8859_1));
     out.flush();
   }
 
   private String hear(String asked) throws IOException {
-    String answer = in.readLine();
-    if (answer == null) {
-      throw new IOException("property server closed after \"" + asked + "\"");
+    StringBuilder answer = new StringBuilder();
+    for (int next = in.read(); next != '\n'; next = in.read()) {
+      if (next < 0) {
+        throw new IOException("property server closed after \"" + asked + "\"");
+      }
+      if (answer.length() == MAX_LINE_BYTES) {
+        throw new IOException(
+            "property server: \""
+                + asked
+                + "\" has an answer longer than "
+                + MAX_LINE_BYTES
+                + " bytes");
+      }
+      if (stopwatch.micros() > untilMicros) {
+        throw new IOException("property server did not answer \"" + asked + "\" in time");
+      }
+      answer.append((char) next); // ISO 8859-1
     }
-    return answer;
+    return answer.toString();
   }
 
   @Override
