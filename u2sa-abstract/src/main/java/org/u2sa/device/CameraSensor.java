@@ -53,8 +53,13 @@ public abstract class CameraSensor extends DeviceSensor<CameraFrame> {
   protected abstract void look(CameraFrame frame);
 
   @Override
+  final void use(CameraFrame frame) {
+    look(frame); // its exceptions are the author's, not the camera's
+  }
+
+  /** Empty: {@link #look} publishes. */
+  @Override
   protected final Stream<ObjectDescription> messages(CameraFrame frame) {
-    look(frame);
     return Stream.empty();
   }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.u2sa.device.port.Device;
 import org.u2sa.service.U2SAService;
 
@@ -14,6 +15,8 @@ public final class DeviceReader<R extends Device.Reading> {
   private final DeviceWatch watch;
   private Optional<R> last = Optional.empty();
   private String said = "";
+  private long refused; // readings that no message takes
+  private String refusal = "";
 
   /**
    * @param name name of the device in log and health
@@ -33,7 +36,7 @@ public final class DeviceReader<R extends Device.Reading> {
   public Optional<R> next(long nowMicros) {
     watch.look(nowMicros);
     Optional<R> newest = device.read(nowMicros);
-    watch.malformed(device.malformed(), device.lastRefusal());
+    reportMalformed();
     reportTrouble();
     boolean isNew = newest.isPresent() && !newest.equals(last);
     last = newest;
@@ -42,6 +45,30 @@ public final class DeviceReader<R extends Device.Reading> {
     }
     watch.heard(nowMicros);
     return newest;
+  }
+
+  /**
+   * Maps a reading to messages. Values that a message refuses, such as a voltage below zero, are
+   * the device's, whatever its checksums say: the reading is dropped, counted and reported as
+   * malformed data.
+   *
+   * @param mapping throws IllegalArgumentException for such values
+   * @return empty if the reading was dropped
+   */
+  public <T> Optional<T> mapped(Supplier<T> mapping) {
+    try {
+      return Optional.of(mapping.get());
+    } catch (IllegalArgumentException e) {
+      refused++;
+      refusal = String.valueOf(e.getMessage());
+      reportMalformed();
+      return Optional.empty();
+    }
+  }
+
+  private void reportMalformed() {
+    String why = device.lastRefusal();
+    watch.malformed(device.malformed() + refused, why.isEmpty() ? refusal : why);
   }
 
   /** The reading at the last call of {@link #next}, new or not. */

@@ -1,6 +1,8 @@
 package org.u2sa.device;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.u2sa.device.port.Device;
 import org.u2sa.interfaces.communication.Channel;
@@ -59,6 +61,9 @@ public abstract class DeviceSensor<R extends Device.Reading> extends Sensor {
   /**
    * Maps a new reading to the messages to publish, in their order; messages without a timestamp get
    * the reading's. Called once per reading, on the service's thread.
+   *
+   * @throws IllegalArgumentException if a message refuses a value: the reading is then dropped,
+   *     counted and reported as malformed data
    */
   protected abstract Stream<? extends U2SAData> messages(R reading);
 
@@ -69,18 +74,26 @@ public abstract class DeviceSensor<R extends Device.Reading> extends Sensor {
 
   @Override
   protected final void step(double nowS) {
-    reader.next(clock().micros()).ifPresent(this::publishMessages);
+    reader.next(clock().micros()).ifPresent(this::use);
   }
 
-  private void publishMessages(R reading) {
-    messages(reading)
-        .forEachOrdered(
+  /** Uses a new reading. */
+  void use(R reading) {
+    reader
+        .mapped(() -> stamped(reading))
+        .ifPresent(messages -> messages.forEach(message -> publish(channel, message)));
+  }
+
+  private List<U2SAData> stamped(R reading) {
+    return messages(reading)
+        .map(
             message -> {
               if (message.timestamp().isEmpty()) {
                 message.timestamp(reading.measuredAtMicros());
               }
-              publish(channel, message);
-            });
+              return message;
+            })
+        .collect(Collectors.toList());
   }
 
   @Override

@@ -71,9 +71,11 @@ public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
     if (beams.size() < tuning.get().pingsPerScan()) {
       return Stream.empty();
     }
-    RangeScan scan = scan();
-    beams.clear();
-    return Stream.of(scan);
+    try {
+      return Stream.of(scan());
+    } finally {
+      beams.clear(); // even if the scan refuses a value: the next one starts without these pings
+    }
   }
 
   private OptionalDouble nearest(Sonar.Ping ping) {

@@ -151,11 +151,15 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
     watchForStall(turning.rpm(), percent, nowS);
     if (nowS >= batteryDueS && turning.batteryV().isPresent()) {
       batteryDueS = nowS + BATTERY_EVERY_S;
-      BatteryState battery =
-          new BatteryState().sensorName(getServiceName()).voltage(turning.batteryV().getAsDouble());
-      turning.currentA().ifPresent(battery::current);
-      publish(Channels.POWER, battery);
+      reader.mapped(() -> battery(turning)).ifPresent(each -> publish(Channels.POWER, each));
     }
+  }
+
+  private BatteryState battery(Thruster.Turning turning) {
+    BatteryState battery =
+        new BatteryState().sensorName(getServiceName()).voltage(turning.batteryV().getAsDouble());
+    turning.currentA().ifPresent(battery::current);
+    return battery;
   }
 
   /** Detects a stalled propeller, for example caught in weeds or with a broken motor. */

@@ -197,17 +197,23 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
     }
     if (nowS >= batteryDueS && counts.batteryV().isPresent()) {
       batteryDueS = nowS + BATTERY_EVERY_S;
-      publish(
-          Channels.POWER,
-          new BatteryState().sensorName(getServiceName()).voltage(counts.batteryV().getAsDouble()));
+      reader.mapped(() -> battery(counts)).ifPresent(each -> publish(Channels.POWER, each));
     }
+  }
+
+  private BatteryState battery(MotorController.Counts counts) {
+    return new BatteryState().sensorName(getServiceName()).voltage(counts.batteryV().getAsDouble());
   }
 
   private void publishState(MotorController.Counts counts) {
     int left = leftIsSecond ? counts.second() : counts.first();
     int right = leftIsSecond ? counts.first() : counts.second();
-    odometry
-        .moved(counts.measuredAtMicros(), (int) leftSign * left, (int) rightSign * right)
+    reader
+        .mapped(
+            () ->
+                odometry.moved(
+                    counts.measuredAtMicros(), (int) leftSign * left, (int) rightSign * right))
+        .flatMap(state -> state)
         .ifPresent(state -> publish(Channels.SENSED_STATE, state.sensorName(getServiceName())));
   }
 

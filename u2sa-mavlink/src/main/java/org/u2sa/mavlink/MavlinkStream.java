@@ -31,6 +31,7 @@ public final class MavlinkStream {
   private byte[] pending = new byte[0];
   private int sequence;
   private long malformed;
+  private String lastRefusal = "";
 
   /**
    * A received message.
@@ -50,7 +51,12 @@ public final class MavlinkStream {
     pending = new byte[0];
   }
 
-  /** Consumes bytes and delivers completed messages. */
+  /**
+   * Consumes bytes and delivers completed messages.
+   *
+   * @param to may throw IllegalArgumentException for a message with values that nobody can use,
+   *     whose checksum is right all the same; it counts as malformed
+   */
   public void accept(byte[] bytes, int length, Consumer<Received> to) {
     int kept = pending.length;
     pending = Arrays.copyOf(pending, kept + length);
@@ -79,8 +85,8 @@ public final class MavlinkStream {
     }
     int flags = magic == MAGIC_2 ? pending[from + 2] & 0xFF : 0;
     if ((flags & ~SIGNED) != 0) {
-      malformed++;
-      return 1; // unknown incompatibility flags: the frame must be dropped
+      refuse("unknown incompatibility flags " + flags);
+      return 1; // the frame must be dropped
     }
     int payload = pending[from + 1] & 0xFF;
     int whole = header + payload + CHECKSUM + (flags == SIGNED ? SIGNATURE : 0);
@@ -102,16 +108,21 @@ public final class MavlinkStream {
     }
     Class<?> type = dialect.resolve(packet.getMessageId());
     if (!packet.validateCrc(type.getAnnotation(MavlinkMessageInfo.class).crc())) {
-      malformed++;
+      refuse(type.getSimpleName() + ": wrong checksum");
       return false;
     }
     try {
       Object payload = deserializer.deserialize(packet.getPayload(), type);
       to.accept(new Received(packet.getSystemId(), packet.getComponentId(), payload));
     } catch (IllegalArgumentException | IllegalStateException | IndexOutOfBoundsException e) {
-      malformed++; // valid checksum, but the library cannot decode it
+      refuse(type.getSimpleName() + ": " + e.getMessage());
     }
     return true;
+  }
+
+  private void refuse(String why) {
+    malformed++;
+    lastRefusal = why;
   }
 
   /** Encodes a message as MAVLink 2. */
@@ -132,8 +143,13 @@ public final class MavlinkStream {
         .getRawBytes();
   }
 
-  /** Number of false frame starts. */
+  /** Number of false frame starts and of messages that cannot be decoded or used. */
   public long malformed() {
     return malformed;
+  }
+
+  /** Reason of the last one; empty if none. */
+  public String lastRefusal() {
+    return lastRefusal;
   }
 }

@@ -2,14 +2,18 @@ package org.u2sa.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.dronefleet.mavlink.annotations.MavlinkMessageInfo;
+import io.dronefleet.mavlink.ardupilotmega.ArdupilotmegaDialect;
 import io.dronefleet.mavlink.common.Attitude;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.protocol.MavlinkPacket;
 import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -125,5 +129,42 @@ class MavlinkStreamTest {
       any.accept(POSITION, POSITION.length, each -> messages.add(each.payload()));
     }
     assertThat(messages).hasAtLeastOneElementOfType(GlobalPositionInt.class);
+  }
+
+  @Test
+  void accept_anyMessageOfRandomContentUnderARightChecksum_neverThrows() {
+    Random random = new Random(20L);
+    MavlinkStream any = new MavlinkStream(255, 191);
+    List<Object> messages = new ArrayList<>();
+    ArdupilotmegaDialect dialect = new ArdupilotmegaDialect();
+    for (int id = 0; id < 20_000; id++) {
+      if (!dialect.supports(id)) {
+        continue;
+      }
+      Class<?> type = dialect.resolve(id);
+      MavlinkMessageInfo info = type.getAnnotation(MavlinkMessageInfo.class);
+      for (int i = 0; i < 10; i++) {
+        byte[] payload = new byte[random.nextInt(256)];
+        random.nextBytes(payload);
+        byte[] frame =
+            MavlinkPacket.createUnsignedMavlink2Packet(i, 7, 1, info.id(), info.crc(), payload)
+                .getRawBytes();
+        any.accept(frame, frame.length, each -> messages.add(each.payload()));
+      }
+    }
+    assertThat(messages).hasSizeGreaterThan(1_000);
+  }
+
+  @Test
+  void accept_messageThatItsReceiverRefuses_isMalformedWithTheReason() {
+    stream.accept(
+        POSITION,
+        POSITION.length,
+        each -> {
+          throw new IllegalArgumentException("latitude 91.0 is outside ±90 deg");
+        });
+    assertThat(stream.malformed()).isEqualTo(1);
+    assertThat(stream.lastRefusal())
+        .isEqualTo("GlobalPositionInt: latitude 91.0 is outside ±90 deg");
   }
 }

@@ -55,6 +55,7 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     private val gpsName = sensorName() + " GPS"
     private val attitudeName = sensorName() + " attitude"
     private var said = ""
+    private var refused = 0L // measurements that no message takes
     private var lastFix: GpsFix? = null // last published
     private var lastOrientation: PhoneOrientation? = null // last published
 
@@ -67,7 +68,7 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
             ?.takeIf { it.measuredAtMicros() != lastFix?.measuredAtMicros() }
             ?.let {
                 lastFix = it
-                publish(Channels.SENSED_STATE, place(it, reading))
+                publishing { place(it, reading) }
             }
         val here = lastFix ?: return
         reading.orientation
@@ -75,8 +76,22 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
             ?.takeIf { it.measuredAtMicros != lastOrientation?.measuredAtMicros }
             ?.let {
                 lastOrientation = it
-                publish(Channels.SENSED_STATE, attitude(it, here, reading))
+                publishing { attitude(it, here, reading) }
             }
+    }
+
+    /** A value that no message takes, such as NaN from a sensor's driver, costs that measurement only. */
+    private fun publishing(state: () -> StateInformation) {
+        val measured = try {
+            state()
+        } catch (e: IllegalArgumentException) {
+            refused++
+            if (refused.countOneBits() == 1) { // 1, 2, 4, 8…: limits the log
+                trouble("the phone's sensors sent invalid data ($refused times so far), last: ${e.message}")
+            }
+            return
+        }
+        publish(Channels.SENSED_STATE, measured)
     }
 
     private fun trouble(reading: PhoneSensors.Reading, now: Long): String = when {

@@ -81,6 +81,22 @@ class PhoneStateSensorTest {
     }
 
     @Test
+    fun step_measurementsThatNoMessageTakes_areReportedAndTheServiceGoesOn() {
+        start()
+        for (i in 0 until 40) {
+            reading = PhoneSensors.Reading(fix = fix(kit.nowS()), pressure = PhoneSensors.Pressure(0, Double.NaN))
+            kit.advance(0.1)
+        }
+        val health = kit.latest(Channels.HEALTH).orElseThrow()
+        assertThat(health.exceptions()).isZero()
+        assertThat(health.lastError().orElse("")).contains("unreadable data").contains("StateInformation.z")
+
+        reading = PhoneSensors.Reading(fix = fix(kit.nowS()))
+        kit.advance(0.1)
+        assertThat(published("GPS")).hasSize(1)
+    }
+
+    @Test
     fun step_attitudeBeforeTheFirstFix_waitsForIt() {
         start()
         reading = PhoneSensors.Reading(orientation = heading(0.0, 90.0))

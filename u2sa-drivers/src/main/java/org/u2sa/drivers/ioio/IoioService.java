@@ -33,6 +33,7 @@ import org.u2sa.service.handover.HandOver;
 public final class IoioService extends ProprioceptiveSensor implements ActuatorOwner {
   private static final double STEPS_PER_S = 100.0;
   private static final double BATTERY_EVERY_S = 1.0;
+  private static final int MAX_PULSES_A_STEP = 100; // a flood must not hold up the step
   private static final double ALL_PERCENT = 100.0;
 
   private final BoardConnection connection;
@@ -162,7 +163,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     RcSwitch rcSwitch = radio.get();
     if (pins.isPresent()) {
       OptionalDouble widthS = pins.get().nextRadioPulse();
-      while (widthS.isPresent()) {
+      for (int i = 0; widthS.isPresent() && i < MAX_PULSES_A_STEP; i++) {
         rcSwitch.accept(widthS.getAsDouble(), now);
         widthS = pins.get().nextRadioPulse();
       }

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.u2sa.device.DeviceReader;
 import org.u2sa.device.FixMapping;
 import org.u2sa.device.HeadingMapping;
 import org.u2sa.device.TrueNorth;
+import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsFix;
 import org.u2sa.device.port.Heading;
 import org.u2sa.messages.StateInformation;
@@ -64,18 +66,23 @@ final class PinSensors {
   List<StateInformation> read(long nowMicros) {
     List<StateInformation> measured = new ArrayList<>(2);
     if (gpsLink.isConnected()) {
-      gps.flatMap(reader -> reader.next(nowMicros)).flatMap(fixes::state).ifPresent(measured::add);
+      gps.flatMap(reader -> state(reader, nowMicros, fixes::state)).ifPresent(measured::add);
     }
     for (StateInformation fix : measured) {
       north.at(fix, fix.timestamp().orElseThrow());
     }
     if (compassLink.isConnected()) {
-      compass
-          .flatMap(reader -> reader.next(nowMicros))
-          .flatMap(headings::state)
-          .ifPresent(measured::add);
+      compass.flatMap(reader -> state(reader, nowMicros, headings::state)).ifPresent(measured::add);
     }
     return measured;
+  }
+
+  private static <R extends Device.Reading> Optional<StateInformation> state(
+      DeviceReader<R> reader, long nowMicros, Function<R, Optional<StateInformation>> mapping) {
+    return reader
+        .next(nowMicros)
+        .flatMap(reading -> reader.mapped(() -> mapping.apply(reading)))
+        .flatMap(state -> state);
   }
 
   /** Sends pending data to the devices. */

@@ -8,12 +8,8 @@ import org.u2sa.device.port.Device;
  * thread-safe.
  */
 public abstract class LinkedDevice<R extends Device.Reading> implements Device<R> {
-  private static final int BUFFER_BYTES = 4_096;
-  private static final int MAX_BYTES_A_READ =
-      1 << 20; // bounds one read so that a flood cannot starve the caller
-
   protected final ByteLink link;
-  private final byte[] buffer = new byte[BUFFER_BYTES];
+  private final PendingBytes pending = new PendingBytes();
   private int connections;
 
   /** Uses the link; closing the device closes it. */
@@ -27,10 +23,7 @@ public abstract class LinkedDevice<R extends Device.Reading> implements Device<R
       connections = link.connections();
       found(nowMicros);
     }
-    int count;
-    for (int all = 0; all < MAX_BYTES_A_READ && (count = link.read(buffer)) > 0; all += count) {
-      hear(buffer, count, nowMicros);
-    }
+    pending.read(link, (bytes, length) -> hear(bytes, length, nowMicros));
     act(nowMicros);
     return latest();
   }

@@ -24,11 +24,11 @@ final class AutopilotState {
   private static final int FIX_3D = 3;
   private static final double MAX_LATITUDE = 90.0;
   private static final double MAX_LONGITUDE = 180.0;
+  private static final double MAX_RATE = 100.0; // rad/s: beyond any gyroscope in an autopilot
 
   private final long staleMicros;
   private GpsRawInt gps;
   private long gpsMicros;
-  private long refused;
 
   /**
    * @param staleAfterS age at which a position counts as absent [s]
@@ -47,15 +47,18 @@ final class AutopilotState {
     gpsMicros = nowMicros;
   }
 
-  /** State from an attitude; empty if invalid. */
-  Optional<StateInformation> attitude(Attitude attitude, long nowMicros) {
-    boolean isFinite =
-        Float.isFinite(attitude.roll() + attitude.pitch() + attitude.yaw())
-            && Float.isFinite(attitude.rollspeed() + attitude.pitchspeed() + attitude.yawspeed());
-    if (!isFinite) {
-      refused++;
-      return Optional.empty();
-    }
+  /**
+   * State from an attitude.
+   *
+   * @throws IllegalArgumentException if an angle or rate is not a number or absurd
+   */
+  StateInformation attitude(Attitude attitude, long nowMicros) {
+    within("roll", attitude.roll(), FULL_TURN, "rad"); // defined as ±π; yaw also comes as 0…2π
+    within("pitch", attitude.pitch(), FULL_TURN, "rad");
+    within("yaw", attitude.yaw(), FULL_TURN, "rad");
+    within("rollspeed", attitude.rollspeed(), MAX_RATE, "rad/s");
+    within("pitchspeed", attitude.pitchspeed(), MAX_RATE, "rad/s");
+    within("yawspeed", attitude.yawspeed(), MAX_RATE, "rad/s");
     double psi = attitude.yaw() % FULL_TURN;
     StateInformation state =
         new StateInformation()
@@ -67,17 +70,25 @@ final class AutopilotState {
     if (Math.abs(attitude.pitch()) < NEARLY_VERTICAL) {
       rates(attitude, state);
     }
-    return Optional.of(state);
+    return state;
   }
 
-  /** State from a position; empty if invalid or without a fix. */
+  private static void within(String what, double value, double most, String unit) {
+    if (!(Math.abs(value) <= most)) {
+      throw new IllegalArgumentException(what + " " + value + " is outside ±" + most + " " + unit);
+    }
+  }
+
+  /**
+   * State from a position; empty without a fix.
+   *
+   * @throws IllegalArgumentException if it is not on Earth
+   */
   Optional<StateInformation> position(GlobalPositionInt position, long nowMicros) {
     double latitude = position.lat() * DEGREES;
     double longitude = position.lon() * DEGREES;
-    if (Math.abs(latitude) > MAX_LATITUDE || Math.abs(longitude) > MAX_LONGITUDE) {
-      refused++;
-      return Optional.empty();
-    }
+    within("latitude", latitude, MAX_LATITUDE, "deg");
+    within("longitude", longitude, MAX_LONGITUDE, "deg");
     boolean hasGps = gps != null && nowMicros - gpsMicros <= staleMicros;
     boolean isUnknown =
         position.lat() == 0 && position.lon() == 0; // sent before the position is known
@@ -120,10 +131,5 @@ final class AutopilotState {
       double sigma = gps.velAcc() * MILLI; // of the total velocity: an upper bound per axis
       state.xDotSigma(sigma).yDotSigma(sigma).zDotSigma(sigma);
     }
-  }
-
-  /** Number of messages with invalid values. */
-  long refused() {
-    return refused;
   }
 }

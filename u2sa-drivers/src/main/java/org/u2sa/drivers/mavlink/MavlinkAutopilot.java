@@ -16,9 +16,11 @@ import java.util.Set;
 import org.u2sa.device.DeviceWatch;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.PendingBytes;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -36,9 +38,8 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   private static final double FULL_PERCENT = 100.0;
 
   /** More than any such link brings: a flood must not keep emergency stops waiting. */
-  private static final int MAX_BYTES_A_STEP = 1 << 16;
-
   private final ByteLink link;
+
   private final DeviceWatch watch;
   private final MavlinkStream stream;
   private final AutopilotPeer peer;
@@ -47,7 +48,8 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   private final CommandForm form;
   private final CommandedActuators commands;
   private final AutopilotCommands output;
-  private final byte[] buffer = new byte[4096];
+  private final PendingBytes pending = new PendingBytes();
+  private final LineLimit lines = new LineLimit();
   private final String
       positionName; // separate from attitude, because a newer message replaces an unread one
   private boolean isWaitSaid;
@@ -116,11 +118,9 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
       stream.reset();
       state.beginAnew();
     }
-    int count;
-    for (int all = 0; all < MAX_BYTES_A_STEP && (count = link.read(buffer)) > 0; all += count) {
-      stream.accept(buffer, count, message -> take(message, now));
-    }
-    watch.malformed(stream.malformed() + state.refused(), "");
+    pending.read(
+        link, (bytes, length) -> stream.accept(bytes, length, message -> take(message, now)));
+    watch.malformed(stream.malformed(), stream.lastRefusal());
     boolean isHeard = watch.isHeard(now);
     commands.available(isHeard ? FULL_PERCENT : 0.0);
     peer.step(isHeard, now);
@@ -148,15 +148,14 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
     }
     if (message.payload() instanceof Heartbeat heartbeat) {
       watch.heard(now);
-      peer.take(heartbeat, this::log, this::trouble);
+      peer.take(heartbeat, line -> told(line, now), line -> troubled(line, now));
     } else if (message.payload() instanceof Statustext text) {
-      peer.take(text, this::log, this::trouble);
+      peer.take(text, line -> told(line, now), line -> troubled(line, now));
     } else if (message.payload() instanceof Attitude attitude) {
       peer.streams(now);
-      form.hear(attitude, now);
-      state
-          .attitude(attitude, now)
-          .ifPresent(each -> publish(Channels.SENSED_STATE, each.sensorName(sensorName())));
+      StateInformation said = state.attitude(attitude, now).sensorName(sensorName());
+      form.hear(attitude, now); // not before: an absurd heading must not become the target
+      publish(Channels.SENSED_STATE, said);
     } else if (message.payload() instanceof GlobalPositionInt position) {
       state
           .position(position, now)
@@ -168,6 +167,14 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
     } else if (message.payload() instanceof BatteryStatus status) {
       power.of(status).ifPresent(this::publishPower);
     }
+  }
+
+  private void told(String line, long now) {
+    lines.pass(line, now, this::log);
+  }
+
+  private void troubled(String line, long now) {
+    lines.pass(line, now, this::trouble);
   }
 
   private void publishPower(BatteryState battery) {

@@ -48,6 +48,6 @@ abstract class MavlinkListener<R extends Device.Reading> extends LinkedDevice<R>
 
   @Override
   public final String lastRefusal() {
-    return refusal;
+    return refusal.isEmpty() ? stream.lastRefusal() : refusal;
   }
 }

@@ -35,6 +35,7 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
   private double percent;
   private long askDueMicros = Long.MIN_VALUE;
   private int fault;
+  private long refused;
   private Optional<Turning> latest = Optional.empty();
 
   /**
@@ -65,10 +66,14 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
   }
 
   private void take(byte[] values, long nowMicros) {
-    fault = values[FAULT];
     double rpm = RoboClawRequest.signed32(values, ELECTRICAL_RPM) / polePairs;
     double currentA = RoboClawRequest.signed32(values, INPUT_CURRENT) * CURRENT_STEP_A;
     double batteryV = (short) RoboClawRequest.unsigned16(values, INPUT_VOLTAGE) * VOLTAGE_STEP_V;
+    if (batteryV < 0.0) {
+      refused++;
+      return;
+    }
+    fault = values[FAULT];
     latest =
         Optional.of(
             new Turning(
@@ -109,11 +114,14 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
 
   @Override
   public long malformed() {
-    return packet.refused();
+    return packet.refused() + refused;
   }
 
   @Override
   public String lastRefusal() {
+    if (refused > 0) {
+      return "a supply voltage below 0 V";
+    }
     return packet.refused() == 0 ? "" : "a packet with a wrong checksum";
   }
 

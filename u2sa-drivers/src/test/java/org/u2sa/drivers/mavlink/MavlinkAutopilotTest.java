@@ -523,14 +523,57 @@ class MavlinkAutopilotTest {
 
   @Test
   @Timeout(120)
-  void step_floodOnTheLinkThatNeverEnds_leavesTimeForAnEmergencyStop() {
+  void step_floodThatNeverEnds_anEmergencyStopIsObeyed() {
+    kit.with("COMMANDS", "rc").with("CHANNEL 1 ACTUATOR", "WHEEL");
     start();
-    link.producing(() -> link.fromDevice(new byte[4_096]));
+    command("WHEEL", 50.0);
+    live(0.1);
+    byte[] frame = vehicle.encode(attitude(0.0, 1.0));
+    link.producing(() -> link.fromDevice(frame)); // each reading finds another one
 
     kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("a"));
-    kit.advance(0.5);
+    kit.advance(0.1);
 
-    assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::emergencyStops))
-        .contains(List.of("a"));
+    assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1500);
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().emergencyStops()).contains(List.of("a"));
+  }
+
+  @Test
+  void step_absurdAttitude_isReportedAndMovesNoTarget() {
+    kit.with("COMMANDS", "attitude");
+    start();
+    say(attitude(0.0, 1.0));
+    live(0.1);
+    kit.forget();
+
+    say(attitude(0.0, 1.0e30));
+    say(attitude(1.0e16, 1.0));
+    say(attitude(0.0, 7.0));
+    command("ROLL ANGLE", 0.0);
+    live(0.3);
+
+    assertThat(kit.published(Channels.SENSED_STATE)).isEmpty();
+    assertThat(lastError()).contains("the autopilot sent invalid data (3 times so far)");
+    assertThat(kit.log("MavlinkAutopilot"))
+        .anyMatch(line -> line.contains("Attitude: ") && line.contains("is outside ±6.28"));
+    List<Float> target = last(SetAttitudeTarget.class).q();
+    assertThat(2.0 * Math.atan2(target.get(3), target.get(0))).isCloseTo(1.0, within(1.0e-3));
+  }
+
+  @Test
+  void step_floodOfStatusTexts_logsTenLinesASecond() {
+    start();
+    for (int i = 0; i < 500; i++) {
+      say(Statustext.builder().severity(MavSeverity.MAV_SEVERITY_INFO).text("text " + i).build());
+    }
+    live(0.5);
+    kit.advance(1.0);
+    say(Statustext.builder().severity(MavSeverity.MAV_SEVERITY_INFO).text("last").build());
+    kit.advance(0.1);
+
+    List<String> said = new ArrayList<>(kit.log("MavlinkAutopilot"));
+    said.removeIf(line -> !line.contains("the autopilot says"));
+    assertThat(said).hasSizeBetween(2, 11);
+    assertThat(said.get(said.size() - 1)).contains("last (after 49").contains("lines not logged)");
   }
 }

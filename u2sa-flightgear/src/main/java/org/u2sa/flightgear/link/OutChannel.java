@@ -141,8 +141,16 @@ final class OutChannel {
     if (!line.isBeforeFlight()) {
       count = Math.round(line.get(OutField.COUNT));
       if (time.take(line.get(OutField.ELAPSED), now)) {
-        newest = Readings.of(line, newest.sequence() + 1, time.micros());
+        read(line, peer);
       }
+    }
+  }
+
+  private void read(OutLine line, Peer peer) {
+    try {
+      newest = Readings.of(line, newest.sequence() + 1, time.micros());
+    } catch (IllegalArgumentException e) { // must not end the link
+      troubles.refusedLine(e.getMessage() + ", from " + peer.name);
     }
   }
 

@@ -1,8 +1,8 @@
 package org.u2sa.flightgear.link;
 
-import java.io.BufferedReader;
+import java.io.BufferedInputStream;
 import java.io.IOException;
-import java.io.InputStreamReader;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
@@ -10,16 +10,20 @@ import java.nio.charset.StandardCharsets;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
-/** FlightGear's property server, as much as a repair needs. Calls block, at most some seconds. */
+/**
+ * FlightGear's property server, as much as a repair needs. Calls block, at most some seconds, and
+ * read a limited number of bytes, whoever it is that listens there.
+ */
 final class PropertyServer implements AutoCloseable {
   private static final int PATIENCE_MS = 3_000;
   private static final int MAX_LINES = 50;
-  private static final int MAX_CHARS = 4_096; // per line; answers have some hundred
+  private static final int MAX_LINE_BYTES = 4_096;
 
   private final Socket socket = new Socket();
-  private final BufferedReader in;
+  private final InputStream in;
   private final OutputStream out;
-  private final Clock stopwatch = new SystemClock(); // sockets time out in real time
+  private final Clock stopwatch = new SystemClock();
+  private long untilMicros; // end of the current call
 
   /**
    * @throws IOException if nobody answers
@@ -28,9 +32,7 @@ final class PropertyServer implements AutoCloseable {
     try {
       socket.connect(new InetSocketAddress(host, port), PATIENCE_MS);
       socket.setSoTimeout(PATIENCE_MS);
-      in =
-          new BufferedReader(
-              new InputStreamReader(socket.getInputStream(), StandardCharsets.ISO_8859_1));
+      in = new BufferedInputStream(socket.getInputStream());
       out = socket.getOutputStream();
     } catch (IOException e) {
       socket.close();
@@ -49,9 +51,9 @@ final class PropertyServer implements AutoCloseable {
    * @throws IOException if FlightGear does not answer
    */
   String get(String path) throws IOException {
-    long untilMicros = say("get " + path);
+    say("get " + path);
     for (int i = 0; i < MAX_LINES; i++) {
-      String answer = hear("get " + path, untilMicros);
+      String answer = hear("get " + path);
       int at = answer.indexOf(path + " = '");
       if (at >= 0) {
         String value = answer.substring(at + path.length() + " = '".length());
@@ -68,9 +70,9 @@ final class PropertyServer implements AutoCloseable {
    * @throws IOException if FlightGear does not answer
    */
   boolean run(String command) throws IOException {
-    long untilMicros = say("run " + command);
+    say("run " + command);
     for (int i = 0; i < MAX_LINES; i++) {
-      String answer = hear("run " + command, untilMicros);
+      String answer = hear("run " + command);
       if (answer.contains("<completed>")) {
         return true;
       }
@@ -81,29 +83,30 @@ final class PropertyServer implements AutoCloseable {
     throw new IOException("property server did not answer \"run " + command + "\"");
   }
 
-  /** Returns until when to wait for the answer [µs of the stopwatch]. */
-  private long say(String line) throws IOException {
+  private void say(String line) throws IOException {
+    untilMicros = stopwatch.micros() + PATIENCE_MS * Clock.MICROS_PER_SECOND / 1_000;
     out.write((line + "\r\n").getBytes(StandardCharsets.ISO_8859_1));
     out.flush();
-    return stopwatch.micros() + 1_000L * PATIENCE_MS;
   }
 
-  private String hear(String asked, long untilMicros) throws IOException {
+  private String hear(String asked) throws IOException {
     StringBuilder answer = new StringBuilder();
     for (int next = in.read(); next != '\n'; next = in.read()) {
       if (next < 0) {
         throw new IOException("property server closed after \"" + asked + "\"");
       }
-      if (answer.length() == MAX_CHARS) {
+      if (answer.length() == MAX_LINE_BYTES) {
         throw new IOException(
-            String.format(
-                "property server answered \"%s\" by a line of more than %d characters",
-                asked, MAX_CHARS));
+            "property server: \""
+                + asked
+                + "\" has an answer longer than "
+                + MAX_LINE_BYTES
+                + " bytes");
       }
-      if (stopwatch.micros() > untilMicros) { // a byte now and then is no answer
+      if (stopwatch.micros() > untilMicros) {
         throw new IOException("property server did not answer \"" + asked + "\" in time");
       }
-      answer.append((char) next);
+      answer.append((char) next); // ISO 8859-1
     }
     return answer.toString();
   }

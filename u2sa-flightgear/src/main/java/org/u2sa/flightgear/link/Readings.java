@@ -16,6 +16,12 @@ final class Readings {
 
   private Readings() {}
 
+  /**
+   * The reading of a line. Airspeed and engine speed, which FlightGear lets fall a little below 0,
+   * are at least 0.
+   *
+   * @throws IllegalArgumentException if a value cannot be published
+   */
   static AircraftReading of(OutLine line, long sequence, long measuredAtMicros) {
     double heading = line.get(OutField.HEADING);
     AircraftState state = new AircraftState();
@@ -38,8 +44,8 @@ final class Readings {
         .fluidzDot(line.get(OutField.AIR_DOWN));
     state
         .heightAboveGround(line.get(OutField.HEIGHT) - OutLine.STANDING_M)
-        .calibratedAirspeed(line.get(OutField.CALIBRATED_AIRSPEED))
-        .engineRpm(line.get(OutField.ENGINE_SPEED))
+        .calibratedAirspeed(Math.max(0.0, line.get(OutField.CALIBRATED_AIRSPEED)))
+        .engineRpm(Math.max(0.0, line.get(OutField.ENGINE_SPEED)))
         .weightOnWheels(line.isSet(OutField.WEIGHT_ON_WHEEL))
         .engineStarting(line.isSet(OutField.PRIMER))
         .crashed(line.isSet(OutField.CRASHED));

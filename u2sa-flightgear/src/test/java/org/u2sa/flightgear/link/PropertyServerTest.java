@@ -4,73 +4,82 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What counts as an answer, from servers that answer anything. */
+/** Whoever listens at the property server's port. */
 @Timeout(60)
-class PropertyServerTest {
-  private interface Answer {
-    void write(OutputStream out) throws IOException;
+final class PropertyServerTest {
+  private ServerSocket listener;
+
+  @BeforeEach
+  void open() throws IOException {
+    listener = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"));
   }
 
-  private static String get(Answer answer) throws IOException, InterruptedException {
-    try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      Thread other = new Thread(() -> serve(server, answer));
-      other.start();
-      try (PropertyServer properties = new PropertyServer("127.0.0.1", server.getLocalPort())) {
-        return properties.get("/sim/x");
-      } finally {
-        other.join();
-      }
+  @AfterEach
+  void close() throws IOException {
+    listener.close();
+  }
+
+  /** Answers the first request with a text, again and again until the client leaves. */
+  private void answer(String text, boolean endlessly) {
+    Thread thread =
+        new Thread(
+            () -> {
+              try (Socket client = listener.accept()) {
+                InputStream in = client.getInputStream();
+                OutputStream out = client.getOutputStream();
+                in.read();
+                do {
+                  out.write(text.getBytes(StandardCharsets.ISO_8859_1));
+                } while (endlessly);
+                in.read(new byte[1_024]);
+                in.read(); // until the client closes
+              } catch (IOException e) {
+                return; // the client has left
+              }
+            });
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  private PropertyServer server() throws IOException {
+    return new PropertyServer("127.0.0.1", listener.getLocalPort());
+  }
+
+  @Test
+  void get_answer_isItsValue() throws IOException {
+    answer("/sim/version = '2020.3' (string)\r\n/> ", false);
+    try (PropertyServer server = server()) {
+      assertThat(server.get("/sim/version")).isEqualTo("2020.3");
     }
   }
 
-  private static void serve(ServerSocket server, Answer answer) {
-    try (Socket socket = server.accept()) {
-      answer.write(socket.getOutputStream());
-      while (socket.getInputStream().read() >= 0) { // until the other side closes
-        continue;
-      }
-    } catch (IOException e) {
-      return; // the other side has had enough
+  @Test
+  void get_lineThatNeverEnds_isRefusedAtItsLimit() throws IOException {
+    answer("x".repeat(1_000), true);
+    try (PropertyServer server = server()) {
+      assertThatThrownBy(() -> server.get("/sim/version"))
+          .isInstanceOf(IOException.class)
+          .hasMessage("property server: \"get /sim/version\" has an answer longer than 4096 bytes");
     }
   }
 
-  private static byte[] ascii(String text) {
-    return text.getBytes(StandardCharsets.US_ASCII);
-  }
-
   @Test
-  void get_answerAmongOtherLines_isItsValue() throws Exception {
-    assertThat(get(out -> out.write(ascii("hello\r\n/> /sim/x = '7' (double)\r\n"))))
-        .isEqualTo("7");
-  }
-
-  @Test
-  void get_lineThatNeverEnds_isRefusedAtItsLength() {
-    assertThatThrownBy(
-            () ->
-                get(
-                    out -> {
-                      byte[] part = "x".repeat(10_000).getBytes(StandardCharsets.US_ASCII);
-                      while (true) {
-                        out.write(part);
-                      }
-                    }))
-        .isInstanceOf(IOException.class)
-        .hasMessage(
-            "property server answered \"get /sim/x\" by a line of more than 4096 characters");
-  }
-
-  @Test
-  void get_linesThatAreNoAnswer_areGivenUpAtTheirNumber() {
-    assertThatThrownBy(() -> get(out -> out.write(ascii("no\n".repeat(100)))))
-        .hasMessage("property server did not answer \"get /sim/x\"");
+  void get_linesOfOtherThings_areNoAnswer() throws IOException {
+    answer("nothing\r\n", true);
+    try (PropertyServer server = server()) {
+      assertThatThrownBy(() -> server.get("/sim/version"))
+          .hasMessage("property server did not answer \"get /sim/version\"");
+    }
   }
 }

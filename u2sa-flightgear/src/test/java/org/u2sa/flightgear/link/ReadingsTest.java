@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.u2sa.flightgear.protocol.MalformedLineException;
 import org.u2sa.flightgear.protocol.OutField;
 import org.u2sa.flightgear.protocol.OutLine;
 import org.u2sa.messages.AircraftState;
@@ -75,5 +77,39 @@ final class ReadingsTest {
         .ignoringFields("connected")
         .isEqualTo(flying);
     assertThat(flying.lost().connected()).isFalse();
+  }
+
+  @Test
+  void of_lineThatIsTaken_canBePublishedWhateverItsValues() {
+    double[] numbers = {
+      -36_000, -3_600, -2_000, -1_000, -180, -100, -90, -1, 0, 1, 90, 360, 1_000, 3_600, 60_000
+    };
+    int taken = 0;
+    for (OutField field : OutField.values()) {
+      for (double number : numbers) {
+        Optional<OutLine> line = parsed(field, number);
+        if (line.isPresent()) {
+          taken++;
+          AircraftReading reading = Readings.of(line.get(), 1, 0);
+          assertThat(reading.state().calibratedAirspeed().orElseThrow()).isNotNegative();
+          assertThat(reading.state().engineRpm().orElseThrow()).isNotNegative();
+        }
+      }
+    }
+    assertThat(taken).isGreaterThan(150);
+  }
+
+  /** A line of zeros but for one field; empty if it is refused. */
+  private static Optional<OutLine> parsed(OutField changed, double number) {
+    StringBuilder text = new StringBuilder();
+    for (OutField each : OutField.values()) {
+      double value = each == changed ? number : each == OutField.ELAPSED ? 1.0 : 0.0;
+      text.append(text.length() == 0 ? "" : ",").append(value);
+    }
+    try {
+      return Optional.of(OutLine.parse(text.toString()));
+    } catch (MalformedLineException e) {
+      return Optional.empty();
+    }
   }
 }
