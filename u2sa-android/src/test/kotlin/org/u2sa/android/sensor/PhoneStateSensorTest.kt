@@ -89,7 +89,7 @@ class PhoneStateSensorTest {
         }
         val health = kit.latest(Channels.HEALTH).orElseThrow()
         assertThat(health.exceptions()).isZero()
-        assertThat(health.lastError().orElse("")).contains("unreadable data").contains("StateInformation.z")
+        assertThat(health.lastError().orElse("")).contains("invalid data").contains("StateInformation.z")
 
         reading = PhoneSensors.Reading(fix = fix(kit.nowS()))
         kit.advance(0.1)
