@@ -12,9 +12,12 @@ public final class AttitudeHistory {
   private final long[] micros = new long[LENGTH];
   private final double[] rolls = new double[LENGTH];
   private final double[] pitches = new double[LENGTH];
-  private int count;
+  private long count; // an int would overflow after eight months at 100 Hz
 
-  /** Adds a state; ignored if it lacks time, roll or pitch, or is older than the last. */
+  /**
+   * Adds a state; ignored if it lacks time, roll or pitch, or is older than the last. One older by
+   * more than a second means that the clock was set back: the history starts over.
+   */
   public void add(StateInformation state) {
     if (!state.timestamp().isPresent()
         || state.referenceFrame().isBody()
@@ -23,13 +26,17 @@ public final class AttitudeHistory {
       return;
     }
     long at = state.timestamp().orElseThrow();
-    if (count > 0 && at <= micros[(count - 1) % LENGTH]) {
-      return;
+    if (count > 0 && at <= micros[slot(count - 1)]) {
+      if (micros[slot(count - 1)] - at <= STALE_MICROS) {
+        return;
+      }
+      count = 0;
     }
     boolean isNoseDown = state.referenceFrame().equals(ReferenceFrame.LOCAL_ENU);
-    micros[count % LENGTH] = at;
-    rolls[count % LENGTH] = state.phi().getAsDouble();
-    pitches[count % LENGTH] = (isNoseDown ? -1.0 : 1.0) * state.theta().getAsDouble();
+    int here = slot(count);
+    micros[here] = at;
+    rolls[here] = state.phi().getAsDouble();
+    pitches[here] = (isNoseDown ? -1.0 : 1.0) * state.theta().getAsDouble();
     count++;
   }
 
@@ -45,20 +52,24 @@ public final class AttitudeHistory {
 
   /** Interpolates between the states around a time; clamps to the first and last. */
   private double at(double[] values, long atMicros) {
-    int oldest = Math.max(0, count - LENGTH);
-    for (int i = count - 1; i >= oldest; i--) {
-      int here = i % LENGTH;
+    long oldest = Math.max(0L, count - LENGTH);
+    for (long i = count - 1; i >= oldest; i--) {
+      int here = slot(i);
       if (micros[here] <= atMicros) {
         if (i == count - 1) {
           return atMicros - micros[here] > STALE_MICROS ? 0.0 : values[here];
         }
-        int next = (i + 1) % LENGTH;
+        int next = slot(i + 1);
         double share = (double) (atMicros - micros[here]) / (micros[next] - micros[here]);
         return values[here] + share * (values[next] - values[here]);
       }
     }
-    return count == 0 || micros[oldest % LENGTH] - atMicros > STALE_MICROS
+    return count == 0 || micros[slot(oldest)] - atMicros > STALE_MICROS
         ? 0.0
-        : values[oldest % LENGTH];
+        : values[slot(oldest)];
+  }
+
+  private static int slot(long number) {
+    return (int) (number % LENGTH);
   }
 }
