@@ -156,6 +156,22 @@ class ExportTest {
   }
 
   @Test
+  void csv_spacingOfTheRate_leavesNothingOut() throws IOException {
+    recording = folder.resolve("fast.mcap");
+    channels.clear();
+    try (McapWriter writer =
+        new McapWriter(
+            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
+            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+      for (int i = 0; i < 200; i++) {
+        write(writer, i / 50.0, Channels.STATE, state().x(8.0).y(50.0));
+      }
+    }
+    Path tables = exported("--format", "csv", "--every", "0.1");
+    assertThat(Files.readAllLines(tables.resolve("state-StateInformation.csv"))).hasSize(41);
+  }
+
+  @Test
   void csv_spacing_keepsBothSensorsOfAClass() throws IOException {
     writeTwoSensors();
     Path tables = exported("--format", "csv", "--every", "2");
@@ -180,9 +196,9 @@ class ExportTest {
     }
   }
 
-  private void write(McapWriter writer, int second, Channel<?> channel, U2SAData message)
+  private void write(McapWriter writer, double second, Channel<?> channel, U2SAData message)
       throws IOException {
-    message.timestamp(1_700_000_000_000_000L + second * 1_000_000L);
+    message.timestamp(1_700_000_000_000_000L + Math.round(second * 1e6));
     String topic = Topic.of("rover", channel, message).toString();
     McapChannel known = channels.get(topic);
     if (known == null) {
@@ -190,7 +206,7 @@ class ExportTest {
       channels.put(topic, known);
       writer.add(known);
     }
-    long nanos = 1_700_000_000_000_000_000L + second * 1_000_000_000L;
+    long nanos = 1_700_000_000_000_000_000L + Math.round(second * 1e9);
     writer.add(new McapMessage(known.id(), 0, nanos, nanos, message.serialize()));
   }
 

@@ -9,6 +9,8 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** Thins items by a minimum time spacing per kind. */
 final class Spacing {
+  private static final double ROUNDING_S = 1e-6; // of times, which are sums of a period
+
   private final double everyS;
   private final Map<Object, Double> takenS = new HashMap<>();
 
@@ -28,7 +30,7 @@ final class Spacing {
   /** Whether to accept an item of this kind at this time [s]. */
   boolean takes(Object kind, double timeS) {
     Double last = takenS.get(kind);
-    if (last != null && timeS < last + everyS) {
+    if (last != null && timeS < last + everyS - ROUNDING_S) {
       return false;
     }
     takenS.put(kind, timeS);
