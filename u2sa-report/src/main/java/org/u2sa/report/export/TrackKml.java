@@ -2,6 +2,7 @@ package org.u2sa.report.export;
 
 import java.io.IOException;
 import java.io.Writer;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -26,9 +27,6 @@ public final class TrackKml {
       <Style id="planned"><LineStyle><color>ff888888</color><width>2</width></LineStyle></Style>
       """;
 
-  private static final String END_OF_LINE =
-      "      </coordinates>\n    </LineString>\n  </Placemark>\n";
-
   private TrackKml() {}
 
   public static void write(
@@ -37,18 +35,16 @@ public final class TrackKml {
     KmlDocument.begin(out, title, STYLES);
     boolean flies = plan.domain() == Domain.AIR;
     if (!track.isEmpty()) {
-      beginLine(out, plan.domain().moved(), "flown", flies, flies ? "extrude" : "tessellate");
+      List<GeoRun.Fix> moved = new ArrayList<>();
       int step = 1 + track.size() / MAX_POINTS;
       for (int i = 0; i < track.size(); i += step) {
         TrackSample s = track.get(i);
-        coordinates(out, s.longitudeDeg(), s.latitudeDeg(), s.altitudeM());
+        moved.add(fix(s.longitudeDeg(), s.latitudeDeg(), s.altitudeM()));
       }
-      out.write(END_OF_LINE);
+      line(out, plan.domain().moved(), "flown", flies, flies ? "extrude" : "tessellate", moved);
     }
     if (!plan.waypoints().isEmpty()) {
-      beginLine(out, "planned", "planned", flies, "");
-      planned(out, plan);
-      out.write(END_OF_LINE);
+      line(out, "planned", "planned", flies, "", planned(plan));
     }
     for (WaypointResult result : score.waypoints()) {
       waypoint(out, result);
@@ -57,33 +53,52 @@ public final class TrackKml {
   }
 
   /**
+   * Writes a line, cut at the antimeridian.
+   *
    * @param joined KML element that joins the line to the ground, such as {@code extrude}; empty if
    *     none
    */
-  private static void beginLine(Writer out, String name, String style, boolean flies, String joined)
+  private static void line(
+      Writer out, String name, String style, boolean flies, String joined, List<GeoRun.Fix> fixes)
       throws IOException {
+    List<List<GeoRun.Fix>> parts = TrackParts.of(fixes);
     out.write(
         """
           <Placemark>
             <name>%s</name>
             <styleUrl>#%s</styleUrl>
-            <LineString>
         """
             .formatted(name, style));
-    out.write(joined.isEmpty() ? "" : "      <" + joined + ">1</" + joined + ">\n");
+    out.write(parts.size() > 1 ? "    <MultiGeometry>\n" : "");
     String mode = flies ? KmlDocument.AT_ALTITUDE : KmlDocument.ON_THE_GROUND;
-    out.write("      <altitudeMode>" + mode + "</altitudeMode>\n      <coordinates>\n");
+    for (List<GeoRun.Fix> part : parts) {
+      out.write("    <LineString>\n");
+      out.write(joined.isEmpty() ? "" : "      <" + joined + ">1</" + joined + ">\n");
+      out.write("      <altitudeMode>" + mode + "</altitudeMode>\n      <coordinates>\n");
+      for (GeoRun.Fix fix : part) {
+        coordinates(out, fix);
+      }
+      out.write("      </coordinates>\n    </LineString>\n");
+    }
+    out.write(parts.size() > 1 ? "    </MultiGeometry>\n" : "");
+    out.write("  </Placemark>\n");
   }
 
-  private static void planned(Writer out, RunPlan plan) throws IOException {
+  private static List<GeoRun.Fix> planned(RunPlan plan) {
+    List<GeoRun.Fix> planned = new ArrayList<>();
     double altitude = plan.home().map(RunPlan.Start::altitudeM).orElse(0.0);
     if (plan.home().isPresent()) {
-      coordinates(out, plan.home().get().longitudeDeg(), plan.home().get().latitudeDeg(), altitude);
+      planned.add(fix(plan.home().get().longitudeDeg(), plan.home().get().latitudeDeg(), altitude));
     }
     for (RunPlan.Waypoint waypoint : plan.waypoints()) {
       altitude = waypoint.altitudeM().orElse(altitude);
-      coordinates(out, waypoint.longitudeDeg(), waypoint.latitudeDeg(), altitude);
+      planned.add(fix(waypoint.longitudeDeg(), waypoint.latitudeDeg(), altitude));
     }
+    return planned;
+  }
+
+  private static GeoRun.Fix fix(double longitudeDeg, double latitudeDeg, double altitudeM) {
+    return new GeoRun.Fix(0L, longitudeDeg, latitudeDeg, OptionalDouble.of(altitudeM));
   }
 
   private static void waypoint(Writer out, WaypointResult result) throws IOException {
@@ -103,9 +118,13 @@ public final class TrackKml {
     return value.isPresent() ? String.format(Locale.ROOT, pattern, value.getAsDouble()) : "";
   }
 
-  private static void coordinates(Writer out, double longitude, double latitude, double altitude)
-      throws IOException {
+  private static void coordinates(Writer out, GeoRun.Fix fix) throws IOException {
     out.write(
-        String.format(Locale.ROOT, "        %.7f,%.7f,%.2f\n", longitude, latitude, altitude));
+        String.format(
+            Locale.ROOT,
+            "        %.7f,%.7f,%.2f\n",
+            fix.longitudeDeg(),
+            fix.latitudeDeg(),
+            fix.altitudeM().orElse(0.0)));
   }
 }

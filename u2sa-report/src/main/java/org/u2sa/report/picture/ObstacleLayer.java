@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jfree.chart.annotations.XYShapeAnnotation;
 import org.jfree.chart.plot.XYPlot;
+import org.u2sa.messages.Metric;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -87,13 +88,15 @@ final class ObstacleLayer {
   }
 
   /** Centre of an object; for a polygon the mean of its corners, since its centre may be absent. */
-  private static Point middle(ObjectDescription object) {
+  static Point middle(ObjectDescription object) {
     if (!(object instanceof Polygon area) || area.points().isEmpty()) {
       return object.center();
     }
-    Point sum = area.points().stream().reduce(Point.ORIGIN, Point::plus);
+    // in metres, because a mean of longitudes is elsewhere if some are beyond the antimeridian
+    Metric metric = Metric.around(object.referenceFrame(), area.points().get(0));
+    Point sum = area.points().stream().map(metric::metres).reduce(Point.ORIGIN, Point::plus);
     double share = 1.0 / area.points().size();
-    return Point.of(share * sum.x(), share * sum.y(), share * sum.z());
+    return metric.point(Point.of(share * sum.x(), share * sum.y(), share * sum.z()));
   }
 
   private static XYShapeAnnotation line(
@@ -169,9 +172,7 @@ final class ObstacleLayer {
   /** Point offset from the centre [m] along the frame's axes; east and north in global frames. */
   private Point2D beside(ObjectDescription object, double x, double y) {
     Point metres = Point.of(x, y, 0.0);
-    return object.referenceFrame().isEarth()
-        ? place(object, Geodetic.of(object.center()).fromEnu(metres).point())
-        : place(object, object.center().plus(metres));
+    return place(object, Metric.around(object.referenceFrame(), object.center()).point(metres));
   }
 
   private Point2D place(ObjectDescription object, Point point) {

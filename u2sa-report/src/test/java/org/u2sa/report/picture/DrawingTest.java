@@ -1,12 +1,16 @@
 package org.u2sa.report.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Polygon;
 import org.u2sa.report.EscapedXml;
 
 class DrawingTest {
@@ -38,6 +42,24 @@ class DrawingTest {
   void place_pointInTheCorner_staysInTheFrame() {
     Rectangle2D.Double frame = new Rectangle2D.Double(0.0, 0.0, 400.0, 300.0);
     assertThat(frame.contains(new LabelPlacer(frame).place(399.0, 1.0, 5.0, 80.0, 16.0))).isTrue();
+  }
+
+  @Test
+  void middle_polygonOverTheAntimeridian_isInIt() {
+    Polygon area =
+        new Polygon()
+            .points(
+                List.of(
+                    Point.of(179.99, 10.0, 0.0),
+                    Point.of(-179.97, 10.0, 0.0),
+                    Point.of(-179.97, 10.02, 0.0),
+                    Point.of(179.99, 10.02, 0.0)));
+    area.referenceFrame(ReferenceFrame.GLOBAL);
+
+    Point middle = ObstacleLayer.middle(area);
+
+    assertThat(middle.x()).isCloseTo(-179.99, within(1e-5));
+    assertThat(middle.y()).isCloseTo(10.01, within(1e-5));
   }
 
   @Test
