@@ -5,6 +5,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.shape.MovingSphere;
 
 /**
@@ -55,7 +56,9 @@ public record Surroundings(List<ObjectDescription> objects, double reachM) {
   /** Converts a position to an object's frame, for {@link ObjectDescription#distanceTo}. */
   static Point in(ObjectDescription object, Geodetic place, Geodetic home) {
     if (object.referenceFrame().isEarth()) {
-      return place.point();
+      return object.referenceFrame().isUtm()
+          ? new UtmGrid(object.referenceFrame()).grid(place)
+          : place.point();
     }
     Point enu =
         home.enuOf(new Geodetic(place.longitudeDeg(), place.latitudeDeg(), home.altitudeM()));
@@ -68,7 +71,9 @@ public record Surroundings(List<ObjectDescription> objects, double reachM) {
   /** Global position of a point in an object's frame: the inverse of {@link #in}. */
   public static Geodetic onEarth(ObjectDescription object, Point point, Geodetic home) {
     if (object.referenceFrame().isEarth()) {
-      return Geodetic.of(point);
+      return object.referenceFrame().isUtm()
+          ? new UtmGrid(object.referenceFrame()).place(point)
+          : Geodetic.of(point);
     }
     boolean ned = object.referenceFrame().equals(ReferenceFrame.LOCAL_NED);
     return home.fromEnu(Point.of(ned ? point.y() : point.x(), ned ? point.x() : point.y(), 0.0));

@@ -17,6 +17,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.report.summary.RunReport;
@@ -137,6 +138,33 @@ class SurroundingsTest {
     MovingSphere climbing = southbound(0.0, 50.0);
     climbing.motion().velocity(Point.of(0.0, -50.0, 2.0));
     assertThat(Surroundings.centreAfter(climbing, 100.0).z()).isCloseTo(700.0, within(1.0e-6));
+  }
+
+  @Test
+  void score_towerInUtm_isJudgedAsInGlobal() {
+    ObjectDescription global = tower("tower", 300.0, 5_000.0, 200.0);
+    Geodetic at = Geodetic.of(global.center());
+    ReferenceFrame frame = UtmGrid.frameAt(at);
+    Point grid = new UtmGrid(frame).grid(at);
+    ObjectDescription utm = global.copy();
+    utm.referenceFrame(frame).x(grid.x()).y(grid.y());
+
+    ObstacleResult result = report(5.5, utm).score().obstacles().get(0);
+
+    assertThat(result.leastM()).isCloseTo(100.0, within(0.5));
+    assertThat(result.timeS()).isCloseTo(100.0, within(0.5));
+  }
+
+  @Test
+  void write_towerInUtm_isInThePicture() throws IOException {
+    Geodetic at = ORIGIN.fromEnu(Point.of(900.0, 5_000.0, 0.0));
+    Point grid = new UtmGrid(UtmGrid.frameAt(at)).grid(at);
+    ObjectDescription mill = new Cylinder().radius(200.0).height(2000.0).uid("old mill");
+    mill.referenceFrame(UtmGrid.frameAt(at)).x(grid.x()).y(grid.y());
+
+    report(5.5, mill).write(directory);
+
+    assertThat(Files.readString(directory.resolve("track.svg"))).contains("old mill");
   }
 
   @Test
