@@ -14,6 +14,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
@@ -32,6 +33,8 @@ final class RunMap {
   private static final FieldPath PSI = FieldPath.parse("psi");
   private static final FieldPath POINTS = FieldPath.parse("points");
   private static final double POINT_M = 0.3;
+  private static final double GRID_EAST_M = 1e6; // of UTM: beyond is no place
+  private static final double GRID_NORTH_M = 1e7;
 
   private final Trace east = new Trace("east");
   private final Trace north = new Trace("north");
@@ -125,8 +128,15 @@ final class RunMap {
   }
 
   private Optional<Point> place(ReferenceFrame frame, double x, double y) {
+    double altitudeM = origin == null ? 0.0 : origin.altitudeM();
     if (frame.equals(ReferenceFrame.GLOBAL)) {
-      return place(new Geodetic(x, y, origin == null ? 0.0 : origin.altitudeM()));
+      return Math.abs(y) <= 90.0 ? place(new Geodetic(x, y, altitudeM)) : Optional.empty();
+    }
+    if (frame.isUtm()) {
+      boolean isOnGrid = x >= 0.0 && x <= GRID_EAST_M && y >= 0.0 && y <= GRID_NORTH_M;
+      return isOnGrid
+          ? place(new UtmGrid(frame).place(Point.of(x, y, altitudeM)))
+          : Optional.empty();
     }
     return fromLocal == null
         ? Optional.empty()
@@ -183,9 +193,14 @@ final class RunMap {
     return shape.put("x", Trace.rounded(at.x())).put("y", Trace.rounded(at.y())).put("r", radius);
   }
 
-  /** Corners of a box whose length axis points to psi, clockwise from north. */
+  /**
+   * Corners of a box whose length axis points to psi: clockwise from north, but anticlockwise from
+   * east in LOCAL_ENU.
+   */
   private static List<Double> box(ObjectDescription object, Point at) {
-    double psi = PSI.number(object).orElse(0.0);
+    boolean isEastFirst = object.referenceFrame().equals(ReferenceFrame.LOCAL_ENU);
+    double turned = PSI.number(object).orElse(0.0);
+    double psi = isEastFirst ? Math.PI / 2.0 - turned : turned;
     double along = LENGTH.number(object).getAsDouble() / 2;
     double across = WIDTH.number(object).getAsDouble() / 2;
     List<Double> outline = new ArrayList<>();
