@@ -72,7 +72,8 @@ public final class FieldCondition {
     Optional<NumberWithUnit> number = typed();
     OptionalDouble own = path.number(message);
     if (own.isPresent() && number.isPresent() && value.get() instanceof Number) {
-      return compares(Double.compare(own.getAsDouble(), operandIn(number.get(), message)));
+      double limit = operandIn(number.get(), message);
+      return compares(Double.compare(own.getAsDouble() + 0.0, limit + 0.0)); // -0 equals 0
     }
     boolean same = text(value.get()).equals(operand);
     return operator.equals("=") ? same : operator.equals("!=") && !same;

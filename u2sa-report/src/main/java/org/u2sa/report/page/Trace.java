@@ -10,6 +10,7 @@ import org.u2sa.interfaces.JsonText;
 /** A quantity over time, decimated for drawing: each interval keeps its minimum and maximum. */
 public final class Trace {
   private static final int MAX_POINTS = 1_600;
+  private static final double LARGE = 1e12; // far beyond, a long would overflow
   private static final double DIGITS = 1e5;
   private static final double SMALL = 1e-3;
   private static final MathContext SMALL_DIGITS = new MathContext(6);
@@ -122,9 +123,12 @@ public final class Trace {
 
   /**
    * Five decimals are finer than visible and keep the file small. Very small numbers keep six
-   * significant digits instead.
+   * significant digits instead; of very large ones, such as timestamps, nothing is rounded.
    */
   public static double rounded(double value) {
+    if (Math.abs(value) > LARGE) {
+      return value;
+    }
     return Math.abs(value) < SMALL
         ? BigDecimal.valueOf(value).round(SMALL_DIGITS).doubleValue()
         : Math.round(value * DIGITS) / DIGITS;

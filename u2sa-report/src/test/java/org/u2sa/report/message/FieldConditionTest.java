@@ -43,6 +43,13 @@ class FieldConditionTest {
     assertThat(FieldCondition.parse(condition).holds(state)).isEqualTo(expected);
   }
 
+  @ParameterizedTest
+  @CsvSource({"y = 0, true", "y < 0, false", "y >= 0, true", "y = -0, true", "x > -0, true"})
+  void holds_negativeZero_isZero(String condition, boolean expected) {
+    state.y(-0.0);
+    assertThat(FieldCondition.parse(condition).holds(state)).isEqualTo(expected);
+  }
+
   @Test
   void holds_unitOfSomethingElse_isRefused() {
     FieldCondition condition = FieldCondition.parse("psi > 3 kg");

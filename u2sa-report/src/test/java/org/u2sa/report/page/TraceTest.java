@@ -23,4 +23,10 @@ class TraceTest {
     assertThat(Trace.rounded(0.0)).isZero();
     assertThat(Trace.rounded(Double.NaN)).isZero();
   }
+
+  @Test
+  void rounded_largeNumbers_stayAsTheyAre() {
+    assertThat(Trace.rounded(1.764e15)).isEqualTo(1.764e15);
+    assertThat(Trace.rounded(-1e300)).isEqualTo(-1e300);
+  }
 }
