@@ -5,7 +5,7 @@ package org.u2sa.planning.seen;
  *
  * @param name UID of the object
  * @param seenMicros time of the first point [µs]
- * @param stepS time between points [s]
+ * @param stepS time between points [s]; 0 if only the first has a time
  * @param norths north coordinates of its centre at each step [m], at least one
  * @param easts east coordinates of its centre at each step [m], same number
  * @param northMps northward velocity after the last point [m/s]
@@ -60,9 +60,9 @@ public record Mover(
   }
 
   private double after(double[] points, double velocity, double seconds) {
-    int last = points.length - 1;
-    if (stepS <= 0.0 || last == 0 || seconds >= last * stepS) {
-      return points[last] + velocity * (seconds - (stepS > 0.0 ? last * stepS : 0.0));
+    int last = stepS > 0.0 ? points.length - 1 : 0; // without a step, the other points have no time
+    if (last == 0 || seconds >= last * stepS) {
+      return points[last] + velocity * (seconds - last * stepS);
     }
     int at = (int) Math.max(0.0, seconds / stepS);
     double share = seconds / stepS - at;

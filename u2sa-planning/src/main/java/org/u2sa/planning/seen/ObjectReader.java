@@ -43,17 +43,14 @@ final class ObjectReader {
         : object.in(plane.frame(), vehicle);
   }
 
-  /** Object as traffic, even if stationary; empty if its velocity is unknown. */
+  /**
+   * Object as traffic, even if stationary; empty if neither its velocity nor its way is known. On a
+   * way without velocity it goes on as in the last step.
+   */
   Optional<Mover> mover(ObjectDescription raw, long micros) {
     ObjectDescription object = placed(raw);
     Optional<Point> velocity = object.motion().velocity();
-    if (velocity.isEmpty()) {
-      return Optional.empty();
-    }
     Point here = plane.ned(object.referenceFrame(), object.center());
-    Point there = plane.ned(object.referenceFrame(), object.after(1.0).center());
-    double northMps = there.x() - here.x();
-    double eastMps = there.y() - here.y();
     List<Point> points = new ArrayList<>(List.of(here));
     double stepS = 0.0;
     if (object instanceof MovingSphere) {
@@ -62,6 +59,18 @@ final class ObjectReader {
       for (Point point : sphere.trajectory()) {
         points.add(plane.ned(object.referenceFrame(), point));
       }
+    }
+    boolean hasWay = stepS > 0.0 && points.size() > 1;
+    if (velocity.isEmpty() && !hasWay) {
+      return Optional.empty();
+    }
+    Point there = plane.ned(object.referenceFrame(), object.after(1.0).center());
+    double northMps = there.x() - here.x();
+    double eastMps = there.y() - here.y();
+    if (velocity.isEmpty()) {
+      Point last = points.get(points.size() - 1).minus(points.get(points.size() - 2));
+      northMps = last.x() / stepS;
+      eastMps = last.y() / stepS;
     }
     PlanarShape shape = shape(object, here);
     return Optional.of(
