@@ -82,6 +82,35 @@ class ContractTest(unittest.TestCase):
             "EmergencyStop", systemId="cessna", active=False, operator="me", reason="", lifts=("me 1",)))
         self.assertFalse(self.probe.emergency.active)
 
+    def test_an_actuator_repeats_the_stop_that_a_clear_leaves(self):
+        self.probe.role = "ACTUATOR"
+        self.probe.log.disabled = True
+        self.probe.register_subscriber("emergency-stop", "EmergencyStop")
+        for name, timestamp in (("old", 10), ("new", 20)):
+            self.probe.hear("emergency-stop", Message(
+                "EmergencyStop", active=True, operator="me", reason="r", stopId=name, timestamp=timestamp))
+        clear = Message("EmergencyStop", systemId="cessna", active=False, operator="you", reason="", lifts=("new",))
+        self.assertEqual(
+            [("emergency-stop", "old", 10, True)],
+            [(channel, each["stopId"], each["timestamp"], each["active"]) for channel, each in self._said(clear)])
+        self.assertEqual({}, self.probe.link._retained._last)  # a restarted broker gets it from the Safety Manager
+        clear["lifts"] = ("old",)
+        self.assertEqual([], self._said(clear))
+        self.assertFalse(self.probe.emergency.active)
+
+    def _said(self, message):
+        """What the message makes the probe say on the emergency stop's channel."""
+        self.probe.sent.clear()
+        self.probe.hear("emergency-stop", message)
+        return [each for each in self.probe.sent if each[0] == "emergency-stop"]
+
+    def test_who_moves_nothing_repeats_no_stop(self):
+        self.probe.register_subscriber("emergency-stop", "EmergencyStop")
+        self.probe.hear("emergency-stop", Message("EmergencyStop", active=True, stopId="a", operator="me", reason="r"))
+        clear = Message("EmergencyStop", systemId="cessna", active=False, operator="you", reason="", lifts=("b",))
+        self.assertEqual([], self._said(clear))
+        self.assertTrue(self.probe.emergency.active)
+
     def test_a_change_is_made_or_refused_with_the_reason(self):
         answer = self.answer("configuration", Message(
             "ConfigurationChange", serviceName="Probe", variableName="GAIN", value="0.75"))
@@ -170,6 +199,18 @@ class EmergencyLatchTest(unittest.TestCase):
         latch.take(Message("EmergencyStop", active=False, clears=10, timestamp=30))
         self.assertFalse(latch.take(stop))
         self.assertTrue(latch.take(Message("EmergencyStop", active=True, timestamp=40)))
+
+    def test_the_newest_stop_is_the_one_that_came_last_of_equal_ones(self):
+        latch = EmergencyLatch()
+        self.assertIsNone(latch.newest)
+        for name, timestamp in (("a", 20), ("b", 20), ("c", 10)):
+            latch.take(Message("EmergencyStop", active=True, stopId=name, timestamp=timestamp))
+        self.assertEqual("b", latch.newest["stopId"])
+
+    def test_a_stop_without_a_time_is_known_by_when_it_came(self):
+        latch = EmergencyLatch()
+        latch.take(Message("EmergencyStop", active=True, operator="me", reason="r"))
+        self.assertEqual([f"|{latch.newest['timestamp']}|me|r"], latch.stops)
 
     def test_who_could_be_wrong_is_wrong_on_the_safe_side(self):
         latch = EmergencyLatch("boat")

@@ -59,6 +59,12 @@ class RetainedTest(unittest.TestCase):
         self.assertEqual([call.args for call in self.client.subscribe.call_args_list], [("a", 0), ("b", 0)])
         self.assertEqual([call.args for call in self.client.unsubscribe.call_args_list], [("a",), ("b",)])
 
+    def test_what_is_forgotten_is_not_said_again(self):
+        self.retained.publishing("a", b"1", True)
+        self.retained.publishing("b", b"2", True)
+        self.retained.forget("b")
+        self.assertEqual(self.restored(hold=[]), [("a", b"1", 1, True)])
+
     def test_what_was_said_while_the_connection_was_lost_is_said_then(self):
         self.retained.publishing("a", b"1", True)
         self.retained.publishing("a", b"2", False)

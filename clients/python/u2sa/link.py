@@ -174,6 +174,10 @@ class Link:
                 return False  # it would be old when the connection is back
             return bool(self._client.publish(topic, payload, qos, retained).rc == mqtt.MQTT_ERR_SUCCESS)
 
+    def forget(self, channel: str, message: Message) -> None:
+        """A retained message is not ours to publish again."""
+        self._retained.forget(str(Topic.of(self._system_id, channel, message)))
+
     def close(self, flush_s: float = 2.0) -> None:
         """Leaves in order, so that no will is sent. Safe to call twice."""
         self._closing = True

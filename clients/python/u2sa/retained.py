@@ -25,6 +25,13 @@ class Retained:
             if not connected:
                 self._unsent.add(topic)
 
+    def forget(self, topic: str) -> None:
+        """Leaves a topic to others."""
+        with self._lock:
+            self._last.pop(topic, None)
+            self._lacking.discard(topic)
+            self._unsent.discard(topic)
+
     def unconfirmed(self, topics: List[str]) -> None:
         """Takes note that the broker may not have got the last message of these topics."""
         with self._lock:

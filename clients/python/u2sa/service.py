@@ -235,6 +235,17 @@ class Service:
         self.emergency.take(message)
         if self.emergency.stops != before:
             self.__reported = -math.inf  # tells at once: whoever stops the vehicle waits for it
+        if self.role == "ACTUATOR" and not message.get("active"):
+            self._repeat_what_holds(message)
+
+    def _repeat_what_holds(self, clear: Message) -> None:
+        """A clear is retained: who comes late must not take it for the end of a stop that it does not cover."""
+        held = self.emergency.newest
+        if held is not None:
+            self.log.warning("the clear by \"%s\" leaves the stop by \"%s\": still stopped",
+                             clear.get("operator", ""), held.get("operator", ""))
+            self.send("emergency-stop", held)
+            self.link.forget("emergency-stop", held)  # a broker without memory gets it from who keeps the vehicle safe
 
     def _guarded(self, code: Callable[[], None]) -> None:
         failure = self.health.run(code)
