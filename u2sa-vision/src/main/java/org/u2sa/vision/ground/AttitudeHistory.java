@@ -16,7 +16,7 @@ public final class AttitudeHistory {
 
   /**
    * Adds a state; ignored if it lacks time, roll or pitch, or is older than the last. One older by
-   * more than a second means that the clock was set back: the history starts anew.
+   * more than a second means that the clock was set back: the history starts over.
    */
   public void add(StateInformation state) {
     if (!state.timestamp().isPresent()
