@@ -126,7 +126,7 @@ final class RouteKeeper {
     double moved =
         Math.hypot(
             track.get().northM(last) - now.goalNorthM(), track.get().eastM(last) - now.goalEastM());
-    return moved > now.wanted().thresholdM() + now.cellM();
+    return moved > now.thresholdM() + now.cellM();
   }
 
   private void replace(Route route) {
@@ -156,8 +156,8 @@ final class RouteKeeper {
                 now.pose(),
                 now.goalNorthM(),
                 now.goalEastM(),
-                now.wanted().headingRad(),
-                now.wanted().thresholdM(),
+                now.goalHeadingRad(),
+                now.thresholdM(),
                 new Mobility(
                     now.body(),
                     settings.clearance(),

@@ -1,6 +1,6 @@
 package org.u2sa.planning.avoidance;
 
-import org.u2sa.planning.avoidance.Avoidance.Wanted;
+import java.util.OptionalDouble;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.MotionLimits;
 import org.u2sa.planning.search.BodyDiscs;
@@ -11,7 +11,8 @@ import org.u2sa.planning.search.BodyDiscs;
  * @param pose pose of the vehicle on the planning plane; an aircraft's heading is its course
  * @param goalNorthM north coordinate of the goal on the plane [m]
  * @param goalEastM east coordinate of the goal on the plane [m]
- * @param wanted requirements of the goal
+ * @param goalHeadingRad required heading at the goal [rad]; empty: any
+ * @param thresholdM distance at which the goal is reached [m]
  * @param limits limits of the motion
  * @param cellM edge of a cell of the cost grid [m]
  * @param body shape of the vehicle
@@ -23,7 +24,8 @@ record Situation(
     Pose pose,
     double goalNorthM,
     double goalEastM,
-    Wanted wanted,
+    OptionalDouble goalHeadingRad,
+    double thresholdM,
     MotionLimits limits,
     double cellM,
     BodyDiscs body,

@@ -29,13 +29,10 @@ final class MotionForecast {
    * @param freeM distance to the first static obstacle [m]; infinite if none
    * @param meetsS time until traffic is too near [s]; infinite within the horizon
    * @param gapM minimum distance to traffic within the horizon [m]; infinite without traffic
-   * @param roomM mean distance to traffic in that time, up to {@link #ROOMY_M} [m]
+   * @param roomM mean distance to traffic in that time, up to {@link TrafficForecast#ROOMY_M} [m]
    * @param lacksM shortfall of the preferred distance to static obstacles: RMS along the path [m]
    */
-  record Outcome(double freeM, double meetsS, double gapM, double roomM, double lacksM) {
-    /** Beyond this distance, traffic is ignored [m]. */
-    static final double ROOMY_M = 2.0;
-  }
+  record Outcome(double freeM, double meetsS, double gapM, double roomM, double lacksM) {}
 
   /**
    * @param startMps speed along its heading [m/s]; negative in reverse
@@ -242,7 +239,7 @@ final class MotionForecast {
     void look(Pose at, double seconds) {
       double gap = traffic.gapM(at, seconds);
       gapM = Math.min(gapM, gap);
-      roomM += Math.min(Outcome.ROOMY_M, gap);
+      roomM += Math.min(TrafficForecast.ROOMY_M, gap);
       looks++;
       if (meetsS == NEVER && traffic.meets(at, seconds)) {
         meetsS = seconds;
@@ -250,7 +247,7 @@ final class MotionForecast {
     }
 
     Outcome outcome(double freeM) {
-      double room = looks == 0 ? Outcome.ROOMY_M : roomM / looks;
+      double room = looks == 0 ? TrafficForecast.ROOMY_M : roomM / looks;
       return new Outcome(freeM, meetsS, gapM, room, way == 0.0 ? 0.0 : Math.sqrt(lacked / way));
     }
   }

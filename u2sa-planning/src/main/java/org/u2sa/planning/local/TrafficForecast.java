@@ -12,6 +12,8 @@ import org.u2sa.planning.seen.Mover;
  * Using Velocity Obstacles, International Journal of Robotics Research 17, 1998). Not thread-safe.
  */
 final class TrafficForecast {
+  static final double ROOMY_M = 2.0; // distance beyond which traffic is ignored
+
   private static final double GROWTH = 0.08; // uncertainty per distance travelled by traffic
 
   private final List<Mover> movers;
@@ -43,7 +45,7 @@ final class TrafficForecast {
     double age = mover.ageS(nowMicros);
     double away = now.distanceM(mover.northAfterM(age), mover.eastAfterM(age));
     double speed = Math.hypot(mover.northMps(), mover.eastMps()) * (1.0 + GROWTH);
-    double near = mover.radiusM() + body.circleM() + keptM + MotionForecast.Outcome.ROOMY_M;
+    double near = mover.radiusM() + body.circleM() + keptM + ROOMY_M;
     return away < near + limits.horizonS() * (speed + limits.speedMps());
   }
 

@@ -18,7 +18,7 @@ public final class CostGrid {
   private static final double CORNER = 1.0e-6;
 
   /** Flag of a cell's state: occupied. 0 is a cell seen free. */
-  public static final byte OCCUPIED = 1;
+  public static final byte OCCUPIED = DistanceField.OCCUPIED;
 
   /** Flag of a cell's state: never seen. May be combined with {@link #OCCUPIED}. */
   public static final byte UNKNOWN = 2;

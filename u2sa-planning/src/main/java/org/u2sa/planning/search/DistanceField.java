@@ -10,6 +10,8 @@ import java.util.Arrays;
  * <p>Not thread-safe.
  */
 final class DistanceField {
+  static final byte OCCUPIED = 1; // flag of a cell's state
+
   private final int rows;
   private final int columns;
   private final int reach;
@@ -84,9 +86,7 @@ final class DistanceField {
       for (int column = firstColumn; column <= lastColumn; column++) {
         int i = row * columns + column;
         int here =
-            (states[i] & CostGrid.OCCUPIED) != 0
-                ? 0
-                : Math.min(reach, since[column - firstColumn] + 1);
+            (states[i] & OCCUPIED) != 0 ? 0 : Math.min(reach, since[column - firstColumn] + 1);
         since[column - firstColumn] = here;
         if (row >= top) {
           below[i] = here;
@@ -98,9 +98,7 @@ final class DistanceField {
       for (int column = firstColumn; column <= lastColumn; column++) {
         int i = row * columns + column;
         int here =
-            (states[i] & CostGrid.OCCUPIED) != 0
-                ? 0
-                : Math.min(reach, since[column - firstColumn] + 1);
+            (states[i] & OCCUPIED) != 0 ? 0 : Math.min(reach, since[column - firstColumn] + 1);
         since[column - firstColumn] = here;
         if (row <= bottom && here < below[i]) {
           below[i] = here;

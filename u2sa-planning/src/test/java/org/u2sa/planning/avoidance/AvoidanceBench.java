@@ -9,11 +9,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Sphere;
 import org.u2sa.planning.curve.Pose;
-import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.MotionLimits;
@@ -100,12 +98,8 @@ final class AvoidanceBench {
         new Pose(northM, eastM, 0.0),
         GOAL_M,
         0.0,
-        new Avoidance.Wanted(
-            "goal",
-            Place.of(ReferenceFrame.LOCAL_NED, Point.of(GOAL_M, 0.0, 0.0)),
-            0.5,
-            OptionalDouble.empty(),
-            OptionalDouble.empty()),
+        OptionalDouble.empty(),
+        0.5,
         new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8),
         CELL_M,
         settings.body(true),
