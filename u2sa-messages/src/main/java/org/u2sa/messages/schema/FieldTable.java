@@ -107,7 +107,7 @@ final class FieldTable<T extends StoredMessage> {
 
   /** A missing required field; null if none is missing. */
   MessageField<T> missing(T message) {
-    FieldStorage storage = message.storage();
+    FieldStorage storage = message.storage;
     boolean isComplete =
         (storage.numbersSet() & requiredNumbers) == requiredNumbers
             && (storage.valuesSet() & requiredValues) == requiredValues;
@@ -125,7 +125,7 @@ final class FieldTable<T extends StoredMessage> {
 
   /** Number of fields of a message on the wire. */
   int count(T message) {
-    FieldStorage storage = message.storage();
+    FieldStorage storage = message.storage;
     return Long.bitCount(storage.numbersSet() | defaultedNumbers)
         + Long.bitCount(storage.valuesSet() | defaultedValues)
         + (storage.hasTimestamp() ? 1 : 0);
@@ -143,7 +143,7 @@ final class FieldTable<T extends StoredMessage> {
 
   /** Writes all fields of a message that must be written, in order. */
   void write(CborOutput out, T message) {
-    FieldStorage storage = message.storage();
+    FieldStorage storage = message.storage;
     for (int i = 0; i < values.length; i++) {
       if (runsBefore[i] != null) {
         runsBefore[i].write(out, storage);
@@ -165,7 +165,7 @@ final class FieldTable<T extends StoredMessage> {
    */
   long readInOrder(CborReader reader, CborInput in, T message, long pairs, long read)
       throws MalformedMessageException {
-    FieldStorage storage = message.storage();
+    FieldStorage storage = message.storage;
     long done = read;
     for (int i = 0; done < pairs; i++) {
       NumberRun run = runsBefore[i];

@@ -68,7 +68,7 @@ final class FieldsReader<T extends U2SAData> {
       return;
     }
     if (run != null) {
-      run.expect(opening, message.storage());
+      run.expect(opening, message.storage);
     }
     run = following;
     opening = NumberRun.opening(in, pairs);

@@ -122,7 +122,7 @@ public abstract class MessageField<T extends StoredMessage> {
    * @throws IllegalStateException if the message is frozen
    */
   final FieldStorage thawed(StoredMessage message) {
-    FieldStorage storage = message.storage();
+    FieldStorage storage = message.storage;
     if (storage.isFrozen()) {
       throw new IllegalStateException(
           path() + " cannot be set: the message is frozen since it was published; copy() it");

@@ -88,10 +88,10 @@ final class MessageReader extends CborReader {
       return;
     }
     if (type.latitudeField() != null) {
-      requireLatitude(type.latitudeField().in(message.storage()));
+      requireLatitude(type.latitudeField().in(message.storage));
     }
     for (int slot : type.pointLists()) {
-      for (Object point : message.storage().list(slot)) {
+      for (Object point : message.storage.list(slot)) {
         requireLatitude(((Point) point).y());
       }
     }

@@ -104,17 +104,17 @@ public final class NumberField<T extends StoredMessage> extends MessageField<T> 
 
   @Override
   public Optional<Object> get(T message) {
-    return isWritten(message) ? Optional.of(in(message.storage())) : Optional.empty();
+    return isWritten(message) ? Optional.of(in(message.storage)) : Optional.empty();
   }
 
   @Override
   public boolean isSet(T message) {
-    return message.storage().hasNumber(slot);
+    return message.storage.hasNumber(slot);
   }
 
   @Override
   boolean isWritten(T message) {
-    return !Double.isNaN(ifUnset) || message.storage().hasNumber(slot);
+    return !Double.isNaN(ifUnset) || message.storage.hasNumber(slot);
   }
 
   @Override

@@ -10,7 +10,10 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * U2SAData} is the only subclass.
  */
 abstract class StoredMessage {
-  abstract FieldStorage storage();
+  final FieldStorage storage = new FieldStorage(valueSlots());
+
+  /** Number of slots for values other than numbers. Called while the message is constructed. */
+  abstract int valueSlots();
 
   /** Frame of the message's coordinates, from its frame field; BODY for messages without one. */
   abstract ReferenceFrame frame();

@@ -16,12 +16,12 @@ final class TimestampField<T extends StoredMessage> extends ValueField<T, Long> 
 
   @Override
   public boolean isSet(T message) {
-    return message.storage().hasTimestamp();
+    return message.storage.hasTimestamp();
   }
 
   @Override
   Long valueIn(T message) {
-    return isSet(message) ? (Long) message.storage().timestamp() : null;
+    return isSet(message) ? (Long) message.storage.timestamp() : null;
   }
 
   @Override
@@ -41,7 +41,7 @@ final class TimestampField<T extends StoredMessage> extends ValueField<T, Long> 
   void write(CborOutput out, FieldKey key, T message) {
     if (isSet(message)) {
       out.key(key);
-      out.count(message.storage().timestamp());
+      out.count(message.storage.timestamp());
     }
   }
 

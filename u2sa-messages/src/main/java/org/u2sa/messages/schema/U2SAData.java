@@ -29,15 +29,12 @@ public abstract class U2SAData extends StoredMessage {
 
   private static final int SHOWN_CHARS = 1_000; // of a value in toString
 
-  private final FieldStorage storage;
   private UnknownPart unknown; // fields of the unknown subclass in placeholders; else null
   private Origin origin; // of messages received over MQTT; else null
   private int receivedBytes; // of decoded messages; else 0
 
   /** Creates an empty message of the type {@link #type()}. */
-  protected U2SAData() {
-    storage = new FieldStorage(type().sizes().values());
-  }
+  protected U2SAData() {}
 
   /** The class's schema: its constant TYPE. Called while the message is constructed. */
   public abstract MessageType<?> type();
@@ -266,8 +263,8 @@ public abstract class U2SAData extends StoredMessage {
   }
 
   @Override
-  final FieldStorage storage() {
-    return storage;
+  final int valueSlots() {
+    return type().sizes().values();
   }
 
   @Override

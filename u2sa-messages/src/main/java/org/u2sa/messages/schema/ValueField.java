@@ -61,7 +61,7 @@ public class ValueField<T extends StoredMessage, V> extends MessageField<T> {
 
   /** Like {@link #in}, wherever the field's values are stored. */
   V valueIn(T message) {
-    return in(message.storage());
+    return in(message.storage);
   }
 
   /** Stores a value that is {@link #checked}. */
@@ -76,7 +76,7 @@ public class ValueField<T extends StoredMessage, V> extends MessageField<T> {
 
   @Override
   public boolean isSet(T message) {
-    return message.storage().value(slot) != null;
+    return message.storage.value(slot) != null;
   }
 
   @Override
