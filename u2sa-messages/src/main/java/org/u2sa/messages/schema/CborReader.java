@@ -18,7 +18,7 @@ import org.u2sa.messages.frame.Point;
 
 /**
  * Reads the values of one message from untrusted bytes: all lengths are bounded, and errors name
- * the field. {@link MessageReader} is the only subclass.
+ * the field. {@link CborMessageReader} is the only subclass.
  */
 abstract class CborReader {
   static final int BETWEEN = -1; // between fields

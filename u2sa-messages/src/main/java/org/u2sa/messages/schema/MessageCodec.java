@@ -66,6 +66,6 @@ public final class MessageCodec {
           Limits.PAYLOAD_BYTES,
           "expected at most " + Limits.PAYLOAD_BYTES + " bytes, not " + bytes.length);
     }
-    return MessageReader.message(types, typeChain, new CborInput(bytes, texts));
+    return CborMessageReader.message(types, typeChain, new CborInput(bytes, texts));
   }
 }

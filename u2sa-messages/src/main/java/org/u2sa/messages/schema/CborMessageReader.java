@@ -12,7 +12,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /** Reads one message with those nested in it; all errors are {@link MalformedMessageException}s. */
-final class MessageReader extends CborReader {
+final class CborMessageReader extends CborReader {
   private static final FieldKey TYPE_NAME = WireForm.READABLE.key(FieldTable.TYPE_KEY);
   private static final FieldKey TYPE_LABEL = WireForm.COMPACT.key(FieldTable.TYPE_KEY);
   private static final FieldKey ORIGIN_NAME = WireForm.READABLE.key(Origin.KEY);
@@ -21,7 +21,7 @@ final class MessageReader extends CborReader {
 
   private final MessageTypes types;
 
-  private MessageReader(MessageTypes types, String typeName, CborInput in) {
+  private CborMessageReader(MessageTypes types, String typeName, CborInput in) {
     super(typeName, in);
     this.types = types;
   }
@@ -29,7 +29,7 @@ final class MessageReader extends CborReader {
   static U2SAData message(MessageTypes types, List<String> chain, CborInput in)
       throws MalformedMessageException {
     MessageType<?> nearest = types.nearest(chain);
-    return new MessageReader(types, chain.get(chain.size() - 1), in).whole(nearest, chain);
+    return new CborMessageReader(types, chain.get(chain.size() - 1), in).whole(nearest, chain);
   }
 
   private U2SAData whole(MessageType<?> nearest, List<String> chain)
