@@ -8,13 +8,14 @@ import org.u2sa.messages.frame.ReferenceFrame;
  */
 final class AxisExchange {
   private static final double QUARTER = Math.PI / 2.0;
+  private static final double FULL_TURN = 2.0 * Math.PI;
 
   private AxisExchange() {}
 
   /**
    * Converts the position between LOCAL_ENU and LOCAL_NED, either way: swaps x and y and negates z.
    */
-  static void swapPosition(StateInformation from, StateInformation to) {
+  static void swapPosition(TranslationState<?> from, TranslationState<?> to) {
     swap(StateTriple.POSITION, from, to, -1.0);
   }
 
@@ -22,7 +23,7 @@ final class AxisExchange {
    * Converts velocities, accelerations and all standard deviations between east-north-up and
    * north-east-down, either way.
    */
-  static void swapVectors(StateInformation from, StateInformation to) {
+  static void swapVectors(TranslationState<?> from, TranslationState<?> to) {
     swap(StateTriple.VELOCITY, from, to, -1.0);
     swap(StateTriple.ACCELERATION, from, to, -1.0);
     swap(StateTriple.POSITION_SIGMA, from, to, 1.0);
@@ -34,16 +35,22 @@ final class AxisExchange {
    * Converts attitude between FRD relative to NED and FLU relative to ENU, either way: same roll,
    * negated pitch, and a heading of π/2 - ψ. Derivatives follow; standard deviations are unchanged.
    */
-  static void swapAttitude(StateInformation from, StateInformation to) {
+  static void swapAttitude(RotationState<?> from, RotationState<?> to) {
     from.theta().ifPresent(theta -> to.theta(-theta));
-    from.psi().ifPresent(psi -> to.psi(StateConversion.fullTurn(QUARTER - psi)));
+    from.psi().ifPresent(psi -> to.psi(fullTurn(QUARTER - psi)));
     flip(StateTriple.RATES, from, to, 1.0, -1.0, -1.0);
     flip(StateTriple.ANGULAR_ACCELERATIONS, from, to, 1.0, -1.0, -1.0);
   }
 
+  /** Wraps an angle into 0…2π. */
+  static double fullTurn(double angle) {
+    double turned = angle % FULL_TURN;
+    return turned < 0.0 ? turned + FULL_TURN : turned;
+  }
+
   private static void swap(
-      StateTriple triple, StateInformation from, StateInformation to, double zSign) {
-    triple.requirePair(from, StateConversion.between(from.referenceFrame(), to.referenceFrame()));
+      StateTriple triple, TranslationState<?> from, TranslationState<?> to, double zSign) {
+    triple.requirePair(from, to);
     Point v = triple.values(from);
     triple.put(to, from, Point.of(v.y(), v.x(), zSign * v.z()));
   }
@@ -51,7 +58,7 @@ final class AxisExchange {
   /**
    * Converts between two BODY frames: negates y or z or both, and the senses of rotation with them.
    */
-  static void flipBody(StateInformation from, StateInformation to) {
+  static void flipBody(TranslationState<?> from, TranslationState<?> to) {
     BodyAxes source = BodyAxes.of(from.referenceFrame());
     BodyAxes target = BodyAxes.of(to.referenceFrame());
     double y = source.y() * target.y();
@@ -79,8 +86,8 @@ final class AxisExchange {
 
   private static void flip(
       StateTriple triple,
-      StateInformation from,
-      StateInformation to,
+      TranslationState<?> from,
+      TranslationState<?> to,
       double first,
       double second,
       double third) {

@@ -1,13 +1,16 @@
 package org.u2sa.messages;
 
 import java.util.OptionalDouble;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Motion relative to the fluid (air or water) along the vehicle's own axes (figure 6, right
  * column): those of BODY (x forward, y left, z down) unless the message itself is in BODY_FRD or
  * BODY_FLU.
+ *
+ * @param <S> the message class, which setters return
  */
-abstract class FluidState extends RotationState {
+abstract class FluidState<S extends U2SAData> extends RotationState<S> {
   /**
    * Velocity of the vehicle relative to the fluid along its own x (forward) axis [m/s]; empty if
    * absent.
@@ -17,7 +20,7 @@ abstract class FluidState extends RotationState {
   }
 
   /** Sets {@link #fluidxDot()}. */
-  public StateInformation fluidxDot(double value) {
+  public S fluidxDot(double value) {
     return number(StateField.FLUID_X_DOT, value);
   }
 
@@ -30,7 +33,7 @@ abstract class FluidState extends RotationState {
   }
 
   /** Sets {@link #fluidyDot()}. */
-  public StateInformation fluidyDot(double value) {
+  public S fluidyDot(double value) {
     return number(StateField.FLUID_Y_DOT, value);
   }
 
@@ -43,7 +46,7 @@ abstract class FluidState extends RotationState {
   }
 
   /** Sets {@link #fluidzDot()}. */
-  public StateInformation fluidzDot(double value) {
+  public S fluidzDot(double value) {
     return number(StateField.FLUID_Z_DOT, value);
   }
 
@@ -56,7 +59,7 @@ abstract class FluidState extends RotationState {
   }
 
   /** Sets {@link #fluidxDoubleDot()}. */
-  public StateInformation fluidxDoubleDot(double value) {
+  public S fluidxDoubleDot(double value) {
     return number(StateField.FLUID_X_DOUBLE_DOT, value);
   }
 
@@ -69,7 +72,7 @@ abstract class FluidState extends RotationState {
   }
 
   /** Sets {@link #fluidyDoubleDot()}. */
-  public StateInformation fluidyDoubleDot(double value) {
+  public S fluidyDoubleDot(double value) {
     return number(StateField.FLUID_Y_DOUBLE_DOT, value);
   }
 
@@ -82,7 +85,7 @@ abstract class FluidState extends RotationState {
   }
 
   /** Sets {@link #fluidzDoubleDot()}. */
-  public StateInformation fluidzDoubleDot(double value) {
+  public S fluidzDoubleDot(double value) {
     return number(StateField.FLUID_Z_DOUBLE_DOT, value);
   }
 
@@ -92,7 +95,7 @@ abstract class FluidState extends RotationState {
   }
 
   /** Sets {@link #fluidxDotSigma()}. */
-  public StateInformation fluidxDotSigma(double value) {
+  public S fluidxDotSigma(double value) {
     return number(StateField.FLUID_X_DOT_SIGMA, value);
   }
 
@@ -102,7 +105,7 @@ abstract class FluidState extends RotationState {
   }
 
   /** Sets {@link #fluidyDotSigma()}. */
-  public StateInformation fluidyDotSigma(double value) {
+  public S fluidyDotSigma(double value) {
     return number(StateField.FLUID_Y_DOT_SIGMA, value);
   }
 
@@ -112,7 +115,7 @@ abstract class FluidState extends RotationState {
   }
 
   /** Sets {@link #fluidzDotSigma()}. */
-  public StateInformation fluidzDotSigma(double value) {
+  public S fluidzDotSigma(double value) {
     return number(StateField.FLUID_Z_DOT_SIGMA, value);
   }
 }

@@ -87,7 +87,7 @@ public final class PointConversion {
     Metric before = Metric.around(source, at);
     Point end = before.point(Point.of(Math.cos(along), Math.sin(along), 0.0));
     Point after = Metric.around(target, convert(at)).metres(convert(end));
-    return StateConversion.fullTurn(
+    return AxisExchange.fullTurn(
         target.isEarth() ? Math.atan2(after.x(), after.y()) : Math.atan2(after.y(), after.x()));
   }
 

@@ -1,19 +1,22 @@
 package org.u2sa.messages;
 
 import java.util.OptionalDouble;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Attitude, its rates and accelerations, with their standard deviations (figure 6, middle column).
  * Signs follow the frame's conventions.
+ *
+ * @param <S> the message class, which setters return
  */
-abstract class RotationState extends TranslationState {
+abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
   /** Roll [rad]; right wing down positive in GLOBAL; empty if absent. */
   public OptionalDouble phi() {
     return number(StateField.PHI);
   }
 
   /** Sets {@link #phi()}. */
-  public StateInformation phi(double value) {
+  public S phi(double value) {
     return number(StateField.PHI, value);
   }
 
@@ -23,7 +26,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #theta()}. */
-  public StateInformation theta(double value) {
+  public S theta(double value) {
     return number(StateField.THETA, value);
   }
 
@@ -33,7 +36,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #psi()}. */
-  public StateInformation psi(double value) {
+  public S psi(double value) {
     return number(StateField.PSI, value);
   }
 
@@ -43,7 +46,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #phiDot()}. */
-  public StateInformation phiDot(double value) {
+  public S phiDot(double value) {
     return number(StateField.PHI_DOT, value);
   }
 
@@ -53,7 +56,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #thetaDot()}. */
-  public StateInformation thetaDot(double value) {
+  public S thetaDot(double value) {
     return number(StateField.THETA_DOT, value);
   }
 
@@ -63,7 +66,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #psiDot()}. */
-  public StateInformation psiDot(double value) {
+  public S psiDot(double value) {
     return number(StateField.PSI_DOT, value);
   }
 
@@ -73,7 +76,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #phiDoubleDot()}. */
-  public StateInformation phiDoubleDot(double value) {
+  public S phiDoubleDot(double value) {
     return number(StateField.PHI_DOUBLE_DOT, value);
   }
 
@@ -83,7 +86,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #thetaDoubleDot()}. */
-  public StateInformation thetaDoubleDot(double value) {
+  public S thetaDoubleDot(double value) {
     return number(StateField.THETA_DOUBLE_DOT, value);
   }
 
@@ -93,7 +96,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #psiDoubleDot()}. */
-  public StateInformation psiDoubleDot(double value) {
+  public S psiDoubleDot(double value) {
     return number(StateField.PSI_DOUBLE_DOT, value);
   }
 
@@ -103,7 +106,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #phiSigma()}. */
-  public StateInformation phiSigma(double value) {
+  public S phiSigma(double value) {
     return number(StateField.PHI_SIGMA, value);
   }
 
@@ -113,7 +116,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #thetaSigma()}. */
-  public StateInformation thetaSigma(double value) {
+  public S thetaSigma(double value) {
     return number(StateField.THETA_SIGMA, value);
   }
 
@@ -123,7 +126,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #psiSigma()}. */
-  public StateInformation psiSigma(double value) {
+  public S psiSigma(double value) {
     return number(StateField.PSI_SIGMA, value);
   }
 
@@ -133,7 +136,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #phiDotSigma()}. */
-  public StateInformation phiDotSigma(double value) {
+  public S phiDotSigma(double value) {
     return number(StateField.PHI_DOT_SIGMA, value);
   }
 
@@ -143,7 +146,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #thetaDotSigma()}. */
-  public StateInformation thetaDotSigma(double value) {
+  public S thetaDotSigma(double value) {
     return number(StateField.THETA_DOT_SIGMA, value);
   }
 
@@ -153,7 +156,7 @@ abstract class RotationState extends TranslationState {
   }
 
   /** Sets {@link #psiDotSigma()}. */
-  public StateInformation psiDotSigma(double value) {
+  public S psiDotSigma(double value) {
     return number(StateField.PSI_DOT_SIGMA, value);
   }
 }

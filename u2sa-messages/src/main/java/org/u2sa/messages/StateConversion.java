@@ -12,8 +12,6 @@ import org.u2sa.messages.frame.UtmGrid;
  * is none.
  */
 final class StateConversion {
-  private static final double FULL_TURN = 2.0 * Math.PI;
-
   /**
    * One step of the chain: overwrites the fields that differ in the target, a copy of the source
    * labelled with the new frame.
@@ -45,13 +43,13 @@ final class StateConversion {
     }
     if (source.isBody() || target.isBody()) {
       throw new IllegalArgumentException(
-          between(source, target)
+          StateTriple.between(source, target)
               + ": a StateInformation is of one family of frames; the vehicle's place and attitude"
               + " would be needed");
     }
     if (origin == null) {
       throw new IllegalArgumentException(
-          between(source, target) + ": the place of the local origin is needed");
+          StateTriple.between(source, target) + ": the place of the local origin is needed");
     }
     if (source.isEarth()) {
       StateInformation ned =
@@ -112,7 +110,7 @@ final class StateConversion {
   private static Point position(StateInformation from, StateInformation to) {
     if (!from.x().isPresent() || !from.y().isPresent()) {
       throw new IllegalArgumentException(
-          between(from.referenceFrame(), to.referenceFrame()) + ": x and y are needed");
+          StateTriple.between(from.referenceFrame(), to.referenceFrame()) + ": x and y are needed");
     }
     return StateTriple.POSITION.values(from);
   }
@@ -143,17 +141,6 @@ final class StateConversion {
     StateInformation enu = from.copy();
     AxisExchange.swapVectors(from, enu);
     EarthRotation.turn(enu, to, place.enuRotationFrom(origin));
-  }
-
-  /** "StateInformation cannot be converted from BODY to GLOBAL". */
-  static String between(ReferenceFrame source, ReferenceFrame target) {
-    return "StateInformation cannot be converted from " + source + " to " + target;
-  }
-
-  /** Wraps an angle into 0…2π. */
-  static double fullTurn(double angle) {
-    double turned = angle % FULL_TURN;
-    return turned < 0.0 ? turned + FULL_TURN : turned;
   }
 
   /**
@@ -187,7 +174,7 @@ final class StateConversion {
       // Grid azimuth = true azimuth - γ: a rotation about up by +γ.
       Rotation turn = Rotation.aboutUp(gamma);
       turnVectors(from, to, turn, Point.of(scale, scale, 1.0));
-      from.psi().ifPresent(psi -> to.psi(StateConversion.fullTurn(psi - gamma)));
+      from.psi().ifPresent(psi -> to.psi(AxisExchange.fullTurn(psi - gamma)));
     }
 
     /**
@@ -201,16 +188,15 @@ final class StateConversion {
 
     private static void turnVectors(
         StateInformation from, StateInformation to, Rotation enu, Point scale) {
-      String what = StateConversion.between(from.referenceFrame(), to.referenceFrame());
       for (StateTriple triple : VECTORS) {
         if (!triple.isEmpty(from)) {
-          triple.requirePair(from, what);
+          triple.requirePair(from, to);
           triple.put(to, from, stretched(enu.times(triple.values(from)), scale));
         }
       }
       for (StateTriple triple : SIGMAS) {
         if (!triple.isEmpty(from)) {
-          triple.requirePair(from, what);
+          triple.requirePair(from, to);
           triple.put(to, from, stretched(enu.timesSigma(triple.values(from)), scale));
         }
       }

@@ -20,7 +20,7 @@ import org.u2sa.messages.schema.ValueField;
  * signs of rotation are those of {@link #referenceFrame()}; velocities, accelerations and standard
  * deviations are metric in every frame.
  */
-public class StateInformation extends FluidState {
+public class StateInformation extends FluidState<StateInformation> {
   private static final Schema<StateInformation> SCHEMA =
       Schema.of(StateInformation.class, StateInformation::new, U2SAData.TYPE);
   private static final ValueField<StateInformation, String> SENSOR_NAME =
@@ -60,6 +60,7 @@ public class StateInformation extends FluidState {
   }
 
   /** Axes of position, velocity, acceleration and attitude; defaults to GLOBAL. */
+  @Override
   public ReferenceFrame referenceFrame() {
     return get(REFERENCE_FRAME);
   }

@@ -2,6 +2,7 @@ package org.u2sa.messages;
 
 import java.util.Arrays;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * Three fields of {@link StateInformation} that form a vector or a set of angles, for conversions.
@@ -30,22 +31,22 @@ enum StateTriple {
   }
 
   /** Copies attitude and its derivatives from {@code source} unchanged. */
-  static void copyAttitude(StateInformation source, StateInformation target) {
+  static void copyAttitude(TranslationState<?> source, TranslationState<?> target) {
     for (StateTriple triple : new StateTriple[] {ANGLES, RATES, ANGULAR_ACCELERATIONS}) {
       triple.put(target, source, triple.values(source));
     }
   }
 
-  boolean isEmpty(StateInformation state) {
+  boolean isEmpty(TranslationState<?> state) {
     return Arrays.stream(fields).noneMatch(field -> state.number(field).isPresent());
   }
 
-  boolean isComplete(StateInformation state) {
+  boolean isComplete(TranslationState<?> state) {
     return Arrays.stream(fields).allMatch(field -> state.number(field).isPresent());
   }
 
   /** The three values, with 0 for absent ones. */
-  Point values(StateInformation state) {
+  Point values(TranslationState<?> state) {
     return Point.of(
         state.number(fields[0]).orElse(0.0),
         state.number(fields[1]).orElse(0.0),
@@ -53,7 +54,7 @@ enum StateTriple {
   }
 
   /** Sets those of the fields that are present in {@code source}. */
-  void put(StateInformation state, StateInformation source, Point values) {
+  void put(TranslationState<?> state, TranslationState<?> source, Point values) {
     double[] put = {values.x(), values.y(), values.z()};
     for (int i = 0; i < put.length; i++) {
       if (source.number(fields[i]).isPresent()) {
@@ -65,14 +66,21 @@ enum StateTriple {
   /**
    * Rejects a first value without the second and vice versa, because the axes mix.
    *
-   * @param what names both frames
+   * @param to named in the error
    */
-  void requirePair(StateInformation state, String what) {
-    if (state.number(fields[0]).isPresent() != state.number(fields[1]).isPresent()) {
+  void requirePair(TranslationState<?> from, TranslationState<?> to) {
+    if (from.number(fields[0]).isPresent() != from.number(fields[1]).isPresent()) {
       throw new IllegalArgumentException(
           String.format(
               "%s: %s and %s are needed both or neither",
-              what, fields[0].fieldName(), fields[1].fieldName()));
+              between(from.referenceFrame(), to.referenceFrame()),
+              fields[0].fieldName(),
+              fields[1].fieldName()));
     }
+  }
+
+  /** "StateInformation cannot be converted from BODY to GLOBAL". */
+  static String between(ReferenceFrame source, ReferenceFrame target) {
+    return "StateInformation cannot be converted from " + source + " to " + target;
   }
 }

@@ -1,16 +1,21 @@
 package org.u2sa.messages;
 
 import java.util.OptionalDouble;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Position, velocity and acceleration over ground, with their standard deviations (figure 6, left
  * column).
+ *
+ * @param <S> the message class, which setters return
  */
-abstract class TranslationState extends U2SAData {
+abstract class TranslationState<S extends U2SAData> extends U2SAData {
+  abstract ReferenceFrame referenceFrame();
+
   abstract OptionalDouble number(StateField field);
 
-  abstract StateInformation number(StateField field, double value);
+  abstract S number(StateField field, double value);
 
   /** Position along x [m]; longitude [deg, east +] in GLOBAL; empty if absent. */
   public OptionalDouble x() {
@@ -18,7 +23,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #x()}. */
-  public StateInformation x(double value) {
+  public S x(double value) {
     return number(StateField.X, value);
   }
 
@@ -28,7 +33,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #y()}. */
-  public StateInformation y(double value) {
+  public S y(double value) {
     return number(StateField.Y, value);
   }
 
@@ -40,7 +45,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #z()}. */
-  public StateInformation z(double value) {
+  public S z(double value) {
     return number(StateField.Z, value);
   }
 
@@ -50,7 +55,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #xDot()}. */
-  public StateInformation xDot(double value) {
+  public S xDot(double value) {
     return number(StateField.X_DOT, value);
   }
 
@@ -60,7 +65,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #yDot()}. */
-  public StateInformation yDot(double value) {
+  public S yDot(double value) {
     return number(StateField.Y_DOT, value);
   }
 
@@ -70,7 +75,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #zDot()}. */
-  public StateInformation zDot(double value) {
+  public S zDot(double value) {
     return number(StateField.Z_DOT, value);
   }
 
@@ -80,7 +85,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #xDoubleDot()}. */
-  public StateInformation xDoubleDot(double value) {
+  public S xDoubleDot(double value) {
     return number(StateField.X_DOUBLE_DOT, value);
   }
 
@@ -90,7 +95,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #yDoubleDot()}. */
-  public StateInformation yDoubleDot(double value) {
+  public S yDoubleDot(double value) {
     return number(StateField.Y_DOUBLE_DOT, value);
   }
 
@@ -100,7 +105,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #zDoubleDot()}. */
-  public StateInformation zDoubleDot(double value) {
+  public S zDoubleDot(double value) {
     return number(StateField.Z_DOUBLE_DOT, value);
   }
 
@@ -110,7 +115,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #xSigma()}. */
-  public StateInformation xSigma(double value) {
+  public S xSigma(double value) {
     return number(StateField.X_SIGMA, value);
   }
 
@@ -120,7 +125,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #ySigma()}. */
-  public StateInformation ySigma(double value) {
+  public S ySigma(double value) {
     return number(StateField.Y_SIGMA, value);
   }
 
@@ -130,7 +135,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #zSigma()}. */
-  public StateInformation zSigma(double value) {
+  public S zSigma(double value) {
     return number(StateField.Z_SIGMA, value);
   }
 
@@ -140,7 +145,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #xDotSigma()}. */
-  public StateInformation xDotSigma(double value) {
+  public S xDotSigma(double value) {
     return number(StateField.X_DOT_SIGMA, value);
   }
 
@@ -150,7 +155,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #yDotSigma()}. */
-  public StateInformation yDotSigma(double value) {
+  public S yDotSigma(double value) {
     return number(StateField.Y_DOT_SIGMA, value);
   }
 
@@ -160,7 +165,7 @@ abstract class TranslationState extends U2SAData {
   }
 
   /** Sets {@link #zDotSigma()}. */
-  public StateInformation zDotSigma(double value) {
+  public S zDotSigma(double value) {
     return number(StateField.Z_DOT_SIGMA, value);
   }
 }

@@ -173,6 +173,8 @@ final class HouseRules {
     rules.put("no static mutable state", noStaticMutableState());
     rules.put("no Java serialization", noJavaSerialization());
     rules.put("no objects from data", noObjectsFromData());
+    rules.put(
+        "small circles", ClassCircles.ofClassesIn(ROOT + "messages..", ROOT + "interfaces.."));
     rules.replaceAll((name, rule) -> rule.as(name).allowEmptyShould(true));
     return rules;
   }

@@ -94,6 +94,8 @@ class HouseRulesBiteTest {
           no static mutable state | package org.u2sa.core; class Bad { static final java.util.HashMap<String, String> M = new java.util.HashMap<>(); }
           no Java serialization   | package org.u2sa.messages; class Bad implements java.io.Serializable {}
           no Java serialization   | package org.u2sa.core; class Bad { Object r(java.io.ObjectInputStream i) throws Exception { return i.readObject(); } }
+          small circles           | package org.u2sa.messages; class Bad { A a; } class A { B b; } class B { Object c = new C.D(); } class C { static class D { Bad[] d; } }
+          small circles           | package org.u2sa.interfaces; class Bad<T extends A> {} class A { B b; } class B { C c; } class C { void d() { new Bad<A>(); } }
           no objects from data    | package org.u2sa.gcs; class Bad { com.fasterxml.jackson.databind.ObjectMapper m; }
           no objects from data    | package org.u2sa.core; class Bad { Object o = new java.beans.XMLDecoder(System.in); }
           one XML reader          | package org.u2sa.mission; class Bad { javax.xml.parsers.SAXParser p; }
@@ -124,6 +126,13 @@ class HouseRulesBiteTest {
         new Source("package org.u2sa.service; class Whole { Part part; static class Piece {} }"));
     assertThat(violations("no circles between service classes", compiled(sources)))
         .anySatisfy(line -> assertThat(line).contains("service.Part").contains("service.Whole"));
+  }
+
+  @Test
+  void classCircles_ofThreeClasses_areAccepted() throws IOException {
+    String three =
+        "package org.u2sa.messages; class A { B b; C c; } class B { C c; } class C { A a; }";
+    assertThat(violations("small circles", compiled(three))).isEmpty();
   }
 
   @Test

@@ -74,7 +74,7 @@ class MessageTablesTest {
     out.append("|---|---|---|---|---|---|---|\n");
     for (MessageField<T> field : type.fields()) {
       out.append("| ").append(field.name());
-      out.append(" | ").append(cborType(field));
+      out.append(" | ").append(cborType(type, field));
       out.append(" | ").append(unit(field));
       out.append(" | ").append(presence(type, field));
       out.append(" | ").append(field.bit().isPresent() ? field.bit().getAsInt() : "");
@@ -83,13 +83,13 @@ class MessageTablesTest {
     }
   }
 
-  private static String cborType(MessageField<?> field) {
+  private static String cborType(MessageType<?> type, MessageField<?> field) {
     if (field instanceof ValueField<?, ?> value) {
       if (!value.constants().isEmpty()) {
         return "text: " + value.constants().toString().replaceAll("[\\[\\]]", "");
       }
-      if (value.elementType().isPresent()) {
-        return "array of " + value.elementType().get().name() + " maps";
+      if (type.elementType(field).isPresent()) {
+        return "array of " + type.elementType(field).get().name() + " maps";
       }
       if (value.maxLength().isPresent()) {
         String bound = value.shortens() ? ", shortened to " : ", at most ";

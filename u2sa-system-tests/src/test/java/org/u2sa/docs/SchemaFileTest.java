@@ -164,8 +164,8 @@ class SchemaFileTest {
         json.writeNumberField("maxLength", value.maxLength().getAsInt());
         json.writeBooleanField("shortens", value.shortens());
       }
-      if (value.elementType().isPresent()) {
-        json.writeStringField("element", value.elementType().get().name());
+      if (type.elementType(field).isPresent()) {
+        json.writeStringField("element", type.elementType(field).get().name());
       }
     }
     if (field.bit().isPresent()) {

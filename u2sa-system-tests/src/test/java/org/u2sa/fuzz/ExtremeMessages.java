@@ -71,7 +71,7 @@ final class ExtremeMessages {
               || field.name().equals("timestamp")
               || extreme == Extreme.EMPTY && !field.isRequired();
       if (!isLeftOut && !field.isSet(message)) {
-        field.set(message, value(field, extreme));
+        field.set(message, value(type, field, extreme));
       }
     }
     if (extreme == Extreme.LARGE || extreme == Extreme.SMALL) {
@@ -86,7 +86,7 @@ final class ExtremeMessages {
     return message;
   }
 
-  private Object value(MessageField<?> field, Extreme extreme) {
+  private Object value(MessageType<?> type, MessageField<?> field, Extreme extreme) {
     boolean isLong = extreme == Extreme.LONG;
     boolean isLarge = extreme == Extreme.LARGE || extreme == Extreme.FAR;
     switch (field.kind()) {
@@ -119,7 +119,7 @@ final class ExtremeMessages {
       case POINT_LIST:
         return points(extreme);
       case MESSAGE_LIST:
-        return nested(((ValueField<?, ?>) field).elementType().orElseThrow(), extreme);
+        return nested(type.elementType(field).orElseThrow(), extreme);
       default:
         throw new AssertionError("no values for " + field.kind());
     }

@@ -34,7 +34,7 @@ final class DirectSession implements MqttSession {
 
   private final String address;
   private final String clientId;
-  private final MqttConnection owner;
+  private final Owner owner;
   private final long answerWithinMs;
   private final Clock clock;
   private final Set<String> asked = ConcurrentHashMap.newKeySet(); // filters acknowledged
@@ -57,8 +57,7 @@ final class DirectSession implements MqttSession {
   /**
    * @param address {@code tcp://HOST:PORT}, or {@code ssl://HOST:PORT} if encrypted
    */
-  DirectSession(
-      String address, String clientId, long answerWithinMs, MqttConnection owner, Clock clock) {
+  DirectSession(String address, String clientId, long answerWithinMs, Owner owner, Clock clock) {
     this.address = address;
     this.clientId = clientId;
     this.answerWithinMs = answerWithinMs;

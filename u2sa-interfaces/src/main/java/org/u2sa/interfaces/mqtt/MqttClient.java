@@ -51,7 +51,7 @@ public enum MqttClient {
       String clientId,
       ScheduledExecutorService linkThread,
       long answerWithinMs,
-      MqttConnection owner,
+      MqttSession.Owner owner,
       Clock clock)
       throws MqttException {
     return this == DIRECT

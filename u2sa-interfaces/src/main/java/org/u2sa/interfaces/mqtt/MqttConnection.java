@@ -24,7 +24,7 @@ import org.u2sa.messages.schema.Origin;
 import org.u2sa.messages.schema.U2SAData;
 
 /** A service's MQTT connection: publications and subscriptions, with automatic reconnection. */
-final class MqttConnection implements Connection {
+final class MqttConnection implements Connection, MqttSession.Owner {
   private static final int AT_LEAST_ONCE = 1;
   private static final int TOPICS_REMEMBERED = 1_024;
 
@@ -200,12 +200,8 @@ final class MqttConnection implements Connection {
     return retained.catchUp(session, numbers::on);
   }
 
-  /**
-   * Handles a received message on the session's thread. Must not throw.
-   *
-   * @param isOld whether it is a retained message delivered on subscription
-   */
-  void arrived(String topicName, byte[] payload, boolean isOld) {
+  @Override
+  public void arrived(String topicName, byte[] payload, boolean isOld) {
     Topic topic;
     try {
       topic = parsed(topicName);
@@ -236,8 +232,8 @@ final class MqttConnection implements Connection {
     return known;
   }
 
-  /** Called on the session's threads when the session has broken. */
-  void lost(MqttSession session, String why) {
+  @Override
+  public void lost(MqttSession session, String why) {
     link.lost(session, why);
   }
 

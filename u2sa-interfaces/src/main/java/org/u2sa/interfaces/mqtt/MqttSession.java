@@ -6,10 +6,23 @@ import org.eclipse.paho.client.mqttv3.MqttException;
 
 /**
  * A single-use MQTT session, from opening until it breaks or is closed, so that no state of a
- * broken link survives. Counts unconfirmed messages and notifies its {@link MqttConnection} of
- * messages and loss.
+ * broken link survives. Counts unconfirmed messages and notifies its {@link Owner} of messages and
+ * loss.
  */
 interface MqttSession {
+  /** Receives what happens on a session's threads. */
+  interface Owner {
+    /**
+     * Handles a received message. Must not throw.
+     *
+     * @param isOld whether it is a retained message delivered on subscription
+     */
+    void arrived(String topicName, byte[] payload, boolean isOld);
+
+    /** Called when the session has broken. */
+    void lost(MqttSession session, String why);
+  }
+
   /**
    * Opens the session.
    *

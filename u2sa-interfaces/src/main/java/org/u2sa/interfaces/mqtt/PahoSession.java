@@ -32,7 +32,7 @@ final class PahoSession implements MqttSession {
   private static final long OVER = Long.MIN_VALUE / 2;
 
   private final MqttAsyncClient client;
-  private final MqttConnection owner;
+  private final Owner owner;
   private final long answerWithinMs;
   private final AtomicLong owed = new AtomicLong(); // far below zero once the session is over
   private final Set<String> asked = ConcurrentHashMap.newKeySet(); // answered filters
@@ -46,7 +46,7 @@ final class PahoSession implements MqttSession {
       String clientId,
       ScheduledExecutorService linkThread,
       long answerWithinMs,
-      MqttConnection owner)
+      Owner owner)
       throws MqttException {
     this.owner = owner;
     this.answerWithinMs = answerWithinMs;

@@ -56,7 +56,7 @@ public interface Clock {
    * current turn if the clock runs it on another thread, else the calling thread.
    */
   static Thread runningThread() {
-    return Thread.currentThread() instanceof LentTurnThreads.Carrier carrier
+    return Thread.currentThread() instanceof TurnThread carrier
         ? carrier.lender()
         : Thread.currentThread();
   }

@@ -51,7 +51,7 @@ final class LentTurnThreads {
   }
 
   /** A thread that runs lent turns. */
-  static final class Carrier extends Thread {
+  static final class Carrier extends Thread implements TurnThread {
     private final TurnWait wait = new TurnWait();
     private LentTurns loan; // null while idle, and at the end
 
@@ -61,8 +61,8 @@ final class LentTurnThreads {
       wait.begin();
     }
 
-    /** The thread whose turn it runs, or this one if none. Called on this thread. */
-    Thread lender() {
+    @Override
+    public Thread lender() {
       return loan == null ? this : loan.lender();
     }
 

@@ -30,6 +30,8 @@ public record XmlElement(
     Map<String, String> attributes,
     List<XmlElement> children,
     String text) {
+  private static final int SHORT = 40;
+
   /** Makes unmodifiable copies. */
   public XmlElement {
     attributes =
@@ -135,8 +137,19 @@ public record XmlElement(
    */
   public void refuseText() {
     if (!text.isEmpty()) {
-      throw error("unexpected text \"" + XmlText.shortened(text) + "\"");
+      throw error("unexpected text \"" + shortened(text) + "\"");
     }
+  }
+
+  /** Shortens a text to one line, for a message. */
+  static String shortened(String text) {
+    String line = oneLine(text);
+    return line.length() <= SHORT ? line : line.substring(0, SHORT) + "…";
+  }
+
+  /** Sanitises text for a message: no line breaks or control characters. */
+  static String oneLine(String text) {
+    return text.replaceAll("[\\p{Cntrl}\\s]+", " ");
   }
 
   private static String expected(String kind, List<String> known, String given) {

@@ -152,7 +152,8 @@ final class XmlParser {
             closed.children,
             text);
     if (!closed.children.isEmpty() && !text.isEmpty()) {
-      throw element.error("text \"" + XmlText.shortened(text) + "\" stands between its elements");
+      throw element.error(
+          "text \"" + XmlElement.shortened(text) + "\" stands between its elements");
     }
     if (!open.isEmpty()) {
       open.peek().children.add(element);
@@ -175,7 +176,7 @@ final class XmlParser {
       throw new BadInputException(
           String.format(
               "%s, line %s: the name \"%s\" is longer than %s characters",
-              origin, line(), XmlText.shortened(local), MAX_NAME_LENGTH));
+              origin, line(), XmlElement.shortened(local), MAX_NAME_LENGTH));
     }
     return prefix == null || prefix.isEmpty() ? local : prefix + ":" + local;
   }
@@ -195,6 +196,6 @@ final class XmlParser {
     Location at = e.getLocation() == null ? reached : e.getLocation(); // null for exceeded limits
     String where = at == null ? "" : ", line " + Math.max(1, at.getLineNumber());
     return new BadInputException(
-        origin + where + ": not well-formed XML: " + XmlText.oneLine(what), e);
+        origin + where + ": not well-formed XML: " + XmlElement.oneLine(what), e);
   }
 }

@@ -1,6 +1,5 @@
 package org.u2sa.interfaces.xml;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
@@ -11,8 +10,6 @@ import org.u2sa.interfaces.BadInputException;
  * DTD, only predefined entities; size, depth and file type are limited.
  */
 public final class XmlReader {
-  private static final int CHUNK = 8192;
-
   private XmlReader() {}
 
   /**
@@ -34,19 +31,9 @@ public final class XmlReader {
    */
   public static XmlElement read(InputStream in, String origin, String expectedRoot) {
     try {
-      return XmlText.of(bytes(in), origin).root(expectedRoot);
+      return XmlText.of(in, origin).root(expectedRoot);
     } catch (IOException e) {
       throw new BadInputException(origin + ": cannot be read: " + e.getMessage(), e);
     }
-  }
-
-  /** Content of the stream, up to slightly more than the limit, because it may be endless. */
-  static byte[] bytes(InputStream in) throws IOException {
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    byte[] chunk = new byte[CHUNK];
-    for (int n = in.read(chunk); n >= 0 && bytes.size() <= XmlText.MAX_BYTES; n = in.read(chunk)) {
-      bytes.write(chunk, 0, n);
-    }
-    return bytes.toByteArray();
   }
 }

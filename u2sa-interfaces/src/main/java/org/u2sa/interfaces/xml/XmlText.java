@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.xml;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -26,10 +27,10 @@ import org.u2sa.interfaces.BadInputException;
  */
 public final class XmlText {
   /** Maximum file size; a world of a hundred thousand points takes a third of it. */
-  static final int MAX_BYTES = 16 * 1024 * 1024;
+  private static final int MAX_BYTES = 16 * 1024 * 1024;
 
+  private static final int CHUNK = 8192;
   private static final int DECLARATION_LENGTH = 200;
-  private static final int SHORT = 40;
   private static final Pattern ENCODING =
       Pattern.compile("^<\\?xml[^>]*\\sencoding\\s*=\\s*[\"']([^\"']+)[\"']");
 
@@ -66,7 +67,7 @@ public final class XmlText {
         throw tooLarge(file.toString());
       }
       try (InputStream in = Files.newInputStream(file)) {
-        return of(XmlReader.bytes(in), file.toString());
+        return of(in, file.toString());
       }
     } catch (NoSuchFileException e) {
       throw new BadInputException(file + ": there is no such file", e);
@@ -75,6 +76,16 @@ public final class XmlText {
     } catch (IOException e) {
       throw new BadInputException(file + ": cannot be read: " + e, e);
     }
+  }
+
+  /** Reads a stream up to slightly more than the limit, because it may be endless. */
+  static XmlText of(InputStream in, String origin) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    byte[] chunk = new byte[CHUNK];
+    for (int n = in.read(chunk); n >= 0 && bytes.size() <= MAX_BYTES; n = in.read(chunk)) {
+      bytes.write(chunk, 0, n);
+    }
+    return of(bytes.toByteArray(), origin);
   }
 
   static XmlText of(byte[] bytes, String origin) {
@@ -185,17 +196,6 @@ public final class XmlText {
   /** Encoded bytes of the file. */
   public byte[] bytes() {
     return text.getBytes(charset);
-  }
-
-  /** Shortens a text to one line, for a message. */
-  static String shortened(String text) {
-    String line = oneLine(text);
-    return line.length() <= SHORT ? line : line.substring(0, SHORT) + "…";
-  }
-
-  /** Sanitises text for a message: no line breaks or control characters. */
-  static String oneLine(String text) {
-    return text.replaceAll("[\\p{Cntrl}\\s]+", " ");
   }
 
   private XmlText with(int from, int to, String replacement) {

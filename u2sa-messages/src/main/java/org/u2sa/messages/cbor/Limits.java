@@ -42,6 +42,13 @@ public final class Limits {
 
   private Limits() {}
 
+  /** Checks that a coordinate's square is finite, so that calculations with it stay finite. */
+  public static void requireCoordinate(double coordinate) {
+    if (Math.abs(coordinate) > COORDINATE) {
+      throw expected("coordinates of at most " + COORDINATE + ", not " + coordinate);
+    }
+  }
+
   /** The failure of a value that is not what was expected. */
   public static IllegalArgumentException expected(String what) {
     return new IllegalArgumentException("expected " + what);

@@ -31,7 +31,7 @@ final class AnyValue {
       case Cbor.ARRAY:
         return Collections.unmodifiableList(in.list(() -> read(in)));
       case Cbor.MAP:
-        return in.map();
+        return in.map(() -> read(in));
       default:
         return simple(in, first);
     }

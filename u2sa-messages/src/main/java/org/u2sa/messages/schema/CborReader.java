@@ -8,159 +8,70 @@ import java.util.Map;
 import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.cbor.Cbor;
 import org.u2sa.messages.cbor.CborInput;
-import org.u2sa.messages.cbor.FieldKey;
 import org.u2sa.messages.cbor.FieldLabels;
 import org.u2sa.messages.cbor.Flags;
 import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.cbor.Numbers;
 import org.u2sa.messages.cbor.TypedArrays;
-import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Reads one message from untrusted bytes: all lengths are bounded, and all errors are {@link
- * MalformedMessageException}s.
+ * Reads the values of one message from untrusted bytes: all lengths are bounded, and errors name
+ * the field. {@link CborMessageReader} is the only subclass.
  */
-final class CborReader {
-  private static final FieldKey TYPE_NAME = WireForm.READABLE.key(Schema.TYPE_KEY);
-  private static final FieldKey TYPE_LABEL = WireForm.COMPACT.key(Schema.TYPE_KEY);
-  private static final FieldKey ORIGIN_NAME = WireForm.READABLE.key(Origin.KEY);
-  private static final FieldKey ORIGIN_LABEL = WireForm.COMPACT.key(Origin.KEY);
-  private static final int COORDINATES = 3;
-  private static final double FULL_LATITUDE_DEG = 90.0;
-  private static final int BETWEEN = -1; // between fields
+abstract class CborReader {
+  static final int BETWEEN = -1; // between fields
   private static final int OTHER = -2; // a field without an index
+  private static final int COORDINATES = 3;
   private static final int SOME = 16; // initial capacity of indefinite-length lists
 
   /** Memory per element of a list or map: a point or short text and the reference to it [B]. */
   private static final int ELEMENT_BYTES = 48;
-
-  private static final int NESTED_BYTES = 400; // per message within a message, beside its lists
 
   /** Reads the next element of a list. */
   interface Element<V> {
     V read() throws MalformedMessageException;
   }
 
-  private final MessageTypes types;
-  private final CborInput in;
-  private final List<String> chain; // of the whole message
-  private String path; // enclosing types and fields; null: the message's own type
-  private FieldTable<?> table; // of the message being read
-  private int index =
-      BETWEEN; // index of the current field; not a reference, to avoid write barriers
+  final CborInput in;
+  String path; // enclosing types and fields
+  String[] names; // of the fields of the message being read
+  int index = BETWEEN; // index of the current field; not a reference, to avoid write barriers
+  int depth; // nesting depth of arrays and maps
+  Origin origin; // from the outermost map; null if absent
+  long more; // memory taken beyond the bytes read [B]
   private String other; // current key without an index
-  private int depth; // nesting depth of arrays and maps
-  private Origin origin; // from the outermost map; null if absent
-  private long more; // memory taken beyond the bytes read [B]
 
-  private CborReader(MessageTypes types, List<String> chain, CborInput in) {
-    this.types = types;
-    this.chain = chain;
+  /**
+   * @param typeName name of the message's type
+   */
+  CborReader(String typeName, CborInput in) {
+    path = typeName;
     this.in = in;
   }
 
-  static U2SAData message(MessageTypes types, List<String> chain, CborInput in)
-      throws MalformedMessageException {
-    return new CborReader(types, chain, in).whole(types.nearest(chain));
-  }
-
-  private U2SAData whole(MessageType<?> nearest) throws MalformedMessageException {
-    try {
-      U2SAData message = message(nearest, chain, in.map(), 0);
-      if (origin != null) {
-        message.cameFrom(origin);
-      }
-      if (!in.isAtEnd()) {
-        throw malformed("expected the end of the message, not more bytes");
-      }
-      message.decodedFrom((int) Math.min(Integer.MAX_VALUE, in.offset() + more));
-      return message;
-    } catch (RuntimeException e) { // from the input or a setter
-      throw new MalformedMessageException(where(), in.offset(), e.getMessage(), e);
-    }
-  }
-
-  /** Reads the rest of an opened map as a message of the given type. */
-  private <M extends U2SAData> M message(
-      MessageType<M> type, List<String> itsChain, long pairs, long read)
-      throws MalformedMessageException {
-    M message = type.newCarrier();
-    FieldTable<M> fields = type.table(in.isLabelNext() ? WireForm.COMPACT : WireForm.READABLE);
-    table = fields;
-    deeper();
-    boolean isKnown = type.chain() == itsChain || type.chain().equals(itsChain);
-    Map<String, Object> unknown = isKnown ? null : new LinkedHashMap<>();
-    long done = fields.readInOrder(this, in, message, pairs, read);
-    if (done == pairs - 1 && depth == 1 && (in.take(ORIGIN_NAME) || in.take(ORIGIN_LABEL))) {
-      reading(Origin.KEY);
-      origin = origin();
-    } else if (done != pairs) {
-      new FieldsReader<>(this, in, message, type, fields, unknown).readRest(pairs, done);
-    }
-    if (!isKnown) {
-      message.keepUnknown(
-          new U2SAData.UnknownPart(List.copyOf(itsChain), Collections.unmodifiableMap(unknown)));
-    }
-    index = BETWEEN;
-    MessageField<M> missing = fields.missing(message);
-    if (missing != null) {
-      throw malformed(missing.path() + " is required and missing");
-    }
-    requireOnEarth(message);
-    message.requireConsistent();
-    depth--;
-    return message;
-  }
-
-  /** Rejects latitudes beyond 90°, so that users of messages in GLOBAL need not check. */
-  private <M extends U2SAData> void requireOnEarth(M message) throws MalformedMessageException {
-    MessageType<?> type = message.type();
-    if (type.frameField() == null || !message.frame().equals(ReferenceFrame.GLOBAL)) {
-      return;
-    }
-    if (type.latitudeField() != null) {
-      requireLatitude(message.storage().get(type.latitudeField()));
-    }
-    for (int slot : type.pointLists()) {
-      for (Point point : message.storage().points(slot)) {
-        requireLatitude(point.y());
-      }
-    }
-  }
-
-  private void requireLatitude(double degrees) throws MalformedMessageException {
-    if (Math.abs(degrees) > FULL_LATITUDE_DEG) { // false for NaN, which means absent
-      throw malformed("the latitude " + degrees + " deg is outside -90…90 deg");
-    }
-  }
+  /**
+   * Reads a message in a list.
+   *
+   * @param type class that the message must be of
+   * @param name of that class's message type
+   */
+  abstract <M> M nested(Class<M> type, String name) throws MalformedMessageException;
 
   /** Records the index of the current field, for errors. */
-  void reading(int field) {
+  final void reading(int field) {
     index = field;
   }
 
   /** Records the current key, for errors. */
-  void reading(String key) {
+  final void reading(String key) {
     other = key;
     index = OTHER;
   }
 
-  /** Reads the value of an unknown key. */
-  void other(String name, Map<String, Object> unknown) throws MalformedMessageException {
-    if (depth == 1 && name.equals(Origin.KEY)) {
-      origin = origin();
-    } else if (unknown != null && !name.equals(Schema.TYPE_KEY)) {
-      unknown.put(name, AnyValue.read(this));
-    } else {
-      in.skip(Limits.DEPTH - depth);
-    }
-  }
-
-  /** Reads [sender, sequence]. */
-  private Origin origin() throws MalformedMessageException {
+  /** Reads {@link #origin}: [sender, sequence]. */
+  final void readOrigin() throws MalformedMessageException {
     if ((in.next() & Cbor.MAJOR) != Cbor.ARRAY) {
       throw in.unexpected("an array of sender and sequence");
     }
@@ -170,63 +81,36 @@ final class CborReader {
     if (!in.isDone(length, Origin.ELEMENTS)) {
       throw malformed("expected the end of the array after sender and sequence");
     }
-    return new Origin(sender, sequence);
-  }
-
-  /** Reads a list element: a map that starts with its type chain. */
-  <M extends U2SAData> M nested(MessageType<M> expected) throws MalformedMessageException {
-    long pairs = in.map();
-    boolean opensWithType =
-        !in.isDone(pairs, 0)
-            && (in.take(TYPE_NAME) || in.take(TYPE_LABEL) || Schema.TYPE_KEY.equals(key()));
-    if (!opensWithType) {
-      throw malformed("expected \"type\" as the first key of a message in a list");
-    }
-    List<String> itsChain = list(in::text);
-    MessageType<?> type = types.nearest(itsChain, in.offset());
-    if (!expected.messageClass().isAssignableFrom(type.messageClass())) {
-      throw malformed("expected a kind of " + expected.name() + ", not " + itsChain);
-    }
-    String outerPath = path;
-    FieldTable<?> outerTable = table;
-    int outerIndex = index;
-    path = where();
-    index = BETWEEN;
-    more += NESTED_BYTES;
-    M message = expected.messageClass().cast(message(type, itsChain, pairs, 1));
-    path = outerPath;
-    table = outerTable;
-    index = outerIndex;
-    return message;
+    origin = new Origin(sender, sequence);
   }
 
   /** Reads the next key in either form and returns its name. */
-  String key() {
+  final String key() {
     boolean isLabel = (in.next() & Cbor.MAJOR) == Cbor.UNSIGNED;
     return isLabel ? FieldLabels.name(in.count()) : FieldLabels.name(in.text());
   }
 
-  double number() {
+  final double number() {
     return in.number();
   }
 
-  long count() {
+  final long count() {
     return in.count();
   }
 
-  boolean flag() {
+  final boolean flag() {
     return in.flag();
   }
 
-  String text() {
+  final String text() {
     return in.text();
   }
 
-  ByteString byteString() {
+  final ByteString byteString() {
     return in.byteString();
   }
 
-  Point point() throws MalformedMessageException {
+  final Point point() throws MalformedMessageException {
     long length = in.array();
     deeper();
     double x = in.number();
@@ -240,14 +124,14 @@ final class CborReader {
   }
 
   private static Point near(double x, double y, double z) {
-    ScalarKinds.requireNear(x);
-    ScalarKinds.requireNear(y);
-    ScalarKinds.requireNear(z);
+    Limits.requireCoordinate(x);
+    Limits.requireCoordinate(y);
+    Limits.requireCoordinate(z);
     return Point.of(x, y, z);
   }
 
   /** Reads a list of unboxed numbers, plain or as a typed array. */
-  List<Double> numbers() throws MalformedMessageException {
+  final List<Double> numbers() throws MalformedMessageException {
     List<Double> typed = typedNumbers();
     if (typed != null) {
       more += (long) Double.BYTES * typed.size();
@@ -277,7 +161,7 @@ final class CborReader {
   }
 
   /** Reads a list of points, plain or as a two-dimensional array with three columns. */
-  List<Point> points() throws MalformedMessageException {
+  final List<Point> points() throws MalformedMessageException {
     for (long tag = in.tag(); tag >= 0; tag = in.tag()) {
       if (tag == TypedArrays.ROW_MAJOR) {
         return rows(
@@ -330,7 +214,7 @@ final class CborReader {
    * Reads a one- or two-dimensional array of floats as a list, for messages of unknown classes;
    * null if the next item is something else.
    */
-  List<?> typedArray() throws MalformedMessageException {
+  final List<?> typedArray() throws MalformedMessageException {
     for (long tag = in.tag(); tag >= 0; tag = in.tag()) {
       if (TypedArrays.isOfFloats(tag)) {
         List<Double> numbers = Numbers.owning(TypedArrays.read(in, tag));
@@ -345,7 +229,7 @@ final class CborReader {
   }
 
   /** Reads a list of unboxed booleans. */
-  List<Boolean> flags() throws MalformedMessageException {
+  final List<Boolean> flags() throws MalformedMessageException {
     long length = in.array();
     if (length == CborInput.UNTIL_BREAK) {
       return elements(length, in::flag);
@@ -358,7 +242,7 @@ final class CborReader {
     return Flags.owning(flags);
   }
 
-  <V> List<V> list(Element<V> element) throws MalformedMessageException {
+  final <V> List<V> list(Element<V> element) throws MalformedMessageException {
     return elements(in.array(), element);
   }
 
@@ -381,13 +265,13 @@ final class CborReader {
     }
   }
 
-  Map<String, Object> map() throws MalformedMessageException {
+  final <V> Map<String, V> map(Element<V> element) throws MalformedMessageException {
     long length = in.map();
     deeper();
-    Map<String, Object> map = new LinkedHashMap<>();
+    Map<String, V> map = new LinkedHashMap<>();
     while (!in.isDone(length, map.size())) {
       String name = key();
-      if (map.put(name, AnyValue.read(this)) != null) {
+      if (map.put(name, element.read()) != null) {
         throw malformed("the key \"" + name + "\" comes twice");
       }
     }
@@ -397,31 +281,30 @@ final class CborReader {
   }
 
   /** Peeks at the first byte of the next item. */
-  int next() {
+  final int next() {
     return in.next();
   }
 
-  IllegalArgumentException unexpected(String what) {
+  final IllegalArgumentException unexpected(String what) {
     return in.unexpected(what);
   }
 
-  private void deeper() throws MalformedMessageException {
+  final void deeper() throws MalformedMessageException {
     if (++depth > Limits.DEPTH) {
       throw malformed("expected at most " + Limits.DEPTH + " levels of nesting");
     }
   }
 
-  MalformedMessageException malformed(String what) {
+  final MalformedMessageException malformed(String what) {
     return new MalformedMessageException(where(), in.offset(), what);
   }
 
   /** "GoalList.goals.uid". */
-  private String where() {
-    String around = path == null ? chain.get(chain.size() - 1) : path;
+  final String where() {
     return switch (index) {
-      case BETWEEN -> around;
-      case OTHER -> around + "." + other;
-      default -> around + "." + table.at(index).name();
+      case BETWEEN -> path;
+      case OTHER -> path + "." + other;
+      default -> path + "." + names[index];
     };
   }
 }

@@ -7,13 +7,10 @@ import org.u2sa.messages.cbor.CborOutput;
 import org.u2sa.messages.cbor.FieldKey;
 import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.cbor.WireForm;
-import org.u2sa.messages.frame.Point;
 
 /** Writes one message as CBOR: fields in the schema's order. */
 final class CborWriter {
-  private static final int COORDINATES = 3;
-
-  private static final FieldKey[] TYPE_KEYS = keys(Schema.TYPE_KEY); // by form
+  private static final FieldKey[] TYPE_KEYS = keys(FieldTable.TYPE_KEY); // by form
   private static final FieldKey[] ORIGIN_KEYS = keys(Origin.KEY);
 
   private CborWriter() {}
@@ -22,10 +19,13 @@ final class CborWriter {
     return Stream.of(WireForm.values()).map(form -> form.key(name)).toArray(FieldKey[]::new);
   }
 
-  /** Writes the message, and its sender unless null. */
-  static byte[] bytes(U2SAData message, Origin origin, WireForm form) {
-    message.requireComplete();
-    FieldTable<U2SAData> table = message.ownType().table(form);
+  /**
+   * Writes a complete message, and its sender unless null.
+   *
+   * @param table fields of the message's type with keys of that form
+   */
+  static <M extends StoredMessage> byte[] bytes(
+      M message, FieldTable<M> table, Origin origin, WireForm form) {
     CborOutput out = new CborOutput(form, table.typicalBytes());
     message(out, message, table, origin, false);
     byte[] bytes = out.toBytes();
@@ -39,12 +39,13 @@ final class CborWriter {
     return bytes;
   }
 
-  private static void message(
-      CborOutput out,
-      U2SAData message,
-      FieldTable<U2SAData> table,
-      Origin origin,
-      boolean withType) {
+  /** Writes a message as an element of a list. */
+  static <M extends StoredMessage> void nested(CborOutput out, M message, FieldTable<M> table) {
+    message(out, message, table, null, true);
+  }
+
+  private static <M extends StoredMessage> void message(
+      CborOutput out, M message, FieldTable<M> table, Origin origin, boolean withType) {
     WireForm form = out.form();
     Map<String, Object> unknown = message.unknownFields();
     out.map(table.count(message) + unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1));
@@ -68,16 +69,5 @@ final class CborWriter {
       out.text(origin.sender());
       out.count(origin.sequence());
     }
-  }
-
-  static void nested(CborOutput out, U2SAData message) {
-    message(out, message, message.ownType().table(out.form()), null, true);
-  }
-
-  static void point(CborOutput out, Point value) {
-    out.array(COORDINATES);
-    out.number(value.x());
-    out.number(value.y());
-    out.number(value.z());
   }
 }

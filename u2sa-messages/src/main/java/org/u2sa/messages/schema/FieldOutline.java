@@ -3,6 +3,8 @@ package org.u2sa.messages.schema;
 /** Properties common to all kinds of fields, passed by the schema. */
 record FieldOutline(
     String owner, String name, String unit, Presence presence, int slot, int bit, int since) {
+  static final int NO_BIT = -1;
+
   /** Whether a field may be missing. */
   enum Presence {
     /** May be absent; absence is not encoded as 0 or NaN. */
@@ -14,7 +16,7 @@ record FieldOutline(
   }
 
   static FieldOutline of(String owner, String name, String unit, Presence presence, int since) {
-    return new FieldOutline(owner, name, unit, presence, -1, MessageField.NO_BIT, since);
+    return new FieldOutline(owner, name, unit, presence, -1, NO_BIT, since);
   }
 
   FieldOutline at(int place) {

@@ -4,12 +4,15 @@ package org.u2sa.messages.schema;
 final class FieldSlots {
   private static final int MAX = Long.SIZE; // presence is one long
 
+  /** Storage size and number of presence bits. */
+  record Sizes(int numbers, int values, int bits) {}
+
   private int numbers;
   private int values;
   private int bits;
 
   /** Sizes of the parent, where its child continues. */
-  static FieldSlots after(MessageType.Sizes parent) {
+  static FieldSlots after(Sizes parent) {
     FieldSlots slots = new FieldSlots();
     slots.numbers = parent.numbers();
     slots.values = parent.values();
@@ -38,7 +41,7 @@ final class FieldSlots {
     return taken;
   }
 
-  MessageType.Sizes sizes() {
-    return new MessageType.Sizes(numbers, values, bits);
+  Sizes sizes() {
+    return new Sizes(numbers, values, bits);
   }
 }

@@ -1,12 +1,10 @@
 package org.u2sa.messages.schema;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.u2sa.messages.frame.Point;
 
 /**
- * The values of one message.
+ * The values of one message, by slot.
  *
  * <p>Most messages set few of their type's numbers, so the set numbers are stored without gaps in
  * slot order, with a mask of the used slots. All other values are immutable objects by slot, except
@@ -24,8 +22,11 @@ final class FieldStorage {
   private boolean timed; // the timestamp is set
   private boolean frozen;
 
-  FieldStorage(MessageType.Sizes sizes) {
-    values = new Object[sizes.values()];
+  /**
+   * @param values number of slots for values other than numbers
+   */
+  FieldStorage(int values) {
+    this.values = new Object[values];
   }
 
   /** Mask of set numbers, by slot. */
@@ -43,21 +44,16 @@ final class FieldStorage {
     return numbers;
   }
 
-  boolean has(NumberField<?> field) {
-    return (present >>> field.slot & 1L) != 0L;
-  }
-
-  boolean has(ValueField<?, ?> field) {
-    return values[field.slot] != null;
+  boolean hasNumber(int slot) {
+    return (present >>> slot & 1L) != 0L;
   }
 
   boolean hasTimestamp() {
     return timed;
   }
 
-  /** The value, or the default, or NaN. */
-  double get(NumberField<?> field) {
-    return has(field) ? numbers[indexOf(field.slot)] : field.ifUnset;
+  double number(int slot, double ifUnset) {
+    return hasNumber(slot) ? numbers[indexOf(slot)] : ifUnset;
   }
 
   /** Index of a slot's number, whether set or not: after all lower slots. */
@@ -65,11 +61,9 @@ final class FieldStorage {
     return Long.bitCount(present & (1L << slot) - 1);
   }
 
-  /** The value, or the default, or null. */
-  @SuppressWarnings("unchecked") // only put fills the slot, with the class of the same field
-  <V> V get(ValueField<?, V> field) {
-    Object value = values[field.slot];
-    return value == null ? field.ifUnset : (V) value;
+  /** A value other than a number; null if unset. */
+  Object value(int slot) {
+    return values[slot];
   }
 
   /** The timestamp [µs]; 0 if absent. */
@@ -77,12 +71,11 @@ final class FieldStorage {
     return timestampMicros;
   }
 
-  void put(NumberField<?> field, double value) {
-    requireThawed(field);
-    int index = indexOf(field.slot);
-    if (!has(field)) {
+  void put(int slot, double value) {
+    int index = indexOf(slot);
+    if (!hasNumber(slot)) {
       makeRoomAt(index);
-      present |= 1L << field.slot;
+      present |= 1L << slot;
     }
     numbers[index] = value;
   }
@@ -115,74 +108,36 @@ final class FieldStorage {
     }
   }
 
-  <V> void put(ValueField<?, V> field, V value) {
-    requireThawed(field);
-    values[field.slot] = value;
-    valuesPresent |= 1L << field.slot;
+  void put(int slot, Object value) {
+    values[slot] = value;
+    valuesPresent |= 1L << slot;
   }
 
-  /** Points of the list in a slot; empty if unset. */
-  @SuppressWarnings("unchecked") // the slot holds only lists of points
-  List<Point> points(int slot) {
-    return values[slot] == null ? List.of() : (List<Point>) values[slot];
+  /** Elements of the list in a slot; empty if unset. */
+  List<?> list(int slot) {
+    return values[slot] == null ? List.of() : (List<?>) values[slot];
   }
 
-  void timestamp(TimestampField field, long micros) {
-    requireThawed(field);
+  void timestamp(long micros) {
     timestampMicros = micros;
     timed = true;
   }
 
-  /**
-   * Copies all values of another message of the type, including nested messages.
-   *
-   * @param messageLists slots of the lists that hold them
-   */
-  void takeFrom(FieldStorage other, int[] messageLists) {
+  /** Copies all values of another message of the type; they share nested messages. */
+  void takeFrom(FieldStorage other) {
     present = other.present;
     numbers = Arrays.copyOf(other.numbers, Long.bitCount(present));
     values = other.values.clone();
     valuesPresent = other.valuesPresent;
     timestampMicros = other.timestampMicros;
     timed = other.timed;
-    for (int slot : messageLists) {
-      if (values[slot] != null) {
-        values[slot] = copies((List<?>) values[slot]);
-      }
-    }
   }
 
-  private static List<U2SAData> copies(List<?> messages) {
-    List<U2SAData> copies = new ArrayList<>(messages.size());
-    for (Object message : messages) {
-      copies.add(((U2SAData) message).copy());
-    }
-    return List.copyOf(copies);
-  }
-
-  private void requireThawed(MessageField<?> field) {
-    if (frozen) {
-      throw new IllegalStateException(
-          field.path() + " cannot be set: the message is frozen since it was published; copy() it");
-    }
-  }
-
-  /**
-   * Freezes this message and nested ones.
-   *
-   * @param messageLists slots of the lists that hold them
-   */
-  void freeze(int[] messageLists) {
-    for (int slot : messageLists) {
-      if (values[slot] != null) {
-        for (Object element : (List<?>) values[slot]) {
-          ((U2SAData) element).freeze();
-        }
-      }
-    }
+  void freeze() {
     frozen = true;
   }
 
+  /** Whether fields may no longer put values. */
   boolean isFrozen() {
     return frozen;
   }

@@ -2,6 +2,7 @@ package org.u2sa.messages.schema;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.u2sa.messages.cbor.CborInput;
 import org.u2sa.messages.cbor.CborOutput;
 import org.u2sa.messages.cbor.FieldKey;
@@ -14,11 +15,15 @@ import org.u2sa.messages.cbor.WireForm;
  *
  * @param <T> the message class
  */
-final class FieldTable<T extends U2SAData> {
+final class FieldTable<T extends StoredMessage> {
+  /** Key of the type chain in the map of a nested message. */
+  static final String TYPE_KEY = "type";
+
   private static final int MIN_BYTES = 32;
   private static final int MAX_BYTES = 4096; // one large message must not inflate all later buffers
 
   private final MessageField<T>[] fields;
+  private final String[] names; // of the fields
   private final FieldKey[] keys; // of the fields
   private final NumberRun[] runs; // run of each number by index; null for other kinds
   private final long defaultedNumbers; // bit n: the number of slot n has a default
@@ -33,7 +38,8 @@ final class FieldTable<T extends U2SAData> {
 
   FieldTable(List<MessageField<T>> all, WireForm form) {
     fields = fieldArray(all);
-    keys = all.stream().map(field -> form.key(field.name())).toArray(FieldKey[]::new);
+    names = all.stream().map(MessageField::name).toArray(String[]::new);
+    keys = Stream.of(names).map(form::key).toArray(FieldKey[]::new);
     runs = new NumberRun[fields.length];
     List<ValueField<T, ?>> valueList = new ArrayList<>();
     List<FieldKey> valueKeyList = new ArrayList<>();
@@ -88,18 +94,20 @@ final class FieldTable<T extends U2SAData> {
   }
 
   @SuppressWarnings({"unchecked", "rawtypes"}) // generic arrays cannot be created
-  private static <T extends U2SAData> MessageField<T>[] fieldArray(List<MessageField<T>> fields) {
+  private static <T extends StoredMessage> MessageField<T>[] fieldArray(
+      List<MessageField<T>> fields) {
     return fields.toArray(new MessageField[0]);
   }
 
   @SuppressWarnings({"unchecked", "rawtypes"}) // likewise
-  private static <T extends U2SAData> ValueField<T, ?>[] valueArray(List<ValueField<T, ?>> values) {
+  private static <T extends StoredMessage> ValueField<T, ?>[] valueArray(
+      List<ValueField<T, ?>> values) {
     return values.toArray(new ValueField[0]);
   }
 
   /** A missing required field; null if none is missing. */
   MessageField<T> missing(T message) {
-    FieldStorage storage = message.storage();
+    FieldStorage storage = message.storage;
     boolean isComplete =
         (storage.numbersSet() & requiredNumbers) == requiredNumbers
             && (storage.valuesSet() & requiredValues) == requiredValues;
@@ -117,7 +125,7 @@ final class FieldTable<T extends U2SAData> {
 
   /** Number of fields of a message on the wire. */
   int count(T message) {
-    FieldStorage storage = message.storage();
+    FieldStorage storage = message.storage;
     return Long.bitCount(storage.numbersSet() | defaultedNumbers)
         + Long.bitCount(storage.valuesSet() | defaultedValues)
         + (storage.hasTimestamp() ? 1 : 0);
@@ -135,7 +143,7 @@ final class FieldTable<T extends U2SAData> {
 
   /** Writes all fields of a message that must be written, in order. */
   void write(CborOutput out, T message) {
-    FieldStorage storage = message.storage();
+    FieldStorage storage = message.storage;
     for (int i = 0; i < values.length; i++) {
       if (runsBefore[i] != null) {
         runsBefore[i].write(out, storage);
@@ -157,7 +165,7 @@ final class FieldTable<T extends U2SAData> {
    */
   long readInOrder(CborReader reader, CborInput in, T message, long pairs, long read)
       throws MalformedMessageException {
-    FieldStorage storage = message.storage();
+    FieldStorage storage = message.storage;
     long done = read;
     for (int i = 0; done < pairs; i++) {
       NumberRun run = runsBefore[i];
@@ -206,6 +214,11 @@ final class FieldTable<T extends U2SAData> {
   /** Size of a field's key. */
   int keyBytes(int index) {
     return keys[index].length();
+  }
+
+  /** Names of the fields by index; not to be modified. */
+  String[] names() {
+    return names;
   }
 
   MessageField<T> at(int index) {

@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import org.u2sa.messages.cbor.CborInput;
+import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.cbor.MalformedMessageException;
 
 /**
@@ -26,13 +27,12 @@ final class FieldsReader<T extends U2SAData> {
 
   FieldsReader(
       CborReader reader,
-      CborInput in,
       T message,
       MessageType<T> type,
       FieldTable<T> table,
       Map<String, Object> unknown) {
     this.reader = reader;
-    this.in = in;
+    in = reader.in;
     this.message = message;
     this.type = type;
     this.table = table;
@@ -68,7 +68,7 @@ final class FieldsReader<T extends U2SAData> {
       return;
     }
     if (run != null) {
-      run.expect(opening, message.storage());
+      run.expect(opening, message.storage);
     }
     run = following;
     opening = NumberRun.opening(in, pairs);
@@ -81,7 +81,7 @@ final class FieldsReader<T extends U2SAData> {
       throw reader.malformed("the key comes twice");
     }
     if (field == null) {
-      reader.other(name, unknown);
+      other(name);
     } else if (field.read(reader, message)) {
       return;
     }
@@ -89,5 +89,16 @@ final class FieldsReader<T extends U2SAData> {
       others = new HashSet<>();
     }
     others.add(name);
+  }
+
+  /** Reads the value of an unknown key. */
+  private void other(String name) throws MalformedMessageException {
+    if (reader.depth == 1 && name.equals(Origin.KEY)) {
+      reader.readOrigin();
+    } else if (unknown != null && !name.equals(FieldTable.TYPE_KEY)) {
+      unknown.put(name, AnyValue.read(reader));
+    } else {
+      in.skip(Limits.DEPTH - reader.depth);
+    }
   }
 }

@@ -15,10 +15,7 @@ import org.u2sa.messages.frame.Point;
 
 /** Kinds of lists, whose elements are checked, parsed, written and read like single values. */
 final class ListKinds {
-  static final ValueKind<List<String>> TEXTS =
-      new TextList(new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", ScalarKinds.TEXT));
-  static final ValueKind<List<String>> IDS =
-      new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", TextKinds.ID);
+  static final ValueKind<List<String>> TEXTS = new TextList(texts(ScalarKinds.TEXT));
   static final ValueKind<List<Point>> POINTS =
       new PointList(new ListKind<>(Kind.POINT_LIST, Point.class, "points", ";", ScalarKinds.POINT));
   static final ValueKind<List<Double>> NUMBERS = new NumberList();
@@ -26,8 +23,15 @@ final class ListKinds {
 
   private ListKinds() {}
 
-  static <M extends U2SAData> ValueKind<List<M>> messages(MessageType<M> element) {
-    return new Messages<>(element);
+  static ValueKind<List<String>> texts(ValueKind<String> element) {
+    return new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", element);
+  }
+
+  /**
+   * @param name of the messages' type
+   */
+  static <M extends StoredMessage> ValueKind<List<M>> messages(Class<M> type, String name) {
+    return new Messages<>(type, name);
   }
 
   private static Double parseNumber(String text) {
@@ -106,57 +110,52 @@ final class ListKinds {
     }
   }
 
-  /** May be kept as {@link DeferredTexts}, which check themselves. */
-  private record TextList(ValueKind<List<String>> made) implements ValueKind<List<String>> {
+  /** A kind that differs from another in some methods only. */
+  interface Derived<V> extends ValueKind<V> {
+    ValueKind<V> base();
+
     @Override
-    public Kind kind() {
-      return made.kind();
+    default Kind kind() {
+      return base().kind();
     }
 
+    @Override
+    default V checked(Object value) {
+      return base().checked(value);
+    }
+
+    @Override
+    default V parsed(List<String> texts) {
+      return base().parsed(texts);
+    }
+
+    @Override
+    default void write(CborOutput out, V value) {
+      base().write(out, value);
+    }
+
+    @Override
+    default V read(CborReader in) throws MalformedMessageException {
+      return base().read(in);
+    }
+  }
+
+  /** May be kept as {@link DeferredTexts}, which check themselves. */
+  private record TextList(ValueKind<List<String>> base) implements Derived<List<String>> {
     @Override
     public List<String> checked(Object value) {
-      return value instanceof DeferredTexts later ? later : made.checked(value);
-    }
-
-    @Override
-    public List<String> parsed(List<String> texts) {
-      return made.parsed(texts);
-    }
-
-    @Override
-    public void write(CborOutput out, List<String> values) {
-      made.write(out, values);
-    }
-
-    @Override
-    public List<String> read(CborReader in) throws MalformedMessageException {
-      return made.read(in);
+      return value instanceof DeferredTexts later ? later : base.checked(value);
     }
   }
 
   /** May be a two-dimensional array on the wire. */
-  private record PointList(ValueKind<List<Point>> made) implements ValueKind<List<Point>> {
-    @Override
-    public Kind kind() {
-      return made.kind();
-    }
-
-    @Override
-    public List<Point> checked(Object value) {
-      return made.checked(value);
-    }
-
-    @Override
-    public List<Point> parsed(List<String> texts) {
-      return made.parsed(texts);
-    }
-
+  private record PointList(ValueKind<List<Point>> base) implements Derived<List<Point>> {
     @Override
     public void write(CborOutput out, List<Point> values) {
       if (out.form() == WireForm.COMPACT) {
         TypedArrays.writePoints(out, values);
       } else {
-        made.write(out, values);
+        base.write(out, values);
       }
     }
 
@@ -234,7 +233,7 @@ final class ListKinds {
     }
   }
 
-  private record Messages<M extends U2SAData>(MessageType<M> element)
+  private record Messages<M extends StoredMessage>(Class<M> type, String name)
       implements ValueKind<List<M>> {
     @Override
     public Kind kind() {
@@ -243,30 +242,25 @@ final class ListKinds {
 
     @Override
     public List<M> checked(Object value) {
-      return elements(value, element.messageClass(), element.name() + " messages");
+      return elements(value, type, name + " messages");
     }
 
     @Override
     public List<M> parsed(List<String> texts) {
-      throw Limits.expected("elements of " + element.name() + " instead of text");
+      throw Limits.expected("elements of " + name + " instead of text");
     }
 
     @Override
     public void write(CborOutput out, List<M> value) {
       out.array(value.size());
       for (M message : value) {
-        CborWriter.nested(out, message);
+        message.writeNested(out);
       }
     }
 
     @Override
     public List<M> read(CborReader in) throws MalformedMessageException {
-      return in.list(() -> in.nested(element));
-    }
-
-    @Override
-    public MessageType<?> elementType() {
-      return element;
+      return in.list(() -> in.nested(type, name));
     }
   }
 }

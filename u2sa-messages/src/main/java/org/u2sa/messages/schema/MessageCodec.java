@@ -38,7 +38,7 @@ public final class MessageCodec {
    * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
    */
   public byte[] encode(U2SAData message) {
-    return CborWriter.bytes(message, null, keys);
+    return message.bytes(null, keys);
   }
 
   /**
@@ -47,7 +47,7 @@ public final class MessageCodec {
    * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
    */
   public byte[] encode(U2SAData message, Origin sentFrom) {
-    return CborWriter.bytes(message, sentFrom, keys);
+    return message.bytes(sentFrom, keys);
   }
 
   /**
@@ -66,6 +66,6 @@ public final class MessageCodec {
           Limits.PAYLOAD_BYTES,
           "expected at most " + Limits.PAYLOAD_BYTES + " bytes, not " + bytes.length);
     }
-    return CborReader.message(types, typeChain, new CborInput(bytes, texts));
+    return CborMessageReader.message(types, typeChain, new CborInput(bytes, texts));
   }
 }

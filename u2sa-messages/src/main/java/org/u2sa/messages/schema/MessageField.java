@@ -12,11 +12,9 @@ import org.u2sa.messages.frame.ReferenceFrame;
  *
  * @param <T> the message class that declares or inherits the field
  */
-public abstract class MessageField<T extends U2SAData> {
-  static final int NO_BIT = -1;
-
+public abstract class MessageField<T extends StoredMessage> {
   final int slot; // index in the message's storage
-  final int bit; // in the presence vector, or NO_BIT
+  final int bit; // in the presence vector, or FieldOutline.NO_BIT
   private final String owner;
   private final String name;
   private final Kind kind;
@@ -77,7 +75,7 @@ public abstract class MessageField<T extends U2SAData> {
    * all that are not optional).
    */
   public final OptionalInt bit() {
-    return bit == NO_BIT ? OptionalInt.empty() : OptionalInt.of(bit);
+    return bit == FieldOutline.NO_BIT ? OptionalInt.empty() : OptionalInt.of(bit);
   }
 
   /** Wire format version that introduced the field, from 1. */
@@ -114,6 +112,20 @@ public abstract class MessageField<T extends U2SAData> {
    * all.
    */
   public abstract void setTexts(T message, List<String> texts);
+
+  /**
+   * Storage to put a value into.
+   *
+   * @throws IllegalStateException if the message is frozen
+   */
+  final FieldStorage thawed(StoredMessage message) {
+    FieldStorage storage = message.storage;
+    if (storage.isFrozen()) {
+      throw new IllegalStateException(
+          path() + " cannot be set: the message is frozen since it was published; copy() it");
+    }
+    return storage;
+  }
 
   /** Reads the value; false if skipped because only later versions define it. */
   abstract boolean read(CborReader in, T message) throws MalformedMessageException;

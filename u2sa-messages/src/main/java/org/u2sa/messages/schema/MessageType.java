@@ -25,17 +25,15 @@ public final class MessageType<T extends U2SAData> {
       boolean isAbstract,
       MessageType<? super T> parent) {}
 
-  /** Storage size and number of presence bits. */
-  record Sizes(int numbers, int values, int bits) {}
-
   private final Identity<T> identity;
   private final List<MessageField<T>> fields;
   private final Map<String, MessageField<T>> byName = new HashMap<>();
   private final Map<String, String> aliases;
+  private final Map<MessageField<?>, MessageType<?>> elements; // of the lists of messages
   private final ValueField<?, ReferenceFrame> frameField; // null: none
   private final NumberField<?> latitudeField; // null: none
   private final int[] pointLists; // slots of values
-  private final Sizes sizes;
+  private final FieldSlots.Sizes sizes;
   private final List<String> chain;
   private final FieldTable<T> names;
   private volatile FieldTable<T> labels; // created lazily: most processes never need it
@@ -45,11 +43,13 @@ public final class MessageType<T extends U2SAData> {
       Identity<T> identity,
       List<MessageField<T>> fields,
       Map<String, String> aliases,
+      Map<MessageField<?>, MessageType<?>> elements,
       ValueField<?, ReferenceFrame> frameField,
-      Sizes sizes) {
+      FieldSlots.Sizes sizes) {
     this.identity = identity;
     this.fields = fields;
     this.aliases = aliases;
+    this.elements = elements;
     this.frameField = frameField;
     this.sizes = sizes;
     names = new FieldTable<>(fields, WireForm.READABLE);
@@ -132,6 +132,11 @@ public final class MessageType<T extends U2SAData> {
     return exact.isPresent() || !aliases.containsKey(name) ? exact : field(aliases.get(name));
   }
 
+  /** For a field with a list of messages, their type or its nearest common ancestor. */
+  public Optional<MessageType<?>> elementType(MessageField<?> field) {
+    return Optional.ofNullable(elements.get(field));
+  }
+
   /**
    * Creates an empty message.
    *
@@ -202,7 +207,11 @@ public final class MessageType<T extends U2SAData> {
     return aliases;
   }
 
-  Sizes sizes() {
+  Map<MessageField<?>, MessageType<?>> elements() {
+    return elements;
+  }
+
+  FieldSlots.Sizes sizes() {
     return sizes;
   }
 

@@ -12,7 +12,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  *
  * @param <T> the message class
  */
-public final class NumberField<T extends U2SAData> extends MessageField<T> {
+public final class NumberField<T extends StoredMessage> extends MessageField<T> {
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d+)?");
 
@@ -91,15 +91,26 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
     return value > most && min == Double.NEGATIVE_INFINITY ? "at most " + most : least + "…" + most;
   }
 
+  /** The value, or the default, or NaN. */
+  double in(FieldStorage storage) {
+    return storage.number(slot, ifUnset);
+  }
+
+  /** Checks and stores a value. */
+  void put(StoredMessage message, double value) {
+    double valid = checked(value);
+    thawed(message).put(slot, valid);
+  }
+
   @Override
   public Optional<Object> get(T message) {
     boolean hasValue = isSet(message) || !Double.isNaN(ifUnset);
-    return hasValue ? Optional.of(message.storage().get(this)) : Optional.empty();
+    return hasValue ? Optional.of(in(message.storage)) : Optional.empty();
   }
 
   @Override
   public boolean isSet(T message) {
-    return message.storage().has(this);
+    return message.storage.hasNumber(slot);
   }
 
   @Override
@@ -107,7 +118,7 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
     if (!(value instanceof Number number)) {
       throw refused(value, "expected a number");
     }
-    message.put(this, number.doubleValue());
+    put(message, number.doubleValue());
   }
 
   @Override
@@ -116,7 +127,7 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
     if (!NUMBER.matcher(trimmed).matches()) {
       throw refused(text, "expected a number" + (unit().isEmpty() ? "" : " [" + unit() + "]"));
     }
-    message.put(this, Double.parseDouble(trimmed));
+    put(message, Double.parseDouble(trimmed));
   }
 
   @Override
@@ -129,7 +140,7 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
 
   @Override
   boolean read(CborReader in, T message) throws MalformedMessageException {
-    message.put(this, in.number());
+    put(message, in.number());
     return true;
   }
 }

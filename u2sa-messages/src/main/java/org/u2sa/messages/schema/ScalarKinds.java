@@ -50,8 +50,10 @@ final class ScalarKinds {
           Kind.POINT,
           ScalarKinds::point,
           ScalarKinds::parsePoint,
-          CborWriter::point,
+          ScalarKinds::writePoint,
           CborReader::point);
+
+  private static final int COORDINATES = 3;
 
   private ScalarKinds() {}
 
@@ -100,17 +102,17 @@ final class ScalarKinds {
 
   private static Point point(Object value) {
     Point point = instance(value, Point.class, "a point");
-    requireNear(point.x());
-    requireNear(point.y());
-    requireNear(point.z());
+    Limits.requireCoordinate(point.x());
+    Limits.requireCoordinate(point.y());
+    Limits.requireCoordinate(point.z());
     return point;
   }
 
-  /** Checks that a coordinate's square is finite, so that calculations with it stay finite. */
-  static void requireNear(double coordinate) {
-    if (Math.abs(coordinate) > Limits.COORDINATE) {
-      throw Limits.expected("coordinates of at most " + Limits.COORDINATE + ", not " + coordinate);
-    }
+  private static void writePoint(CborOutput out, Point value) {
+    out.array(COORDINATES);
+    out.number(value.x());
+    out.number(value.y());
+    out.number(value.z());
   }
 
   private static Long count(Object value) {
@@ -192,7 +194,7 @@ final class ScalarKinds {
       try {
         return named(name);
       } catch (IllegalArgumentException e) {
-        throw new ValueField.UnknownConstantException(e.getMessage() + ", not \"" + name + "\"");
+        throw new UnknownConstantException(e.getMessage() + ", not \"" + name + "\"");
       }
     }
   }

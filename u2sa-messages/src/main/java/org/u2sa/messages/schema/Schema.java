@@ -26,13 +26,13 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * @param <T> the message class
  */
 public final class Schema<T extends U2SAData> {
-  static final String TYPE_KEY = "type";
   private static final double ANY_LESS = Double.NEGATIVE_INFINITY;
   private static final double ANY_MORE = Double.POSITIVE_INFINITY;
 
   private final MessageType.Identity<T> identity;
   private final List<MessageField<T>> fields = new ArrayList<>();
   private final Map<String, String> aliases = new HashMap<>();
+  private final Map<MessageField<?>, MessageType<?>> elements = new HashMap<>();
   private final FieldSlots slots;
   private ValueField<?, ReferenceFrame> frameField; // null: none
   private int since = 1;
@@ -49,6 +49,7 @@ public final class Schema<T extends U2SAData> {
       fields.add(MessageType.inherited(field));
     }
     aliases.putAll(parent.aliases());
+    elements.putAll(parent.elements());
     frameField = parent.frameField();
   }
 
@@ -84,9 +85,9 @@ public final class Schema<T extends U2SAData> {
     return new Schema<>(new MessageType.Identity<>("U2SAData", U2SAData.class, null, true, null));
   }
 
-  static TimestampField timestamp(Schema<U2SAData> root) {
+  static TimestampField<U2SAData> timestamp(Schema<U2SAData> root) {
     return root.added(
-        new TimestampField(root.outline("timestamp", "us", FieldOutline.Presence.OPTIONAL)));
+        new TimestampField<>(root.outline("timestamp", "us", FieldOutline.Presence.OPTIONAL)));
   }
 
   /** Sets the wire format version that introduced the fields declared after this call. */
@@ -226,12 +227,12 @@ public final class Schema<T extends U2SAData> {
 
   /** List of identifiers, empty by default. */
   public ValueField<T, List<String>> ids(String field) {
-    return value(field, "", ListKinds.IDS, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    return value(field, "", TextKinds.IDS, FieldOutline.Presence.DEFAULTED, List.of(), false);
   }
 
   /** Optional list of identifiers, without a presence bit. */
   public ValueField<T, List<String>> optionalIds(String field) {
-    return value(field, "", ListKinds.IDS, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.IDS, FieldOutline.Presence.OPTIONAL, null, false);
   }
 
   /** List of texts for people, empty by default, truncated to 100 of 1,000 characters. */
@@ -340,8 +341,11 @@ public final class Schema<T extends U2SAData> {
   /** List of messages of one class and its subclasses, empty by default. */
   public <M extends U2SAData> ValueField<T, List<M>> messages(
       String field, MessageType<M> element) {
-    ValueKind<List<M>> kind = ListKinds.messages(element);
-    return value(field, "", kind, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    ValueKind<List<M>> kind = ListKinds.messages(element.messageClass(), element.name());
+    ValueField<T, List<M>> list =
+        value(field, "", kind, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    elements.put(list, element);
+    return list;
   }
 
   private <V> ValueField<T, V> value(
@@ -362,7 +366,7 @@ public final class Schema<T extends U2SAData> {
 
   private <F extends MessageField<T>> F added(F field) {
     boolean taken =
-        field.name().equals(TYPE_KEY)
+        field.name().equals(FieldTable.TYPE_KEY)
             || field.name().equals(Origin.KEY)
             || fields.stream().anyMatch(other -> other.name().equals(field.name()));
     if (taken) {
@@ -375,6 +379,11 @@ public final class Schema<T extends U2SAData> {
   /** The finished schema. */
   public MessageType<T> build() {
     return new MessageType<>(
-        identity, List.copyOf(fields), Map.copyOf(aliases), frameField, slots.sizes());
+        identity,
+        List.copyOf(fields),
+        Map.copyOf(aliases),
+        Map.copyOf(elements),
+        frameField,
+        slots.sizes());
   }
 }

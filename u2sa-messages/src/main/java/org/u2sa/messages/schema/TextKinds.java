@@ -15,8 +15,9 @@ import org.u2sa.messages.cbor.MalformedMessageException;
 final class TextKinds {
   static final ValueKind<String> NAME = new Bounded(Limits.NAME_CHARS);
   static final ValueKind<String> ID = new Bounded(Limits.ID_CHARS);
+  static final ValueKind<List<String>> IDS = ListKinds.texts(ID);
   static final ValueKind<String> NOTE = new Note();
-  static final ValueKind<List<String>> NOTES = new Notes();
+  static final ValueKind<List<String>> NOTES = new Notes(ListKinds.TEXTS);
 
   private static final String CUT = "…";
 
@@ -50,12 +51,30 @@ final class TextKinds {
     return true;
   }
 
-  private record Bounded(int longest) implements ValueKind<String> {
+  /** All but the bounds. */
+  private interface Text extends ValueKind<String> {
     @Override
-    public Kind kind() {
+    default Kind kind() {
       return Kind.STRING;
     }
 
+    @Override
+    default String parsed(List<String> texts) {
+      return ValueKind.only(texts);
+    }
+
+    @Override
+    default void write(CborOutput out, String text) {
+      out.text(text);
+    }
+
+    @Override
+    default String read(CborReader in) throws MalformedMessageException {
+      return in.text();
+    }
+  }
+
+  private record Bounded(int longest) implements Text {
     @Override
     public String checked(Object value) {
       String text = ScalarKinds.TEXT.checked(value);
@@ -64,29 +83,9 @@ final class TextKinds {
       }
       return text;
     }
-
-    @Override
-    public String parsed(List<String> texts) {
-      return ValueKind.only(texts);
-    }
-
-    @Override
-    public void write(CborOutput out, String text) {
-      out.text(text);
-    }
-
-    @Override
-    public String read(CborReader in) throws MalformedMessageException {
-      return in.text();
-    }
   }
 
-  private record Note() implements ValueKind<String> {
-    @Override
-    public Kind kind() {
-      return Kind.STRING;
-    }
-
+  private record Note() implements Text {
     @Override
     public int longest() {
       return Limits.NOTE_CHARS;
@@ -104,29 +103,9 @@ final class TextKinds {
       }
       throw Limits.expected("text");
     }
-
-    @Override
-    public String parsed(List<String> texts) {
-      return ValueKind.only(texts);
-    }
-
-    @Override
-    public void write(CborOutput out, String text) {
-      out.text(text);
-    }
-
-    @Override
-    public String read(CborReader in) throws MalformedMessageException {
-      return in.text();
-    }
   }
 
-  private record Notes() implements ValueKind<List<String>> {
-    @Override
-    public Kind kind() {
-      return Kind.STRING_LIST;
-    }
-
+  private record Notes(ValueKind<List<String>> base) implements ListKinds.Derived<List<String>> {
     @Override
     public int longest() {
       return NOTE.longest();
@@ -152,21 +131,6 @@ final class TextKinds {
         kept.add(NOTE.checked(note));
       }
       return List.copyOf(kept);
-    }
-
-    @Override
-    public List<String> parsed(List<String> texts) {
-      return ListKinds.TEXTS.parsed(texts);
-    }
-
-    @Override
-    public void write(CborOutput out, List<String> notes) {
-      ListKinds.TEXTS.write(out, notes);
-    }
-
-    @Override
-    public List<String> read(CborReader in) throws MalformedMessageException {
-      return ListKinds.TEXTS.read(in);
     }
   }
 }

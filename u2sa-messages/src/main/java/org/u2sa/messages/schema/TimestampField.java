@@ -4,46 +4,50 @@ import org.u2sa.messages.cbor.CborOutput;
 import org.u2sa.messages.cbor.FieldKey;
 import org.u2sa.messages.cbor.Limits;
 
-/** Time of measurement [µs]: a field of every message, kept as an unboxed long. */
-final class TimestampField extends ValueField<U2SAData, Long> {
+/**
+ * Time of measurement [µs]: a field of every message, kept as an unboxed long.
+ *
+ * @param <T> the message class
+ */
+final class TimestampField<T extends StoredMessage> extends ValueField<T, Long> {
   TimestampField(FieldOutline outline) {
     super(outline, ScalarKinds.COUNT, null);
   }
 
   @Override
-  public boolean isSet(U2SAData message) {
-    return message.storage().hasTimestamp();
+  public boolean isSet(T message) {
+    return message.storage.hasTimestamp();
   }
 
   @Override
-  Long valueIn(U2SAData message) {
-    return isSet(message) ? (Long) message.storage().timestamp() : null;
+  Long valueIn(T message) {
+    return isSet(message) ? (Long) message.storage.timestamp() : null;
   }
 
   @Override
-  void put(U2SAData message, Long micros) {
-    message.storage().timestamp(this, within(micros));
+  void put(T message, Long micros) {
+    putMicros(message, micros);
   }
 
   /** Bounds timestamps so that sums, differences and conversion to nanoseconds fit into 64 bits. */
-  static long within(long micros) {
+  void putMicros(T message, long micros) {
     if (micros > Limits.TIMESTAMP_MICROS || micros < -Limits.TIMESTAMP_MICROS) {
       throw Limits.expected("a time of at most " + Limits.TIMESTAMP_MICROS + " µs");
     }
-    return micros;
+    thawed(message).timestamp(micros);
   }
 
   @Override
-  void write(CborOutput out, FieldKey key, U2SAData message) {
+  void write(CborOutput out, FieldKey key, T message) {
     if (isSet(message)) {
       out.key(key);
-      out.count(message.storage().timestamp());
+      out.count(message.storage.timestamp());
     }
   }
 
   @Override
-  boolean read(CborReader in, U2SAData message) {
-    message.storage().timestamp(this, within(in.count()));
+  boolean read(CborReader in, T message) {
+    putMicros(message, in.count());
     return true;
   }
 }

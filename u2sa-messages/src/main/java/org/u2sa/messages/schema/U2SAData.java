@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import org.u2sa.messages.cbor.CborOutput;
 import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.frame.ReferenceFrame;
 
@@ -18,30 +19,28 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * declares its fields in a {@link Schema} and writes getters and setters over {@link #get}, {@link
  * #require} and {@link #put}.
  */
-public abstract class U2SAData {
+public abstract class U2SAData extends StoredMessage {
   private static final Schema<U2SAData> SCHEMA = Schema.root();
   private static final ValueField<U2SAData, String> SYSTEM_ID = SCHEMA.optionalName("systemId");
-  private static final TimestampField TIMESTAMP = Schema.timestamp(SCHEMA);
+  private static final TimestampField<U2SAData> TIMESTAMP = Schema.timestamp(SCHEMA);
 
   /** The root of all types: systemId and timestamp. */
   public static final MessageType<U2SAData> TYPE = SCHEMA.build();
 
   private static final int SHOWN_CHARS = 1_000; // of a value in toString
 
-  private final FieldStorage storage;
   private UnknownPart unknown; // fields of the unknown subclass in placeholders; else null
   private Origin origin; // of messages received over MQTT; else null
   private int receivedBytes; // memory of decoded messages; else 0
 
   /** Creates an empty message of the type {@link #type()}. */
-  protected U2SAData() {
-    storage = new FieldStorage(type().sizes());
-  }
+  protected U2SAData() {}
 
   /** The class's schema: its constant TYPE. Called while the message is constructed. */
   public abstract MessageType<?> type();
 
   /** Names from the topmost ancestor to the message's own type, even if unknown to this reader. */
+  @Override
   public final List<String> typeChain() {
     return unknown == null ? type().chain() : unknown.chain();
   }
@@ -68,7 +67,7 @@ public abstract class U2SAData {
    * @throws IllegalArgumentException beyond the year 2262
    */
   public final void timestamp(long micros) {
-    storage.timestamp(TIMESTAMP, TimestampField.within(micros));
+    TIMESTAMP.putMicros(this, micros);
   }
 
   /**
@@ -77,7 +76,7 @@ public abstract class U2SAData {
   public long presenceVector() {
     long vector = 0L;
     for (MessageField<U2SAData> field : fields()) {
-      if (field.bit != MessageField.NO_BIT && field.isSet(this)) {
+      if (field.bit != FieldOutline.NO_BIT && field.isSet(this)) {
         vector |= 1L << field.bit;
       }
     }
@@ -90,7 +89,18 @@ public abstract class U2SAData {
    * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
    */
   public final byte[] serialize() {
-    return CborWriter.bytes(this, null, WireForm.READABLE);
+    return bytes(null, WireForm.READABLE);
+  }
+
+  /** Encodes the message, with its sender unless null. */
+  final byte[] bytes(Origin sentFrom, WireForm form) {
+    requireComplete();
+    return CborWriter.bytes(this, ownType().table(form), sentFrom, form);
+  }
+
+  @Override
+  final void writeNested(CborOutput out) {
+    CborWriter.nested(out, this, ownType().table(out.form()));
   }
 
   /** Sender of the bytes it was decoded from; empty if unknown or not decoded. */
@@ -124,7 +134,10 @@ public abstract class U2SAData {
   public final void freeze() {
     if (!storage.isFrozen()) {
       requireComplete();
-      storage.freeze(type().messageLists());
+      for (int slot : type().messageLists()) {
+        storage.list(slot).forEach(nested -> ((U2SAData) nested).freeze());
+      }
+      storage.freeze();
     }
   }
 
@@ -136,9 +149,22 @@ public abstract class U2SAData {
   /** Unfrozen copy. */
   public U2SAData copy() {
     U2SAData copy = type().newCarrier();
-    copy.storage.takeFrom(storage, type().messageLists());
+    copy.storage.takeFrom(storage);
+    for (int slot : type().messageLists()) {
+      if (storage.value(slot) != null) {
+        copy.storage.put(slot, copies(storage.list(slot)));
+      }
+    }
     copy.unknown = unknown;
     return copy;
+  }
+
+  private static List<U2SAData> copies(List<?> messages) {
+    List<U2SAData> copies = new ArrayList<>(messages.size());
+    for (Object message : messages) {
+      copies.add(((U2SAData) message).copy());
+    }
+    return List.copyOf(copies);
   }
 
   /**
@@ -166,7 +192,7 @@ public abstract class U2SAData {
 
   /** The value of a number; empty if it is absent and has no default. */
   protected final OptionalDouble get(NumberField<?> field) {
-    double value = storage.get(field);
+    double value = field.in(storage);
     return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
   }
 
@@ -176,7 +202,7 @@ public abstract class U2SAData {
    * @throws IllegalStateException if it was never set
    */
   protected final double require(NumberField<?> field) {
-    double value = storage.get(field);
+    double value = field.in(storage);
     if (Double.isNaN(value)) {
       throw missing(field);
     }
@@ -185,13 +211,13 @@ public abstract class U2SAData {
 
   /** The value of an integer; empty if it is absent and has no default. */
   protected final OptionalLong optionalCount(ValueField<?, Long> field) {
-    Long value = storage.get(field);
+    Long value = field.in(storage);
     return value == null ? OptionalLong.empty() : OptionalLong.of(value);
   }
 
   /** The value, or its default; null if it has neither. */
   protected final <V> V get(ValueField<?, V> field) {
-    return storage.get(field);
+    return field.in(storage);
   }
 
   /**
@@ -200,7 +226,7 @@ public abstract class U2SAData {
    * @throws IllegalStateException if it was never set
    */
   protected final <V> V require(ValueField<?, V> field) {
-    V value = storage.get(field);
+    V value = field.in(storage);
     if (value == null) {
       throw missing(field);
     }
@@ -214,7 +240,7 @@ public abstract class U2SAData {
    * @throws IllegalStateException if frozen
    */
   protected final <T extends U2SAData> T put(NumberField<T> field, double value) {
-    storage.put(field, field.checked(value));
+    field.put(this, value);
     return self();
   }
 
@@ -225,7 +251,8 @@ public abstract class U2SAData {
    * @throws IllegalStateException if frozen
    */
   protected final <T extends U2SAData, V> T put(ValueField<T, V> field, V value) {
-    storage.put(field, field.checked(value));
+    V valid = field.checked(value);
+    field.thawed(this).put(field.slot, valid);
     return self();
   }
 
@@ -238,14 +265,15 @@ public abstract class U2SAData {
     return new IllegalStateException(field.path() + " is required and was never set");
   }
 
-  final FieldStorage storage() {
-    return storage;
+  @Override
+  final int valueSlots() {
+    return type().sizes().values();
   }
 
-  /** Frame of the message's coordinates, from its frame field; BODY for messages without one. */
+  @Override
   final ReferenceFrame frame() {
     ValueField<?, ReferenceFrame> field = type().frameField();
-    return field == null ? ReferenceFrame.BODY : storage.get(field);
+    return field == null ? ReferenceFrame.BODY : field.in(storage);
   }
 
   final void cameFrom(Origin sentFrom) {
@@ -261,6 +289,7 @@ public abstract class U2SAData {
     unknown = part;
   }
 
+  @Override
   final Map<String, Object> unknownFields() {
     return unknown == null ? Map.of() : unknown.fields();
   }

@@ -14,7 +14,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * @param <T> the message class
  * @param <V> the value's class; immutable
  */
-public class ValueField<T extends U2SAData, V> extends MessageField<T> {
+public class ValueField<T extends StoredMessage, V> extends MessageField<T> {
   final V ifUnset; // null: none
   private final ValueKind<V> values;
   private final int longest; // length up to which any text is within bounds
@@ -24,11 +24,6 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     this.values = values;
     this.ifUnset = ifUnset;
     longest = values.longest();
-  }
-
-  /** For a list of messages, their type or its nearest common ancestor. */
-  public final Optional<MessageType<?>> elementType() {
-    return Optional.ofNullable(values.elementType());
   }
 
   /** For an enum, its constants in wire order; else empty. */
@@ -58,13 +53,20 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
   }
 
   /** The value, or its default; null if it has neither. */
+  @SuppressWarnings("unchecked") // only this field fills the slot
+  final V in(FieldStorage storage) {
+    Object value = storage.value(slot);
+    return value == null ? ifUnset : (V) value;
+  }
+
+  /** Like {@link #in}, wherever the field's values are stored. */
   V valueIn(T message) {
-    return message.storage().get(this);
+    return in(message.storage);
   }
 
   /** Stores a value that is {@link #checked}. */
   void put(T message, V value) {
-    message.storage().put(this, value);
+    thawed(message).put(slot, value);
   }
 
   @Override
@@ -74,7 +76,7 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
 
   @Override
   public boolean isSet(T message) {
-    return message.storage().has(this);
+    return message.storage.value(slot) != null;
   }
 
   @Override
@@ -118,7 +120,7 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     V value;
     try {
       value = kind() == Kind.STRING ? text(in) : values.readChecked(in);
-    } catch (UnknownConstantException e) {
+    } catch (ValueKind.UnknownConstantException e) {
       if (!isOptional()) {
         throw e;
       }
@@ -132,14 +134,5 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
   private V text(CborReader in) { // fast path for the most common kind
     String text = in.text();
     return text.length() <= longest ? (V) text : values.checked(text);
-  }
-
-  /** Thrown for an enum constant of a later data model version. */
-  static final class UnknownConstantException extends IllegalArgumentException {
-    private static final long serialVersionUID = 1L;
-
-    UnknownConstantException(String message) {
-      super(message);
-    }
   }
 }

@@ -25,11 +25,6 @@ interface ValueKind<V> {
     return checked(read(in));
   }
 
-  /** Type of the messages in a list; null for other kinds. */
-  default MessageType<?> elementType() {
-    return null;
-  }
-
   /** Length up to which any text is within bounds, so that {@link #checked} can be skipped. */
   default int longest() {
     return Integer.MAX_VALUE;
@@ -50,5 +45,14 @@ interface ValueKind<V> {
       throw new IllegalArgumentException("expected one value");
     }
     return texts.get(0);
+  }
+
+  /** Thrown for an enum constant of a later data model version. */
+  final class UnknownConstantException extends IllegalArgumentException {
+    private static final long serialVersionUID = 1L;
+
+    UnknownConstantException(String message) {
+      super(message);
+    }
   }
 }

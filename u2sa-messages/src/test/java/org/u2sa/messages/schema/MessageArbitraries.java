@@ -45,7 +45,7 @@ final class MessageArbitraries {
   private static <T extends U2SAData> Arbitrary<U2SAData> of(MessageType<T> type, int depth) {
     List<Arbitrary<Optional<Object>>> values = new ArrayList<>();
     for (MessageField<T> field : type.fields()) {
-      values.add(value(field, depth).optional(field.isRequired() ? 1.0 : 0.7));
+      values.add(value(type, field, depth).optional(field.isRequired() ? 1.0 : 0.7));
     }
     return Combinators.combine(values)
         .as(
@@ -78,13 +78,13 @@ final class MessageArbitraries {
     }
   }
 
-  private static Arbitrary<Object> value(MessageField<?> field, int depth) {
+  private static Arbitrary<Object> value(MessageType<?> type, MessageField<?> field, int depth) {
     switch (field.kind()) {
       case DOUBLE:
         NumberField<?> number = (NumberField<?>) field;
         return Arbitraries.doubles().between(number.least(), number.most()).asGeneric();
       case LONG:
-        long most = field instanceof TimestampField ? Limits.TIMESTAMP_MICROS : Long.MAX_VALUE;
+        long most = field instanceof TimestampField<?> ? Limits.TIMESTAMP_MICROS : Long.MAX_VALUE;
         return Arbitraries.longs().between(-most, most).asGeneric();
       case BOOLEAN:
         return Arbitraries.of(true, false).asGeneric();
@@ -115,8 +115,10 @@ final class MessageArbitraries {
       case BOOLEAN_LIST:
         return Arbitraries.of(true, false).list().ofMaxSize(5).asGeneric();
       case MESSAGE_LIST:
-        MessageType<?> element = ((ValueField<?, ?>) field).elementType().orElseThrow();
-        return nested(element, depth - 1).list().ofMaxSize(3).asGeneric();
+        return nested(type.elementType(field).orElseThrow(), depth - 1)
+            .list()
+            .ofMaxSize(3)
+            .asGeneric();
       default:
         throw new AssertionError("no values for " + field.kind());
     }

@@ -14,7 +14,6 @@ import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.messages.schema.ValueField;
 
 /**
  * Creates messages from JSON objects, validated by their type's schema. A number may be a text with
@@ -105,15 +104,15 @@ public final class MessageFromJson {
         case BYTES -> field.setText(message, as(String.class, at, "a text of base64", value));
         case ENUM, FRAME -> field.setText(message, as(String.class, at, "a name", value));
         case POINT -> field.set(message, point(at, value));
-        default -> field.set(message, elements(at, field, value));
+        default -> field.set(message, elements(at, message.type(), field, value));
       }
     } catch (IllegalArgumentException e) {
       throw new BadInputException(at + ": " + e.getMessage(), e);
     }
   }
 
-  private <T extends U2SAData> List<Object> elements(
-      String at, MessageField<T> field, Object value) {
+  private List<Object> elements(
+      String at, MessageType<?> type, MessageField<?> field, Object value) {
     List<Object> elements = new ArrayList<>();
     for (Object each : list(at, value)) {
       String which = at + ", element " + elements.size();
@@ -123,16 +122,14 @@ public final class MessageFromJson {
             case BOOLEAN_LIST -> as(Boolean.class, which, "true or false", each);
             case DOUBLE_LIST -> number(which, field.unit(), each);
             case POINT_LIST -> point(which, each);
-            default -> within(which, field, each);
+            default -> within(which, type.elementType(field), each);
           });
     }
     return elements;
   }
 
-  private U2SAData within(String at, MessageField<?> field, Object value) {
+  private U2SAData within(String at, Optional<MessageType<?>> declared, Object value) {
     Map<String, Object> json = asMap(at, value);
-    Optional<MessageType<?>> declared =
-        field instanceof ValueField<?, ?> list ? list.elementType() : Optional.empty();
     return message(at, named(at, json, declared), json);
   }
 
