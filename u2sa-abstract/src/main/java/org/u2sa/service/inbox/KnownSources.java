@@ -11,50 +11,54 @@ import org.u2sa.interfaces.time.Clock;
  * too many, one that has been silent for a while makes room for a new one; others stay.
  *
  * <p>Not thread-safe: guarded by the inbox.
+ *
+ * @param <W> what waits of a source
  */
-final class KnownSources {
+final class KnownSources<W> {
   /**
-   * Minimum silence of a source that makes room [µs], longer than any deadline of a message. No
-   * clock is read while there is room, so it may be up to twice as long.
+   * Minimum silence of a source that makes room [µs], longer than any deadline of a message. It may
+   * be up to twice as long, and counts from when room first was short: no clock is read before, so
+   * that recorded services read it no more often.
    */
   static final long SILENT_MICROS = 60 * Clock.MICROS_PER_SECOND;
 
   /** One source. */
-  static final class Source {
-    private ServiceInbox.Delivery waiting; // null if none
+  static final class Source<W> {
+    private W waiting; // null if none
     private long period; // in which it was heard last
     private long bytes; // most that one of its messages took; 0 if they are short
 
     /** Its queued message on a latest-value channel; null if none. */
-    ServiceInbox.Delivery waiting() {
+    W waiting() {
       return waiting;
     }
 
-    void waiting(ServiceInbox.Delivery delivery) {
+    void waiting(W delivery) {
       waiting = delivery;
     }
   }
 
   private final Clock clock;
+  private final int maxSources;
   private final long maxBytes;
-  private final Map<String, Source> known = new LinkedHashMap<>(16, 0.75f, true);
+  private final Map<String, Source<W>> known = new LinkedHashMap<>(16, 0.75f, true);
   private long period;
-  private long sinceMicros; // start of the period
+  private long sinceMicros = Clock.NEVER; // start of the period; NEVER until room was short
   private long bytes; // of all sources
 
   /**
    * @param maxBytes memory of the last messages of all sources with long ones; short ones, of at
    *     most this divided by the number of sources, always fit
    */
-  KnownSources(Clock clock, long maxBytes) {
+  KnownSources(Clock clock, int maxSources, long maxBytes) {
     this.clock = clock;
+    this.maxSources = maxSources;
     this.maxBytes = maxBytes;
-    sinceMicros = clock.micros();
   }
 
   /** A source that was heard before; null if it was not. */
-  Source heard(String name) {
-    Source source = known.get(name);
+  Source<W> heard(String name) {
+    Source<W> source = known.get(name);
     if (source != null) {
       source.period = period;
     }
@@ -63,18 +67,20 @@ final class KnownSources {
 
   /** Whether a new source may be {@link #add added}; forgets a silent one if there is no room. */
   boolean hasRoom() {
-    return known.size() < ServiceInbox.MAX_SOURCES || forgetSilent();
+    return known.size() < maxSources || forgetSilent();
   }
 
   private boolean forgetSilent() {
     long now = clock.micros();
-    if (now - sinceMicros >= SILENT_MICROS) {
+    if (sinceMicros == Clock.NEVER) {
+      sinceMicros = now;
+    } else if (now - sinceMicros >= SILENT_MICROS) {
       period++;
       sinceMicros = now;
     }
-    Iterator<Source> longestSilentFirst = known.values().iterator();
+    Iterator<Source<W>> longestSilentFirst = known.values().iterator();
     while (longestSilentFirst.hasNext()) {
-      Source source = longestSilentFirst.next();
+      Source<W> source = longestSilentFirst.next();
       if (source.period >= period - 1) {
         return false; // heard in this period or the one before it, as are all that follow
       }
@@ -93,22 +99,22 @@ final class KnownSources {
    *
    * @param source null if it is new
    */
-  boolean fits(Source source, int itsBytes) {
+  boolean fits(Source<W> source, int itsBytes) {
     long charged = charged(itsBytes);
     long before = source == null ? 0L : source.bytes;
     return charged <= before || bytes - before + charged <= maxBytes;
   }
 
   /** Adds a source; the caller has checked {@link #hasRoom}. */
-  Source add(String name) {
-    Source source = new Source();
+  Source<W> add(String name) {
+    Source<W> source = new Source<>();
     source.period = period;
     known.put(name, source);
     return source;
   }
 
   /** Records a message that was taken. */
-  void takes(Source source, int itsBytes) {
+  void takes(Source<W> source, int itsBytes) {
     long charged = Math.max(source.bytes, charged(itsBytes));
     bytes += charged - source.bytes;
     source.bytes = charged;
@@ -116,7 +122,7 @@ final class KnownSources {
 
   /** Rounded up, because messages of one source vary in length. */
   private long charged(int itsBytes) {
-    if (itsBytes <= maxBytes / ServiceInbox.MAX_SOURCES) {
+    if (itsBytes <= maxBytes / maxSources) {
       return 0L;
     }
     long rounded = Long.highestOneBit(itsBytes);

@@ -30,7 +30,8 @@ public final class ServiceInbox {
     private final Channel<?> channel;
     private U2SAData message; // replaceable while queued; guarded by the inbox
     private long arrivedMicros; // likewise
-    private KnownSources.Source source; // whose latest it is; null if each message matters
+    private KnownSources.Source<Delivery>
+        source; // whose latest it is; null if each message matters
 
     /** A message on its channel, with its time of arrival [µs]. */
     public Delivery(Channel<?> channel, U2SAData message, long arrivedMicros) {
@@ -80,7 +81,7 @@ public final class ServiceInbox {
   private final Clock clock;
   private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
   private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
-  private final Map<Channel<?>, KnownSources> sources = new HashMap<>();
+  private final Map<Channel<?>, KnownSources<Delivery>> sources = new HashMap<>();
   private int reserved; // number in the queue, as the next ones
   private int questions;
   private long bytes; // of waiting messages from other processes
@@ -112,8 +113,8 @@ public final class ServiceInbox {
     if (channel.deliversEvery() && name.isEmpty()) {
       return enqueue(lineOf(channel), new Delivery(channel, message, arrivedMicros));
     }
-    KnownSources known = sourcesOf(channel);
-    KnownSources.Source source = known.heard(name);
+    KnownSources<Delivery> known = sourcesOf(channel);
+    KnownSources.Source<Delivery> source = known.heard(name);
     Outcome refusal = refusal(known, source, name, message);
     if (refusal != Outcome.KEPT) {
       dropped++;
@@ -125,7 +126,7 @@ public final class ServiceInbox {
             ? enqueue(lineOf(channel), new Delivery(channel, message, arrivedMicros))
             : replace(waiting, message, arrivedMicros);
     if (outcome == Outcome.KEPT) {
-      KnownSources.Source its = source == null ? known.add(name) : source;
+      KnownSources.Source<Delivery> its = source == null ? known.add(name) : source;
       if (!name.isEmpty()) {
         known.takes(its, message.receivedBytes());
       }
@@ -136,18 +137,22 @@ public final class ServiceInbox {
     return outcome;
   }
 
-  private static void waits(Delivery latest, KnownSources.Source source) {
+  private static void waits(Delivery latest, KnownSources.Source<Delivery> source) {
     source.waiting(latest);
     latest.source = source;
   }
 
-  private KnownSources sourcesOf(Channel<?> channel) {
-    return sources.computeIfAbsent(channel, key -> new KnownSources(clock, MAX_LAST_BYTES));
+  private KnownSources<Delivery> sourcesOf(Channel<?> channel) {
+    return sources.computeIfAbsent(
+        channel, key -> new KnownSources<>(clock, MAX_SOURCES, MAX_LAST_BYTES));
   }
 
   /** {@link Outcome#KEPT} if the source does not matter or may send this. */
   private static Outcome refusal(
-      KnownSources known, KnownSources.Source source, String name, U2SAData message) {
+      KnownSources<Delivery> known,
+      KnownSources.Source<Delivery> source,
+      String name,
+      U2SAData message) {
     if (source == null && !known.hasRoom()) {
       return Outcome.UNKNOWN_SOURCE;
     }
@@ -267,7 +272,7 @@ public final class ServiceInbox {
 
   private boolean isWaiting(Delivery handled) {
     String name = handled.channel.sourceOf(handled.message);
-    KnownSources.Source source = sourcesOf(handled.channel).heard(name);
+    KnownSources.Source<Delivery> source = sourcesOf(handled.channel).heard(name);
     return source != null && source.waiting() != null;
   }
 
@@ -278,8 +283,8 @@ public final class ServiceInbox {
     if (delivery.channel.deliversEvery() && name.isEmpty()) {
       return;
     }
-    KnownSources known = sourcesOf(delivery.channel);
-    KnownSources.Source source = known.heard(name);
+    KnownSources<Delivery> known = sourcesOf(delivery.channel);
+    KnownSources.Source<Delivery> source = known.heard(name);
     source = source == null ? known.add(name) : source;
     if (!name.isEmpty()) {
       known.takes(source, delivery.message.receivedBytes());
