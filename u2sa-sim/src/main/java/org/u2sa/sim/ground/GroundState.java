@@ -43,6 +43,11 @@ public record GroundState(
     return forwardMps * StrictMath.sin(headingRad) + rightMps * StrictMath.cos(headingRad);
   }
 
+  /** North velocity [m/s]. */
+  public double northMps() {
+    return forwardMps * StrictMath.cos(headingRad) - rightMps * StrictMath.sin(headingRad);
+  }
+
   /** Speed over ground [m/s]. */
   public double speedMps() {
     return StrictMath.sqrt(forwardMps * forwardMps + rightMps * rightMps);
