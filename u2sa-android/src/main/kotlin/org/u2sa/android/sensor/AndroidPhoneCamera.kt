@@ -13,7 +13,6 @@ import android.media.Image
 import android.media.ImageReader
 import android.os.Handler
 import android.os.HandlerThread
-import android.os.SystemClock
 import java.nio.Buffer
 import java.util.Optional
 import org.u2sa.device.port.Camera
@@ -23,7 +22,6 @@ import org.u2sa.interfaces.time.Clock
 private const val WIDTH = 640
 private const val HEIGHT = 480
 private const val PICTURES_HELD = 2
-private const val NANOS_PER_MICRO = 1_000L
 
 /**
  * The phone's rear camera, 640 × 480. Callbacks run on a dedicated thread that ends with [close]. Losing the camera to another
@@ -34,6 +32,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
     private val handler = Handler(thread.looper)
     private val reader = ImageReader.newInstance(WIDTH, HEIGHT, ImageFormat.YUV_420_888, PICTURES_HELD)
     private var device: CameraDevice? = null // confined to that thread
+    @Volatile private var age = PictureAge.of(null)
 
     @Volatile private var frame: Optional<CameraFrame> = Optional.empty()
     @Volatile private var isClosed = false
@@ -69,7 +68,10 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
             context.checkSelfPermission(Manifest.permission.CAMERA) != PackageManager.PERMISSION_GRANTED ->
                 trouble = "the permission for the camera was not given"
             back == null -> trouble = "the phone has no camera on its back"
-            else -> manager.openCamera(back, opening, handler)
+            else -> {
+                age = PictureAge.of(manager.getCameraCharacteristics(back).get(CameraCharacteristics.SENSOR_INFO_TIMESTAMP_SOURCE))
+                manager.openCamera(back, opening, handler)
+            }
         }
     }
 
@@ -111,8 +113,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
 
     private fun take(from: ImageReader) {
         from.acquireLatestImage()?.use { image ->
-            val ageMicros = (SystemClock.elapsedRealtimeNanos() - image.timestamp) / NANOS_PER_MICRO
-            frame = Optional.of(CameraFrame.grey(clock.micros() - maxOf(0L, ageMicros), image.width, image.height, grey(image)))
+            frame = Optional.of(CameraFrame.grey(clock.micros() - age.micros(image.timestamp), image.width, image.height, grey(image)))
         }
     }
 

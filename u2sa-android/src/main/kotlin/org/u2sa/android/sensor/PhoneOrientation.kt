@@ -54,7 +54,7 @@ class PhoneOrientation private constructor(
     companion object {
         /**
          * Parses Android's rotation vector: x, y, z of the quaternion, optionally w, optionally the heading accuracy [rad, -1
-         * if unknown].
+         * if unknown, from some phones 0].
          *
          * @return null if values are not finite, as some phones send initially
          */
@@ -68,7 +68,7 @@ class PhoneOrientation private constructor(
             if (length < 0.5) {
                 return null
             }
-            val sigma = if (values.size > 4 && values[4] >= 0.0f) values[4].toDouble() else null
+            val sigma = if (values.size > 4 && values[4] > 0.0f) values[4].toDouble() else null
             return PhoneOrientation(measuredAtMicros, w / length, x / length, y / length, z / length, sigma)
         }
     }

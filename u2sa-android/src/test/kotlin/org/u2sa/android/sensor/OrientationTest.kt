@@ -28,6 +28,12 @@ class OrientationTest {
         assertThat(attitude.phi).isCloseTo(0.0, close)
     }
 
+    @ParameterizedTest
+    @CsvSource("-1", "0")
+    fun of_headingAccuracyThatIsNone_isUnknown(accuracy: Float) {
+        assertThat(orientation(floatArrayOf(0f, 0f, 0f, 1f, accuracy)).headingSigmaRad).isNull()
+    }
+
     @Test
     fun attitude_topEdgeLifted_isNoseUp() {
         val lifted = Math.toRadians(20.0) // about the phone's x axis, to the right
