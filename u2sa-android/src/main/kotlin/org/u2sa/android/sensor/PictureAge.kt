@@ -4,6 +4,7 @@ import android.hardware.camera2.CameraMetadata
 import android.os.SystemClock
 
 private const val NANOS_PER_MICRO = 1_000L
+private const val NANOS_PER_MILLI = 1_000_000L
 
 /**
  * Age of a picture by the clock in which its camera stamps it: the time since boot where the camera says so, otherwise the same
@@ -16,11 +17,11 @@ internal class PictureAge(private val clockNanos: () -> Long) {
         /**
          * @param source `SENSOR_INFO_TIMESTAMP_SOURCE` of the camera; null if it says none
          */
-        fun of(source: Int?): PictureAge =
-            if (source == CameraMetadata.SENSOR_INFO_TIMESTAMP_SOURCE_REALTIME) {
-                PictureAge(SystemClock::elapsedRealtimeNanos)
-            } else {
-                PictureAge(System::nanoTime) // the clock of SystemClock.uptimeMillis
-            }
+        fun of(
+            source: Int?,
+            sinceBootNanos: () -> Long = SystemClock::elapsedRealtimeNanos,
+            awakeNanos: () -> Long = { SystemClock.uptimeMillis() * NANOS_PER_MILLI },
+        ): PictureAge =
+            PictureAge(if (source == CameraMetadata.SENSOR_INFO_TIMESTAMP_SOURCE_REALTIME) sinceBootNanos else awakeNanos)
     }
 }

@@ -18,7 +18,11 @@ class PictureAgeTest {
     @Test
     fun of_cameraWithoutTimeSinceBoot_doesNotCountDeepSleep() {
         for (source in listOf(CameraMetadata.SENSOR_INFO_TIMESTAMP_SOURCE_UNKNOWN, null)) {
-            assertThat(PictureAge.of(source).micros(System.nanoTime() - 5_000_000L)).isBetween(5_000L, 60_000_000L)
+            assertThat(age(source)).isEqualTo(5_000L)
         }
+        assertThat(age(CameraMetadata.SENSOR_INFO_TIMESTAMP_SOURCE_REALTIME)).isEqualTo(3_600_005_000L)
     }
+
+    /** Of a picture 5 ms before now, of a phone that slept for an hour, if stamped without the sleep. */
+    private fun age(source: Int?) = PictureAge.of(source, { 3_601_000_000_000L }, { 1_000_000_000L }).micros(995_000_000L)
 }
