@@ -88,9 +88,9 @@ class EmergencyLatch:
         if identity not in self._lifted:
             return False
         before, lifted_s = self._lifted[identity]
-        if told is None:
+        if told is None or before is None:
             return time.monotonic() - lifted_s <= _REPEATED_S
-        return before is None or before == told
+        return before == told
 
     def _lift(self, names: List[str], until: int) -> None:
         over = [each for each, stop in self._standing.items() if (each in names if names else _micros(stop) <= until)]

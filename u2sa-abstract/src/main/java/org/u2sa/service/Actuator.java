@@ -83,11 +83,11 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   protected final void begin() {
     // first: this class's limits differ from the predecessor's
     commands.announce(actuators());
-    neutral = !commands.isCommanded();
-    if (neutral) {
-      neutral();
-    } else {
+    if (commands.isCommanded()) {
       carryOut();
+    } else {
+      neutral();
+      neutral = true;
     }
   }
 
@@ -114,15 +114,17 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
     }
   }
 
+  /** Acts before it logs, and again with the next step if the device fails. */
   private void goNeutral() {
     if (!neutral) {
+      neutral();
+      neutral = true;
+      commands.reportStops(); // which a failure before this kept from being confirmed
       log(
           LogLevelEnum.WARN,
           commands.mayMove()
               ? "command expired: going neutral"
               : "movement not allowed: going neutral");
-      neutral = true;
-      neutral();
     }
   }
 

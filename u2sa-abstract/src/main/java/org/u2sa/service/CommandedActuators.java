@@ -12,6 +12,7 @@ import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.safety.ArmingState;
@@ -56,6 +57,9 @@ public final class CommandedActuators {
   private static final Range ANY_PERCENTAGE = Range.of(-100.0, 100.0);
   private static final double ANNOUNCE_EVERY_S = 5.0;
   private static final double ALL_PERCENT = 100.0;
+
+  /** Several times the interval at which a Safety Manager repeats its state. */
+  private static final long MAX_ARMED_AGE_MICROS = 5 * Clock.MICROS_PER_SECOND;
 
   private final U2SAService service;
   private final Settings<Limits> limits;
@@ -204,9 +208,14 @@ public final class CommandedActuators {
     }
   }
 
+  /** Acts first: a log on a disk that hangs must not delay it. */
   private void stopOrGo(EmergencyStop message) {
     boolean changed = emergency.accept(message);
-    service.heedsEmergencyStops(emergency.identities());
+    if (changed) {
+      commands.forget();
+    }
+    stopUnlessItMayMove();
+    reportStops();
     if (!message.active()) {
       repeatWhatHolds(message);
     }
@@ -219,9 +228,12 @@ public final class CommandedActuators {
               stopped ? "emergency stop" : "emergency stop cleared",
               message.operator(),
               message.reason()));
-      commands.forget();
     }
-    stopUnlessItMayMove();
+  }
+
+  /** Reports which stops are in force, after the actuators obeyed them. */
+  void reportStops() {
+    service.heedsEmergencyStops(emergency.identities());
   }
 
   private void stopUnlessItMayMove() {
@@ -245,14 +257,22 @@ public final class CommandedActuators {
   }
 
   private void arm(ArmingState state) {
-    if (state.armed() != armed) {
-      armed = state.armed();
-      service.log(armed ? "armed" : "disarmed: " + state.reasons());
-      if (!mayMove()) {
-        commands.forget();
-      }
+    boolean isArmed = state.armed() && !isOld(state);
+    boolean changed = isArmed != armed;
+    armed = isArmed;
+    if (changed && !mayMove()) {
+      commands.forget();
     }
     stopUnlessItMayMove();
+    if (changed) {
+      service.log(armed ? "armed" : "disarmed: " + state.reasons());
+    }
+  }
+
+  /** Whether a state, such as one that a broker retained, is of an earlier run. */
+  private boolean isOld(ArmingState state) {
+    long now = service.clock().micros();
+    return now - state.timestamp().orElse(now) > MAX_ARMED_AGE_MICROS;
   }
 
   /**

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -14,6 +15,7 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
@@ -25,6 +27,7 @@ class ActuatorTest {
 
   private static class Wheel extends Actuator {
     private final List<String> moves = new ArrayList<>();
+    private int failures; // of the device, when it is to go neutral
 
     Wheel(ServiceContext context) {
       super(context, "LEFT WHEEL");
@@ -37,6 +40,10 @@ class ActuatorTest {
 
     @Override
     protected void neutral() {
+      if (failures > 0) {
+        failures--;
+        throw new IllegalStateException("the device does not answer");
+      }
       moves.add("neutral");
     }
 
@@ -149,6 +156,35 @@ class ActuatorTest {
     kit.publish(Channels.ARMING_STATE, new ArmingState().armed(false));
 
     assertThat(armed.moves).containsExactly("neutral", "40.0", "neutral");
+  }
+
+  @Test
+  void requiresArming_armedStateOfAnEarlierRun_doesNotArm() {
+    kit.with("SERVICE NAME", "ARMED WHEEL").with("REQUIRES ARMING", true);
+    Wheel armed = kit.start(Wheel::new);
+    kit.advance(10.0);
+    ArmingState retained = new ArmingState().armed(true);
+    retained.timestamp(kit.clock().micros() - 6_000_000);
+
+    kit.publish(Channels.ARMING_STATE, retained);
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
+
+    assertThat(armed.moves).containsExactly("neutral");
+  }
+
+  @Test
+  void emergencyStop_deviceFailsAtFirst_isTriedAgainAndConfirmedOnlyThen() {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 40.0));
+    wheel.failures = 2;
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("a"));
+    assertThat(wheel.moves).containsExactly("40.0");
+    assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::emergencyStops))
+        .isNotEqualTo(Optional.of(List.of("a")));
+
+    kit.advance(0.5);
+
+    assertThat(wheel.moves).containsExactly("40.0", "neutral");
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().emergencyStops()).contains(List.of("a"));
   }
 
   @Test

@@ -35,9 +35,13 @@ public final class EmergencyLatch {
    */
   private static final long REPEATED_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
+  private static final long LONG_AGO_MICROS = Long.MIN_VALUE / 2;
+
   private static final String STANDING = "EMERGENCY STOPS";
   private static final String LIFTED = "LIFTED EMERGENCY STOPS";
   private static final String LIFTED_TIMES = "TIMES OF LIFTED EMERGENCY STOPS";
+  private static final String CLEAR_TIMES = "TIMES OF CLEARS";
+  private static final String UNTIMED = "EMERGENCY STOPS WITHOUT A TIME";
 
   /**
    * A lifted stop.
@@ -81,17 +85,20 @@ public final class EmergencyLatch {
 
   private void latch(EmergencyStop message) {
     EmergencyStop stop = message.timestamp().isPresent() ? message : stamped(message);
-    String identity = stop.identity();
-    if (isRepeatOfLifted(identity, message.timestamp())) {
-      return;
+    if (!isRepeatOfLifted(stop.identity(), message.timestamp())) {
+      hold(stop, message.timestamp().isEmpty());
     }
+  }
+
+  private void hold(EmergencyStop stop, boolean isUntimed) {
+    String identity = stop.identity();
     EmergencyStop before = standing.get(identity);
-    if (before != null && (message.timestamp().isEmpty() || micros(stop) <= micros(before))) {
+    if (before != null && (isUntimed || micros(stop) <= micros(before))) {
       return;
     }
     if (before != null || standing.size() < TOLD_APART) {
       standing.put(identity, stop); // of the same ID, the newer one counts for clears up to a time
-      if (message.timestamp().isEmpty()) {
+      if (isUntimed) {
         untimed.add(identity);
       } else {
         untimed.remove(identity);
@@ -103,17 +110,19 @@ public final class EmergencyLatch {
 
   /**
    * Whether a stop repeats one that was lifted. Repeats keep the timestamp, so another one is
-   * another stop, even if its sender uses one ID for all its stops.
+   * another stop, even if its sender uses one ID for all its stops. Where either has none, only a
+   * stop soon after the clear is a repeat.
    */
   private boolean isRepeatOfLifted(String identity, OptionalLong saidMicros) {
     Lifted before = lifted.get(identity);
     if (before == null) {
       return false;
     }
-    if (saidMicros.isEmpty()) {
-      return clock.micros() - before.liftedMicros() <= REPEATED_MICROS;
+    if (saidMicros.isEmpty() || before.saidMicros().isEmpty()) {
+      long sinceMicros = clock.micros() - before.liftedMicros();
+      return sinceMicros >= 0 && sinceMicros <= REPEATED_MICROS; // negative: the clock was set back
     }
-    return before.saidMicros().isEmpty() || before.saidMicros().equals(saidMicros);
+    return before.saidMicros().equals(saidMicros);
   }
 
   /** Lets a repeat, and the clear that names it, match this stop. */
@@ -183,20 +192,33 @@ public final class EmergencyLatch {
   /** Saves the active and the lifted stops for the service's successor. */
   public void handOver(HandOver state) {
     List<String> times = new ArrayList<>();
-    lifted.values().forEach(each -> times.add(text(each.saidMicros())));
-    state.messages(STANDING, stops()).texts(LIFTED, lifted.keySet()).texts(LIFTED_TIMES, times);
+    List<String> clears = new ArrayList<>();
+    for (Lifted each : lifted.values()) {
+      times.add(text(each.saidMicros()));
+      clears.add(Long.toString(each.liftedMicros()));
+    }
+    state
+        .messages(STANDING, stops())
+        .texts(UNTIMED, untimed)
+        .texts(LIFTED, lifted.keySet())
+        .texts(LIFTED_TIMES, times)
+        .texts(CLEAR_TIMES, clears);
   }
 
   /** Restores the state saved by {@link #handOver}; without it, starts with no stop. */
   public void takeOver(HandOver state) {
     List<String> identities = state.texts(LIFTED);
-    List<String> times =
-        state.texts(LIFTED_TIMES); // none from a predecessor that did not keep them
+    List<String> times = state.texts(LIFTED_TIMES); // these two: none from an earlier version
+    List<String> clears = state.texts(CLEAR_TIMES);
     for (int i = 0; i < identities.size(); i++) {
       OptionalLong said = i < times.size() ? micros(times.get(i)) : OptionalLong.empty();
-      lifted.put(identities.get(i), new Lifted(said, clock.micros()));
+      OptionalLong clear = i < clears.size() ? micros(clears.get(i)) : OptionalLong.empty();
+      lifted.put(identities.get(i), new Lifted(said, clear.orElse(LONG_AGO_MICROS)));
     }
-    state.messages(STANDING, EmergencyStop.class).forEach(this::latch);
+    List<String> withoutTime = state.texts(UNTIMED);
+    state
+        .messages(STANDING, EmergencyStop.class)
+        .forEach(stop -> hold(stop, withoutTime.contains(stop.identity())));
   }
 
   private static String text(OptionalLong micros) {

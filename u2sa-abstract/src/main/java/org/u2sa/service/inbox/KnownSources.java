@@ -93,13 +93,22 @@ final class KnownSources<W> {
     return false;
   }
 
+  /** Whether a message {@link #fits}, after silent sources were forgotten if it must be. */
+  boolean makesRoom(Source<W> source, int itsBytes) {
+    boolean fits = fits(source, itsBytes);
+    while (!fits && forgetSilent()) {
+      fits = fits(source, itsBytes);
+    }
+    return fits;
+  }
+
   /**
    * Whether a message fits beside the last ones of the other sources. One that is no longer than an
    * earlier one of its source does, so that others cannot crowd it out.
    *
    * @param source null if it is new
    */
-  boolean fits(Source<W> source, int itsBytes) {
+  private boolean fits(Source<W> source, int itsBytes) {
     long charged = charged(itsBytes);
     long before = source == null ? 0L : source.bytes;
     return charged <= before || bytes - before + charged <= maxBytes;

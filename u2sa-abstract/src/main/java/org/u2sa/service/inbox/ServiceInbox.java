@@ -157,7 +157,7 @@ public final class ServiceInbox {
       return Outcome.UNKNOWN_SOURCE;
     }
     boolean isSingle = name.isEmpty(); // the channel has only one, and its message a place
-    return isSingle || known.fits(source, message.receivedBytes())
+    return isSingle || known.makesRoom(source, message.receivedBytes())
         ? Outcome.KEPT
         : Outcome.TOO_LONG;
   }
@@ -191,7 +191,7 @@ public final class ServiceInbox {
 
   private boolean isTooMuch(Channel<?> channel, int more) {
     boolean isLimited = !channel.isUrgent() && !channel.reservesRoom();
-    return isLimited && more > 0 && bytes + more > MAX_BYTES;
+    return isLimited && more > 0 && bytes > 0 && bytes + more > MAX_BYTES; // one always fits
   }
 
   /** Counts a delivery that enters or leaves the queues. */

@@ -185,4 +185,43 @@ class EmergencyLatchTest {
 
     assertThat(latch.accept(unknown)).isTrue();
   }
+
+  @Test
+  void accept_stopWithATimeUnderTheIdOfALiftedOneWithout_latchesAfterTheTimeOfRepetitions()
+      throws InterruptedException {
+    latch.accept(untimed("button"));
+    latch.accept(clear(0).lifts(List.of("button")));
+
+    clock.advance(10_000_001);
+    assertThat(latch.accept(named("button", 5))).isTrue();
+  }
+
+  @Test
+  void takeOver_longAfterTheClear_untimedStopUnderItsIdLatches() throws InterruptedException {
+    latch.accept(untimed("button"));
+    latch.accept(clear(0).lifts(List.of("button")));
+    clock.advance(60_000_000);
+    HandOver state = new HandOver("test");
+    latch.handOver(state);
+
+    EmergencyLatch successor = new EmergencyLatch(clock, "boat");
+    successor.takeOver(state);
+
+    assertThat(successor.accept(untimed("button"))).isTrue();
+  }
+
+  @Test
+  void takeOver_stopThatStandsUnderTheIdOfALiftedOne_stands() throws InterruptedException {
+    latch.accept(untimed("button"));
+    latch.accept(clear(0).lifts(List.of("button")));
+    clock.advance(10_000_001);
+    latch.accept(untimed("button"));
+    HandOver state = new HandOver("test");
+    latch.handOver(state);
+
+    EmergencyLatch successor = new EmergencyLatch(clock, "boat");
+    successor.takeOver(state);
+
+    assertThat(successor.identities()).containsExactly("button");
+  }
 }

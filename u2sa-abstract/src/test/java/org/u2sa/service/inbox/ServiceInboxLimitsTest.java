@@ -373,4 +373,20 @@ class ServiceInboxLimitsTest {
     assertThat(put(large, Channels.IMAGES, received("short", 1_000))).isTrue();
     assertThat(put(large, Channels.SENSED_STATE, state("another channel"))).isTrue();
   }
+
+  @Test
+  void put_longMessageOfANewSourceAfterOthersFellSilent_isTaken()
+      throws InterruptedException, MalformedMessageException {
+    ServiceInbox large = new ServiceInbox(1_000, clock);
+    int kept = 0;
+    while (put(large, Channels.IMAGES, received("camera " + kept, LONG))) {
+      large.poll();
+      kept++;
+    }
+    for (int minute = 0; minute < 3; minute++) {
+      clock.advance(SILENT_MICROS);
+      large.put(Channels.IMAGES, received("new", LONG), 0L);
+    }
+    assertThat(put(large, Channels.IMAGES, received("new", LONG))).isTrue();
+  }
 }

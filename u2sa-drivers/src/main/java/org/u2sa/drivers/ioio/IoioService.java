@@ -162,10 +162,11 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     }
     RcSwitch rcSwitch = radio.get();
     if (pins.isPresent()) {
-      OptionalDouble widthS = pins.get().nextRadioPulse();
-      for (int i = 0; widthS.isPresent() && i < MAX_PULSES_A_STEP; i++) {
-        rcSwitch.accept(widthS.getAsDouble(), now);
-        widthS = pins.get().nextRadioPulse();
+      boolean hasMore = true;
+      for (int i = 0; hasMore && i < MAX_PULSES_A_STEP; i++) {
+        OptionalDouble widthS = pins.get().nextRadioPulse();
+        widthS.ifPresent(width -> rcSwitch.accept(width, now));
+        hasMore = widthS.isPresent();
       }
     }
     RcSwitch.Position newPosition = rcSwitch.position(now);

@@ -17,7 +17,7 @@ final class LineLimit {
 
   /** Passes a line on, with the number of lines omitted before it, or omits it. */
   void pass(String line, long nowMicros, Consumer<String> to) {
-    if (nowMicros - windowMicros >= WINDOW_MICROS) {
+    if (nowMicros - windowMicros >= WINDOW_MICROS || nowMicros < windowMicros) { // set back
       windowMicros = nowMicros;
       lines = 0;
     }

@@ -119,10 +119,9 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
 
   @Override
   public String lastRefusal() {
-    if (refused > 0) {
-      return "a supply voltage below 0 V";
-    }
-    return packet.refused() == 0 ? "" : "a packet with a wrong checksum";
+    String voltage = refused == 0 ? "" : "a supply voltage below 0 V";
+    String checksum = packet.refused() == 0 ? "" : "a packet with a wrong checksum";
+    return voltage + (voltage.isEmpty() || checksum.isEmpty() ? "" : " or ") + checksum;
   }
 
   @Override

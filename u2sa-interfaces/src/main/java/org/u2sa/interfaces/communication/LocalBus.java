@@ -179,14 +179,15 @@ public final class LocalBus implements Transport {
 
     /**
      * Retains a message if there is room. One without room is not retained, and neither is what it
-     * replaces, because that is no longer true.
+     * replaces, because that is no longer true. That of a channel with one source, such as an
+     * emergency stop, always has room.
      */
     private void retain(String source, U2SAData message, boolean isOwn) {
       U2SAData before = retained.get(source);
       long bytes =
           retainedBytes + message.receivedBytes() - (before == null ? 0 : before.receivedBytes());
       boolean isNew = before == null && retained.size() >= MAX_RETAINED;
-      if (isOwn || !isNew && bytes <= MAX_RETAINED_BYTES) {
+      if (isOwn || source.isEmpty() || !isNew && bytes <= MAX_RETAINED_BYTES) {
         retained.put(source, message);
         retainedBytes = bytes;
       } else if (before != null) {

@@ -27,6 +27,7 @@ import org.u2sa.messages.schema.U2SAData;
 final class MqttConnection implements Connection, MqttSession.Owner {
   private static final int AT_LEAST_ONCE = 1;
   private static final int TOPICS_REMEMBERED = 1_024;
+  private static final int MAX_TOPIC_LENGTH = 1_024; // as the embedded broker takes
 
   private final String address;
   private final String systemId;
@@ -202,6 +203,10 @@ final class MqttConnection implements Connection, MqttSession.Owner {
 
   @Override
   public void arrived(String topicName, byte[] payload, boolean isOld) {
+    if (topicName.length() > MAX_TOPIC_LENGTH) { // kept in several tables
+      incoming.refuse("a message on a topic of " + topicName.length() + " characters");
+      return;
+    }
     Topic topic;
     try {
       topic = parsed(topicName);
