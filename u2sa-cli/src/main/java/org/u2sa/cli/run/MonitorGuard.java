@@ -2,24 +2,25 @@ package org.u2sa.cli.run;
 
 import java.util.ArrayDeque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.core.launch.Launcher;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.ServiceRole;
 
 /**
  * Supervises the health monitor, and restarts ended processes in its place while no monitor works.
  *
  * <p>It restarts a health monitor's process if it failed or has been silent for too long, because
- * nothing else would. If this process's own launcher is not heard either, the silence is blamed on
- * a broken link. Processes of other services are left to the monitor's policy while a monitor is
- * heard. Without one, because the system has none or it ended too, the guard restarts the process
- * immediately, a limited number of times.
+ * nothing else would, a limited number of times. If this process's own launcher is not heard
+ * either, the silence is blamed on a broken link. Processes of other services are left to the
+ * monitor's policy while a monitor is heard. Without one, because the system has none or it ended
+ * too, the guard restarts the process immediately, a limited number of times.
  *
  * <p>One thread checks for silence; ends may be reported from any thread.
  */
@@ -47,6 +48,7 @@ final class MonitorGuard implements AutoCloseable {
   private final Map<String, Long> starts = new HashMap<>(); // monitors only; guarded by this
   private final Map<String, Long> ends = new LinkedHashMap<>(); // unhandled; guarded by this
   private final Map<String, ArrayDeque<Long>> restarts = new HashMap<>(); // guarded by this
+  private final Set<String> givenUp = new HashSet<>(); // silent monitors; guarded by this
   private final Thread thread = new Thread(this::watch, "u2sa-monitor-guard");
   private Clock.Waiter waiter; // null until started
   private long excusedMicros; // silence is excused until then; own thread only
@@ -99,9 +101,12 @@ final class MonitorGuard implements AutoCloseable {
     if (silentMicros(Launcher.NAME, now) > DEAF_AFTER_MICROS) {
       excusedMicros = now;
     }
-    for (String entry : names.entriesOf(ServiceRole.HEALTH_MONITOR.name())) {
+    for (String entry : names.monitors()) {
       Optional<ServiceNames.Word> word = wordOf(entry);
-      if (word.isPresent() && !word.get().isLast() && isGone(entry, word.get(), now)) {
+      if (word.isEmpty() || word.get().isLast() || isGivenUp(entry, word.get())) {
+        continue;
+      }
+      if (isGone(entry, word.get(), now)) {
         console.accept("Service " + entry + " is silent.");
         restartMonitor(entry, now);
       }
@@ -111,6 +116,14 @@ final class MonitorGuard implements AutoCloseable {
 
   private Optional<ServiceNames.Word> wordOf(String entry) {
     return names.nameOf(entry).flatMap(names::lastWord);
+  }
+
+  /** Whether the monitor was given up and has not been heard since. */
+  private boolean isGivenUp(String entry, ServiceNames.Word word) {
+    if (word.atMicros() > starts.getOrDefault(entry, Long.MIN_VALUE)) {
+      givenUp.remove(entry);
+    }
+    return givenUp.contains(entry);
   }
 
   private boolean isGone(String entry, ServiceNames.Word word, long now) {
@@ -126,7 +139,8 @@ final class MonitorGuard implements AutoCloseable {
   /** Records that an entry's process has failed. */
   synchronized void ended(String entry, int exitCode) {
     long now = clock.micros();
-    if (isMonitor(entry)) {
+    boolean isMonitor = names.monitors().contains(entry);
+    if (isMonitor && (exitCode != ExitCode.BAD_INPUT || wordOf(entry).isPresent())) {
       Long before = starts.get(entry);
       if (before != null && now - before < AT_MOST_EVERY_MICROS) {
         console.accept("Service " + entry + " keeps ending at once; giving up.");
@@ -140,18 +154,16 @@ final class MonitorGuard implements AutoCloseable {
     }
   }
 
-  private boolean isMonitor(String entry) {
-    return names.roleOf(entry).equals(Optional.of(ServiceRole.HEALTH_MONITOR.name()));
-  }
-
   private void restartMonitor(String entry, long now) {
     starts.put(entry, now);
-    processes.startProcess(entry);
+    if (!restart(entry, now)) {
+      givenUp.add(entry);
+    }
     restartUnlessMonitored(now); // not handled by a monitor
   }
 
   private void restartUnlessMonitored(long now) {
-    if (names.entriesOf(ServiceRole.HEALTH_MONITOR.name()).stream().anyMatch(this::speaks)) {
+    if (names.monitors().stream().anyMatch(this::speaks)) {
       return;
     }
     for (String entry : ends.keySet()) {
@@ -169,15 +181,18 @@ final class MonitorGuard implements AutoCloseable {
         && wordOf(entry).filter(word -> !word.isLast() && word.atMicros() > started).isPresent();
   }
 
-  private void restart(String entry, long now) {
+  /** Returns whether it was restarted; if not, it was restarted too often. */
+  private boolean restart(String entry, long now) {
     ArrayDeque<Long> before = restarts.computeIfAbsent(entry, key -> new ArrayDeque<>());
     before.removeIf(at -> now - at > RESTART_WINDOW_MICROS);
     if (before.size() >= MAX_RESTARTS) {
-      console.accept("Service " + entry + " keeps ending; giving up after three restarts.");
-      return;
+      String what = names.monitors().contains(entry) ? " keeps failing" : " keeps ending";
+      console.accept("Service " + entry + what + "; giving up after three restarts.");
+      return false;
     }
     before.add(now);
     processes.startProcess(entry);
+    return true;
   }
 
   @Override

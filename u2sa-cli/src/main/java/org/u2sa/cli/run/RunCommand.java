@@ -308,7 +308,8 @@ public final class RunCommand implements Callable<Integer> {
         TroubleLines troubles = troublesOf(manager, any -> true, out);
         LocalSystems.Announcement announced = announced(file, manager, out);
         ServiceProcesses processes = new ServiceProcesses(start, entries, out::println);
-        Supervisor supervisor = new Supervisor(file, manager, processes, out::println);
+        Supervisor supervisor =
+            new Supervisor(file, new KnownNames(options), manager, processes, out::println);
         EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
       processes.start();
       out.println(

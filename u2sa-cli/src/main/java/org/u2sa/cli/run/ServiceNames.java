@@ -20,8 +20,11 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Maps system-file entries to service names by asking the running services, because a name depends
- * on the service and its configuration.
+ * Maps system-file entries to service names: from the files where they tell it, otherwise by asking
+ * the running services.
+ *
+ * <p>Anyone who may answer can pose as a service, so an answer never changes a name or a role that
+ * is known: an entry has one name, a name one entry, and the first counts.
  */
 final class ServiceNames implements Receiver, AutoCloseable {
   private static final int ASKS_AT_MOST = 20; // per unknown name
@@ -32,7 +35,7 @@ final class ServiceNames implements Receiver, AutoCloseable {
   private final Clock clock;
   private final Consumer<String> trouble;
   private final Map<String, String> entryNames = new ConcurrentHashMap<>(); // by service name
-  private final Map<String, String> roles = new ConcurrentHashMap<>(); // by entry's simple name
+  private final Map<String, String> serviceNames = new ConcurrentHashMap<>(); // by entry name
   private final Map<String, Word> words = new ConcurrentHashMap<>(); // by service name
   private final Map<String, Integer> asked = new ConcurrentHashMap<>(); // by service name
   private final Connection connection;
@@ -47,11 +50,17 @@ final class ServiceNames implements Receiver, AutoCloseable {
    */
   record Word(String instance, long atMicros, boolean isLast) {}
 
-  ServiceNames(SystemFile file, Transport transport, Clock clock, Consumer<String> trouble) {
+  ServiceNames(
+      SystemFile file,
+      KnownNames known,
+      Transport transport,
+      Clock clock,
+      Consumer<String> trouble) {
     entries = file.services();
     systemId = file.systemId();
     this.clock = clock;
     this.trouble = trouble;
+    entries.forEach(entry -> known.of(entry).ifPresent(name -> bind(name, entry.simpleName())));
     connection = transport.connect("ServiceNames", this);
     connection.subscribe(Channels.DISCOVERY);
     connection.subscribe(Channels.HEALTH);
@@ -89,48 +98,51 @@ final class ServiceNames implements Receiver, AutoCloseable {
   }
 
   private void learn(DiscoveryResponse response) {
-    if (entryNames.size() >= MAX_NAMES && !entryNames.containsKey(response.serviceName())) {
-      return;
-    }
+    String name = response.serviceName();
     for (SystemFile.Entry entry : entries) {
-      if (response.className().equals(Optional.of(entry.className()))) {
-        entryNames.put(response.serviceName(), entry.simpleName());
-        roles.put(entry.simpleName(), response.serviceType());
+      if (response.className().equals(Optional.of(entry.className()))
+          && (name.equals(entry.simpleName()) || !isEntry(name))) {
+        bind(name, entry.simpleName());
       }
     }
+  }
+
+  /** Binds the two to each other, unless one of them is bound already. */
+  private synchronized void bind(String serviceName, String entryName) {
+    if (!serviceNames.containsKey(entryName)
+        && entryNames.putIfAbsent(serviceName, entryName) == null) {
+      serviceNames.put(entryName, serviceName);
+    }
+  }
+
+  private boolean isEntry(String name) {
+    return entries.stream().anyMatch(entry -> entry.simpleName().equals(name));
   }
 
   /** Returns the simple entry name for a service name; also accepts an entry name. */
   Optional<String> entryOf(String serviceName) {
     String known = entryNames.get(serviceName);
-    boolean itself = entries.stream().anyMatch(entry -> entry.simpleName().equals(serviceName));
-    return known == null && itself ? Optional.of(serviceName) : Optional.ofNullable(known);
+    return known == null && isEntry(serviceName)
+        ? Optional.of(serviceName)
+        : Optional.ofNullable(known);
   }
 
   /** Returns the service name of the entry, if known. */
   Optional<String> nameOf(String entryName) {
-    return entryNames.entrySet().stream()
-        .filter(each -> each.getValue().equals(entryName))
-        .map(Map.Entry::getKey)
-        .findFirst();
+    return Optional.ofNullable(serviceNames.get(entryName));
   }
 
-  /** Returns the entries known to have the role. */
-  List<String> entriesOf(String role) {
+  /** Returns the entries that are health monitors. */
+  List<String> monitors() {
     return entries.stream()
+        .filter(KnownNames::isMonitor)
         .map(SystemFile.Entry::simpleName)
-        .filter(entry -> role.equals(roles.get(entry)))
         .toList();
   }
 
   /** Returns the last status reported by the service itself. */
   Optional<Word> lastWord(String serviceName) {
     return Optional.ofNullable(words.get(serviceName));
-  }
-
-  /** Returns the role of the entry's service, if known. */
-  Optional<String> roleOf(String entryName) {
-    return Optional.ofNullable(roles.get(entryName));
   }
 
   @Override

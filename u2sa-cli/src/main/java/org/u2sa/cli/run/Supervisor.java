@@ -39,9 +39,14 @@ final class Supervisor implements ServiceHost, AutoCloseable {
    * @param system the Communication Manager of the processes
    */
   Supervisor(
-      SystemFile file, RunningSystem system, ServiceProcesses processes, Consumer<String> console) {
+      SystemFile file,
+      KnownNames known,
+      RunningSystem system,
+      ServiceProcesses processes,
+      Consumer<String> console) {
     this.processes = processes;
-    names = new ServiceNames(file, system.communicationManager().transport(), clock, console);
+    names =
+        new ServiceNames(file, known, system.communicationManager().transport(), clock, console);
     ServiceContext context = system.contextFor(XmlConfiguration.inMemory(Launcher.NAME, Map.of()));
     try {
       launcher = new Launcher(context, Launcher.NAME, this);

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.core.health.HealthMonitor;
+import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.interfaces.communication.Channels;
@@ -48,7 +49,8 @@ class MonitorGuardTest {
                 PathPlanner.class.getName(),
                 SafetyManager.class.getName(),
                 HealthMonitor.class.getName()));
-    names = new ServiceNames(SystemFile.read(file), kit.bus(), kit.clock(), said::add);
+    KnownNames known = new KnownNames(new LaunchOptions());
+    names = new ServiceNames(SystemFile.read(file), known, kit.bus(), kit.clock(), said::add);
     guard =
         new MonitorGuard(
             names,
@@ -182,5 +184,44 @@ class MonitorGuardTest {
 
     assertThat(said).contains("Service HealthMonitor is silent.");
     assertThat(started).containsExactly("HealthMonitor", "SafetyManager");
+  }
+
+  @Test
+  void learn_answerThatCallsAnotherServiceAMonitor_neverRestartsIt() {
+    introduce("x3096", SafetyManager.class, "HEALTH_MONITOR");
+    kit.publish(
+        Channels.HEALTH,
+        new HealthReport().serviceName("x3096").status(ServiceStatus.RUNNING).instance("x"));
+    monitorSpeaks();
+    for (int i = 0; i < 40; i++) {
+      kit.advance(0.5);
+      monitorSpeaks();
+      guard.look(kit.clock().micros());
+    }
+
+    assertThat(started).isEmpty();
+    assertThat(names.entryOf("x3096")).isEmpty();
+    assertThat(names.nameOf("SafetyManager")).contains("SafetyManager");
+  }
+
+  @Test
+  void learn_nameOfAnotherEntry_isRefused() {
+    introduce("SafetyManager", PathPlanner.class, "PATH_PLANNER");
+
+    assertThat(names.entryOf("SafetyManager")).contains("SafetyManager");
+    assertThat(names.entryOf("PathPlanner")).contains("PathPlanner");
+    assertThat(names.nameOf("PathPlanner")).contains("PathPlanner");
+  }
+
+  @Test
+  void monitor_silentAfterEachRestart_isGivenUpAfterThree() {
+    monitorSpeaks();
+    for (int i = 0; i < 400; i++) {
+      kit.advance(0.5);
+      guard.look(kit.clock().micros());
+    }
+
+    assertThat(started).containsExactly("HealthMonitor", "HealthMonitor", "HealthMonitor");
+    assertThat(said).filteredOn(line -> line.contains("giving up after three restarts")).hasSize(1);
   }
 }
