@@ -14,28 +14,21 @@ import org.u2sa.messages.schema.U2SAData;
  */
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent retained messages
-  private static final double RESTARTED_WITHIN_S = 20.0;
-  private static final double REPEATED_WITHIN_S = 5.0; // a Safety Manager repeats its states
+  private static final double SPOKE_WITHIN_S = 20.0;
 
   private final long listensUntilMicros;
-  private final long maxAgeMicros;
   private boolean awaited = true;
   private boolean armed;
   private FailsafeAction action = FailsafeAction.CONTINUE;
   private List<String> causes = List.of();
 
-  /**
-   * @param isRestart whether the service was restarted; otherwise a predecessor counts only if it
-   *     has just spoken
-   */
-  Predecessor(long nowMicros, boolean isRestart) {
-    maxAgeMicros = Clock.micros(isRestart ? RESTARTED_WITHIN_S : REPEATED_WITHIN_S);
+  Predecessor(long nowMicros) {
     listensUntilMicros = nowMicros + Clock.micros(LISTEN_S);
   }
 
   void see(U2SAData message, long nowMicros) {
     long ageMicros = nowMicros - message.timestamp().orElse(Long.MIN_VALUE / 2);
-    if (!awaited || Math.abs(ageMicros) > maxAgeMicros) {
+    if (!awaited || Math.abs(ageMicros) > Clock.micros(SPOKE_WITHIN_S)) {
       return;
     }
     if (message instanceof ArmingState state) {

@@ -68,7 +68,7 @@ public final class SafetyManager extends PeriodicService {
     decision = new FailsafeDecision(this, settings, hazards);
     ArmingChecks checks = new ArmingChecks(this, settings, watches, conditions, emergency);
     arming = new Arming(this, checks, settings.get().armAtStart());
-    predecessor = new Predecessor(clock().micros(), context.isRestart());
+    predecessor = new Predecessor(clock().micros());
     registerPublisher(Channels.FAILSAFE);
     registerPublisher(Channels.ARMING_STATE);
     registerPublisher(Channels.EMERGENCY_STOP);

@@ -14,7 +14,7 @@ import org.u2sa.messages.safety.FailsafeState;
 class PredecessorTest {
   private static final long START = 100_000_000; // µs
   private static final long HALF_A_SECOND = 500_000;
-  private final Predecessor predecessor = new Predecessor(START, true);
+  private final Predecessor predecessor = new Predecessor(START);
 
   private static ArmingState armedAt(long micros) {
     ArmingState state = new ArmingState().armed(true);
@@ -34,15 +34,6 @@ class PredecessorTest {
     predecessor.see(armedAt(START + micros), START);
 
     assertThat(predecessor.wasArmed()).isEqualTo(counts);
-  }
-
-  @ParameterizedTest
-  @CsvSource({"-5000000, true", "-5000001, false", "5000001, false"})
-  void see_whenNotRestarted_wordsOfAnotherTimeCountWithinFiveSeconds(long micros, boolean counts) {
-    Predecessor ofAnotherRun = new Predecessor(START, false);
-    ofAnotherRun.see(armedAt(START + micros), START);
-
-    assertThat(ofAnotherRun.wasArmed()).isEqualTo(counts);
   }
 
   @Test

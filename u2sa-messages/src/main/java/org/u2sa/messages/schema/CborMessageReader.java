@@ -124,8 +124,12 @@ final class CborMessageReader extends CborReader {
     int outerIndex = index;
     path = where();
     index = BETWEEN;
+    int from = in.offset();
+    long moreBefore = more;
     more += NESTED_BYTES;
-    M message = expected.cast(message(type, itsChain, pairs, 1));
+    U2SAData nested = message(type, itsChain, pairs, 1);
+    nested.decodedFrom((int) Math.min(Integer.MAX_VALUE, in.offset() - from + more - moreBefore));
+    M message = expected.cast(nested);
     path = outerPath;
     names = outerNames;
     index = outerIndex;
