@@ -11,10 +11,12 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Checks that the vehicle can still stop or turn round inside the fence, if any. The floor applies
- * once the armed vehicle has been above it, so that it can take off.
+ * once the armed vehicle has been above it, so that it can take off. A fence with a floor or a
+ * ceiling needs states with an altitude.
  */
 final class FenceWatch implements Watch {
   private static final double ROUNDING_M = 1e-3;
+  private static final String NO_ALTITUDE = "no altitude";
 
   private final Configurator matrix;
   private final Supplier<SafetyVariables> settings;
@@ -94,9 +96,15 @@ final class FenceWatch implements Watch {
     if (!allows(manoeuvre, place, velocity)) {
       return Optional.of(ahead(manoeuvre, place, velocity));
     }
-    return state.z().isPresent()
-        ? vertical(place.z(), manoeuvre.overshootM(velocity.z()))
-        : Optional.empty();
+    if (lacksAltitude(state)) {
+      return Optional.of("cannot be watched: " + NO_ALTITUDE);
+    }
+    return vertical(place.z(), manoeuvre.overshootM(velocity.z()));
+  }
+
+  /** Whether the fence limits an altitude that the state does not have. */
+  private boolean lacksAltitude(StateInformation state) {
+    return state.z().isEmpty() && (fence.floorM().isPresent() || fence.ceilingM().isPresent());
   }
 
   /** Runs the full check only if the fence may be within reach. */
@@ -147,13 +155,13 @@ final class FenceWatch implements Watch {
   @Override
   public Optional<String> objection(long nowMicros) {
     Optional<String> fault = file.fault();
-    return fault.isPresent()
-        ? fault
-        : judged(
-            nowMicros,
-            state ->
-                fence.allows(fence.place(state))
-                    ? Optional.empty()
-                    : Optional.of("outside the keep-in area, or inside a keep-out one"));
+    return fault.isPresent() ? fault : judged(nowMicros, this::objection);
+  }
+
+  private Optional<String> objection(StateInformation state) {
+    if (!fence.allows(fence.place(state))) {
+      return Optional.of("outside the keep-in area, or inside a keep-out one");
+    }
+    return lacksAltitude(state) ? Optional.of(NO_ALTITUDE) : Optional.empty();
   }
 }

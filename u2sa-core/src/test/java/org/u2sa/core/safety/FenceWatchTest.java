@@ -60,7 +60,13 @@ class FenceWatchTest {
     return new FenceWatch(configuration, settings, new FenceFile(configuration), states);
   }
 
+  /** A state between floor and ceiling. */
   private static StateInformation at(double x, double y) {
+    return flat(x, y).z(100.0);
+  }
+
+  /** A state without an altitude. */
+  private static StateInformation flat(double x, double y) {
     StateInformation state = new StateInformation().referenceFrame(ReferenceFrame.LOCAL_ENU);
     state.x(x).y(y).timestamp(0L);
     return state;
@@ -177,13 +183,39 @@ class FenceWatchTest {
     assertThat(watch.trouble(0)).contains("floor 50 m at 49 m");
   }
 
-  @Test
-  void trouble_altitudeNotKnown_isJudgedByPlaceAlone() {
-    FenceWatch watch = seeing(at(0.0, 0.0).z(100.0));
+  /** As with a position: at once, while the state is fresh. */
+  @ParameterizedTest
+  @CsvSource({"true, true", "true, false", "false, true"})
+  void trouble_altitudeLimitedButNotKnown_isSaidAndAgainstArming(boolean floor, boolean ceiling)
+      throws IOException {
+    String lower = floor ? FENCE : FENCE.replace("<floor>50</floor>", "");
+    Files.writeString(file, ceiling ? lower : lower.replace("<ceiling>150</ceiling>", ""));
+    FenceWatch watch = seeing(at(0.0, 0.0));
     assertThat(watch.trouble(0)).isEmpty();
-    states.see(at(0.0, 0.0), 0);
+    assertThat(watch.objection(0)).isEmpty();
+    states.see(flat(0.0, 0.0), 0);
 
+    assertThat(watch.trouble(0)).contains("cannot be watched: no altitude");
+    assertThat(watch.objection(0)).contains("no altitude");
+    assertThat(watch.trouble(10_000_000)).as("an old state is not the fence's").isEmpty();
+    states.see(at(0.0, 0.0), 0);
     assertThat(watch.trouble(0)).isEmpty();
+  }
+
+  @Test
+  void trouble_altitudeNotKnownAndOutside_isOutside() {
+    assertThat(seeing(flat(100.01, 0.0)).trouble(0)).contains("outside");
+    assertThat(seeing(flat(100.01, 0.0)).objection(0))
+        .contains("outside the keep-in area, or inside a keep-out one");
+  }
+
+  @Test
+  void trouble_altitudeNeitherKnownNorLimited_isJudgedByPlaceAlone() throws IOException {
+    Files.writeString(
+        file, FENCE.replace("<floor>50</floor>", "").replace("<ceiling>150</ceiling>", ""));
+
+    assertThat(seeing(flat(0.0, 0.0)).trouble(0)).isEmpty();
+    assertThat(seeing(flat(0.0, 0.0)).objection(0)).isEmpty();
   }
 
   @Test

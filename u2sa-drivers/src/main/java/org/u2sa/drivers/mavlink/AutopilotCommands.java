@@ -2,9 +2,10 @@ package org.u2sa.drivers.mavlink;
 
 import java.util.List;
 import java.util.OptionalDouble;
-import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Schedules command messages: at their rate while commands are valid, then neutral for a while,
@@ -12,13 +13,17 @@ import org.u2sa.interfaces.time.Clock;
  */
 final class AutopilotCommands {
   private static final int RELEASES = 3; // a datagram may be lost
+  private static final String HOLDS = "AUTOPILOT HELD";
+  private static final String HELD_FOR = "AUTOPILOT HELD FOR"; // since the last command [s]
 
   private final CommandForm form;
   private final long everyMicros;
   private final long neutralMicros;
-  private final Consumer<Object> out;
+  private final Predicate<Object> out;
   private boolean isWaiting;
   private boolean holds; // in control: something was sent since the last release
+  private boolean isInherited; // holds, but has not yet been able to send
+  private long inheritedMicros; // time since the predecessor's last command
   private int releasesLeft;
   private long heldMicros; // time of the last valid command
   private long dueMicros = Long.MIN_VALUE;
@@ -26,13 +31,51 @@ final class AutopilotCommands {
   /**
    * @param everyS interval between messages [s]
    * @param neutralS duration of neutral at the end [s]
-   * @param out receives the messages
+   * @param out sends a message; returns false if the link rejected it
    */
-  AutopilotCommands(CommandForm form, double everyS, double neutralS, Consumer<Object> out) {
+  AutopilotCommands(CommandForm form, double everyS, double neutralS, Predicate<Object> out) {
     this.form = form;
     this.everyMicros = Clock.micros(everyS);
     this.neutralMicros = Clock.micros(neutralS);
     this.out = out;
+  }
+
+  /**
+   * Takes control as of now, because a predecessor that handed nothing over may have had it: what
+   * it sent last ends in neutral and release.
+   */
+  void inherit() {
+    inherit(0L);
+  }
+
+  private void inherit(long sinceCommandMicros) {
+    holds = !form.axes().isEmpty();
+    isInherited = holds;
+    inheritedMicros = sinceCommandMicros;
+    releasesLeft = RELEASES;
+  }
+
+  /** Saves whether it is in control, and since when without a command. */
+  void handOver(HandOver state, long nowMicros) {
+    state.flag(HOLDS, holds);
+    if (holds) {
+      state.number(HELD_FOR, Clock.seconds(heldForMicros(nowMicros)));
+    }
+  }
+
+  /** Restores what {@link #handOver} saved; a state without it changes nothing. */
+  void takeOver(HandOver state) {
+    if (state.flag(HOLDS)) {
+      inherit(Clock.micros(state.number(HELD_FOR).orElse(0.0)));
+    } else if (state.names().contains(HOLDS)) {
+      holds = false;
+      isInherited = false;
+    }
+  }
+
+  /** Time without a command; stands still until the link has accepted the first message. */
+  private long heldForMicros(long nowMicros) {
+    return isInherited ? inheritedMicros : nowMicros - heldMicros;
   }
 
   /**
@@ -50,19 +93,31 @@ final class AutopilotCommands {
     isWaiting = isCommanded && !form.isReady(nowMicros);
     if (isCommanded && !isWaiting) {
       holds = true;
+      isInherited = false;
       releasesLeft = RELEASES;
       heldMicros = nowMicros;
-      out.accept(form.message(target, percentages, nowMicros));
-    } else if (holds && nowMicros - heldMicros < neutralMicros) {
+      out.test(form.message(target, percentages, nowMicros));
+    } else if (holds && heldForMicros(nowMicros) < neutralMicros) {
       sendNeutral(target, nowMicros);
     } else if (holds) {
-      List<Object> release = form.release(target);
-      release.forEach(out);
-      holds = --releasesLeft > 0 && !release.isEmpty();
+      release(target);
     } else {
       return;
     }
     dueMicros = nowMicros + everyMicros;
+  }
+
+  /** A release that the link rejected does not count, and is sent again. */
+  private void release(CommandForm.Target target) {
+    List<Object> release = form.release(target);
+    boolean isAccepted = true;
+    for (Object message : release) {
+      isAccepted &= out.test(message);
+    }
+    if (isAccepted) {
+      releasesLeft--;
+    }
+    holds = releasesLeft > 0 && !release.isEmpty();
   }
 
   /** Sends neutral immediately if in control. */
@@ -77,14 +132,17 @@ final class AutopilotCommands {
   void end(CommandForm.Target target, long nowMicros) {
     if (holds) {
       sendNeutral(target, nowMicros);
-      form.release(target).forEach(out);
+      form.release(target).forEach(out::test);
       holds = false;
     }
   }
 
   private void sendNeutral(CommandForm.Target target, long nowMicros) {
-    if (form.isReady(nowMicros)) {
-      out.accept(form.message(target, name -> OptionalDouble.empty(), nowMicros));
+    if (form.isReady(nowMicros)
+        && out.test(form.message(target, name -> OptionalDouble.empty(), nowMicros))
+        && isInherited) {
+      isInherited = false;
+      heldMicros = nowMicros - inheritedMicros;
     }
   }
 

@@ -18,6 +18,7 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.PendingBytes;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.StateInformation;
@@ -52,6 +53,8 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   private final LineLimit lines = new LineLimit();
   private final String
       positionName; // separate from attitude, because a newer message replaces an unread one
+  private final long silentMicros; // without heartbeats until the autopilot counts as lost
+  private long lostMicros = Long.MIN_VALUE; // when it does, if a successor hears none
   private boolean isWaitSaid;
 
   /** Launcher constructor: opens the link of CONNECTION. */
@@ -75,6 +78,10 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
     output =
         new AutopilotCommands(
             form, 1.0 / variables.commandRate(), variables.neutralTime(), this::send);
+    if (context.isRestart()) {
+      output.inherit();
+    }
+    silentMicros = Clock.micros(variables.heartbeatTimeout());
     stream = new MavlinkStream(variables.ownSystem(), variables.ownComponent());
     peer = new AutopilotPeer(variables.autopilotSystem(), variables.stateRate(), this::send);
     state = new AutopilotState(variables.staleAfter());
@@ -84,8 +91,9 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
     watch = new DeviceWatch(this, "the autopilot", link, variables.heartbeatTimeout());
   }
 
-  private void send(Object message) {
-    link.write(stream.encode(message)); // a rejected message is soon repeated or outdated
+  /** Returns whether the link accepted it; a rejected message is soon repeated or outdated. */
+  private boolean send(Object message) {
+    return link.write(stream.encode(message));
   }
 
   @Override
@@ -124,13 +132,15 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
     boolean isHeard = watch.isHeard(now);
     commands.available(isHeard ? FULL_PERCENT : 0.0);
     peer.step(isHeard, now);
-    peer.target()
-        .ifPresent(
-            target ->
-                output.step(
-                    target,
-                    name -> isHeard ? commands.percentage(name) : OptionalDouble.empty(),
-                    now));
+    if (isHeard || now >= lostMicros || !commands.isCommanded()) {
+      peer.target()
+          .ifPresent(
+              target ->
+                  output.step(
+                      target,
+                      name -> isHeard ? commands.percentage(name) : OptionalDouble.empty(),
+                      now));
+    }
     sayWait();
     commands.step(nowS);
   }
@@ -184,11 +194,14 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   @Override
   protected void handOver(HandOver state) {
     commands.handOver(state);
+    output.handOver(state, clock().micros());
   }
 
   @Override
   protected void takeOver(HandOver state) {
     commands.takeOver(state);
+    output.takeOver(state);
+    lostMicros = clock().micros() + silentMicros; // until then the last command still holds
   }
 
   /** The autopilot holds the last command until the successor takes over. */

@@ -377,6 +377,202 @@ class MavlinkAutopilotTest {
     assertThat(heard(RcChannelsOverride.class)).isNotEmpty().containsOnly(before);
   }
 
+  /** The link of a service that takes this one's place; the vehicle hears it as before. */
+  private MemoryLink successorsLink() {
+    heard.clear();
+    MemoryLink again = new MemoryLink();
+    again.with(bytes -> vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload())));
+    return again;
+  }
+
+  private void stop() {
+    kit.publish(
+        Channels.EMERGENCY_STOP,
+        new EmergencyStop().operator("the test").reason("test").active(true).stopId("a"));
+  }
+
+  /** Lets time pass with heartbeats to a successor's link. */
+  private void live(MemoryLink to, double seconds) {
+    for (double s = 0.0; s < seconds - 1.0e-9; s += 0.1) {
+      to.fromDevice(vehicle.encode(heartbeat(MavState.MAV_STATE_ACTIVE)));
+      kit.advance(0.1);
+    }
+  }
+
+  /** The steering pulses that the vehicle heard, without repetitions. */
+  private List<Integer> steering() {
+    List<Integer> all = new ArrayList<>();
+    for (RcChannelsOverride each : heard(RcChannelsOverride.class)) {
+      if (all.isEmpty() || all.get(all.size() - 1) != each.chan1Raw()) {
+        all.add(each.chan1Raw());
+      }
+    }
+    return all;
+  }
+
+  private long steeringCount(int pulse) {
+    return heard(RcChannelsOverride.class).stream().filter(e -> e.chan1Raw() == pulse).count();
+  }
+
+  @Test
+  void swap_stoppedBeforeTheNextHeartbeat_isNeutralForItsTimeThenGivenBack() {
+    rc();
+    command("STEERING", 80.0);
+    kit.advance(0.2);
+    MemoryLink again = successorsLink();
+
+    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    stop();
+    kit.advance(0.95); // more than what is left of the command and of the neutral time
+    assertThat(heard(RcChannelsOverride.class)).as("the autopilot is not yet known").isEmpty();
+    live(again, 0.6);
+    assertThat(steering()).containsExactly(1500);
+    live(again, 2.0);
+
+    assertThat(steering()).containsExactly(1500, 0);
+    assertThat(steeringCount(1500)).as("a second, each third step").isBetween(14L, 18L);
+    assertThat(steeringCount(0)).isEqualTo(3);
+  }
+
+  @Test
+  void swap_commandsEndMeanwhile_isNeutralThenGivenBack() {
+    rc();
+    command("STEERING", 80.0);
+    kit.advance(0.2);
+    MemoryLink again = successorsLink();
+
+    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    kit.advance(2.5);
+    live(again, 2.5);
+
+    assertThat(steering()).containsExactly(1500, 0);
+  }
+
+  @Test
+  void swap_neverCommanded_isSilent() {
+    rc();
+    MemoryLink again = successorsLink();
+
+    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    stop();
+    live(again, 2.5);
+
+    assertThat(heard(RcChannelsOverride.class)).isEmpty();
+  }
+
+  @Test
+  void swap_targetConfigured_saysNoNeutralBeforeTheHeartbeatButStopsAtOnce() {
+    kit.with("AUTOPILOT SYSTEM", 7);
+    rc();
+    PercentageCommand command = PercentageCommand.of("STEERING", 80.0);
+    command.expiry(5.0);
+    kit.publish(Channels.ACTUATION, command);
+    kit.advance(0.2);
+    MemoryLink again = successorsLink();
+
+    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    kit.advance(0.9);
+    assertThat(heard(RcChannelsOverride.class)).as("the last command still holds").isEmpty();
+    stop();
+
+    assertThat(steering()).containsExactly(1500);
+  }
+
+  @Test
+  void swap_targetConfiguredAndNoHeartbeat_isNeutralAfterTheTimeout() {
+    kit.with("AUTOPILOT SYSTEM", 7);
+    rc();
+    PercentageCommand command = PercentageCommand.of("STEERING", 80.0);
+    command.expiry(20.0);
+    kit.publish(Channels.ACTUATION, command);
+    kit.advance(0.2);
+    MemoryLink again = successorsLink();
+
+    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    kit.advance(6.0);
+
+    assertThat(steering()).containsExactly(1500, 0);
+  }
+
+  @Test
+  void restart_nothingHandedOver_isNeutralForItsTimeThenGivenBack() {
+    rc();
+    MemoryLink again = successorsLink();
+
+    kit.restart(
+        service,
+        context -> {
+          heard.clear(); // what the first one said at its end
+          return new MavlinkAutopilot(context, again);
+        });
+    stop();
+    kit.advance(3.0);
+    assertThat(heard(RcChannelsOverride.class)).as("the autopilot is not yet known").isEmpty();
+    live(again, 3.0);
+
+    assertThat(steering()).containsExactly(1500, 0);
+    assertThat(steeringCount(1500)).as("a second, each third step").isBetween(16L, 18L);
+    assertThat(steeringCount(0)).isEqualTo(3);
+  }
+
+  @Test
+  void restart_linkIsAbsent_neutralTimeBeginsOnceItTakesTheFirstMessage() {
+    kit.with("AUTOPILOT SYSTEM", 7);
+    rc();
+    MemoryLink again = successorsLink();
+    again.unplug();
+
+    kit.restart(service, context -> new MavlinkAutopilot(context, again));
+    kit.advance(5.0);
+    again.plug();
+    live(again, 3.0);
+
+    assertThat(steering()).containsExactly(1500, 0);
+    assertThat(steeringCount(1500)).as("a second, each third step").isBetween(16L, 18L);
+  }
+
+  @Test
+  void restart_sensorOnly_commandsNothing() {
+    start();
+    MemoryLink again = successorsLink();
+
+    kit.restart(service, context -> new MavlinkAutopilot(context, again));
+    live(again, 2.5);
+
+    assertThat(heard(RcChannelsOverride.class)).isEmpty();
+  }
+
+  @Test
+  void restart_attitudeComesLate_neutralWaitsForIt() {
+    kit.with("COMMANDS", "attitude");
+    start();
+    MemoryLink again = successorsLink();
+
+    kit.restart(service, context -> new MavlinkAutopilot(context, again));
+    live(again, 2.0);
+    assertThat(heard(SetAttitudeTarget.class)).isEmpty();
+    again.fromDevice(vehicle.encode(attitude(0.0, 1.0)));
+    live(again, 2.0);
+
+    assertThat(heard(SetAttitudeTarget.class)).hasSizeBetween(16, 18);
+  }
+
+  @Test
+  void step_linkRefusesTheRelease_isReleasedOnceItTakesIt() {
+    rc();
+    command("STEERING", 80.0);
+    live(1.0); // expired, and neutral
+    assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1500);
+    link.unplug();
+    live(3.0);
+    link.plug();
+    heard.clear();
+    live(1.0);
+
+    assertThat(steering()).containsExactly(0);
+    assertThat(steeringCount(0)).isEqualTo(3);
+  }
+
   @Test
   void step_rcCommands_overrideThenNeutralThenGiveBack() {
     rc();
