@@ -2,12 +2,11 @@ package org.u2sa.world.object;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.time.Clock;
@@ -33,11 +32,10 @@ public final class ObjectMapModeller implements Modeller {
   private static final int MAX_NUMBERED_CHARS = 900;
 
   /** Part of the heap that sightings of other processes may take as long as they are known. */
-  private static final int HEAP_PART = 16;
+  private static final int HEAP_PART = 4;
 
   private static final long MIN_SIGHTING_BYTES = 8L << 10; // an outline of a hundred points
 
-  private final Map<MappedObject, Integer> longOnes = new HashMap<>(); // length of the newest [B]
   private final Settings<ObjectMapVariables> settings;
   private final Settings<GridModeller.Variables> heights;
   private final List<MappedObject> tracks = new ArrayList<>();
@@ -66,24 +64,18 @@ public final class ObjectMapModeller implements Modeller {
 
   private void take(List<ObjectDescription> all, Sighting sighting, MappedObject.Source source) {
     ObjectMapVariables tuning = settings.get();
-    List<ObjectDescription> seen = new ArrayList<>();
-    long room = roomBytes();
-    for (ObjectDescription each : all) {
-      if (!tuning.isUnmapped(each.objectType()) && isShort(each, tuning, room)) {
-        seen.add(each);
-        room -= each.receivedBytes();
-      }
-    }
+    List<ObjectDescription> seen =
+        all.stream()
+            .filter(each -> !tuning.isUnmapped(each.objectType()) && isShort(each, tuning))
+            .collect(Collectors.toList());
     Point at = sighting.frame().vehicle(sighting.vehicle());
     hidden.lookFrom(at.x(), at.y(), sighting.micros());
     List<Detection> detections = new ArrayList<>();
-    List<Integer> lengths = new ArrayList<>(); // of their messages [B]
     for (ObjectDescription each : seen) {
       Optional<Detection> placed = Detection.of(each, sighting, tuning.defaultSigma());
-      if (placed.isPresent() && !isHidden(each, placed.get().place(), tuning)) {
-        detections.add(placed.get());
-        lengths.add(each.receivedBytes());
-      }
+      placed
+          .filter(detection -> !isHidden(each, detection.place(), tuning))
+          .ifPresent(detections::add);
       unplaced += placed.isPresent() ? 0 : 1;
     }
     sightings += seen.size();
@@ -100,39 +92,22 @@ public final class ObjectMapModeller implements Modeller {
         }
         track.judge(tuning.confirmHits(), tuning.confirmWindow());
         hit.add(track);
-        keeps(track, lengths.get(i));
       }
     }
     lookFor(sensor, hit, sighting, tuning);
     for (int i = 0; i < match.length; i++) {
       if (match[i] == SightingMatch.NONE
           && tracks.size() - known.size() < 2 * tuning.maxObjects()) {
-        keeps(begin(detections.get(i), sighting.micros(), tuning, source), lengths.get(i));
+        begin(detections.get(i), sighting.micros(), tuning, source);
       }
     }
     tidy(sighting.micros(), tuning);
   }
 
-  /** Memory left for long sightings [B]; short ones have room of their own. */
-  private long roomBytes() {
-    longOnes.keySet().retainAll(new HashSet<>(tracks));
-    long known = longOnes.values().stream().mapToLong(Integer::longValue).sum();
-    return Runtime.getRuntime().maxMemory() / HEAP_PART - known;
-  }
-
-  private void keeps(MappedObject track, int bytes) {
-    if (bytes > MIN_SIGHTING_BYTES) {
-      longOnes.put(track, bytes);
-    } else {
-      longOnes.remove(track);
-    }
-  }
-
-  /** Whether as many objects as may be kept can be of that length, or there is room for it. */
-  private boolean isShort(ObjectDescription sighting, ObjectMapVariables tuning, long roomBytes) {
+  /** Whether as many objects as may be kept can be of that length. */
+  private boolean isShort(ObjectDescription sighting, ObjectMapVariables tuning) {
     long share = Runtime.getRuntime().maxMemory() / HEAP_PART / (2L * tuning.maxObjects());
-    long most = Math.max(Math.max(MIN_SIGHTING_BYTES, share), roomBytes);
-    boolean isShort = sighting.receivedBytes() <= most;
+    boolean isShort = sighting.receivedBytes() <= Math.max(MIN_SIGHTING_BYTES, share);
     tooLong += isShort ? 0 : 1;
     return isShort;
   }
