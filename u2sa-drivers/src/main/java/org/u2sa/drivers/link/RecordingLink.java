@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
 
@@ -32,21 +34,32 @@ final class RecordingLink implements ByteLink {
   /**
    * Starts a recording.
    *
-   * @param file overwritten
+   * @param wanted numbered if it exists: what was recorded before a crash is not lost
    * @throws BadInputException if it cannot be written
    */
-  RecordingLink(ByteLink link, Path file, Clock clock) {
+  RecordingLink(ByteLink link, Path wanted, Clock clock) {
     this.link = link;
-    this.file = file;
+    file = free(wanted);
     this.clock = clock;
     beginMicros = clock.micros();
     try {
-      out = Files.newBufferedWriter(file, StandardCharsets.US_ASCII);
+      out = Files.newBufferedWriter(file, StandardCharsets.US_ASCII, StandardOpenOption.CREATE_NEW);
       out.write(HEADER + "\n");
       out.flush();
     } catch (IOException e) {
       throw new BadInputException("recording " + file + " cannot be written: " + e, e);
     }
+  }
+
+  /** The file, or the first of gps-2.rec, gps-3.rec and so on that does not exist. */
+  private static Path free(Path wanted) {
+    String name = wanted.getFileName().toString();
+    int dot = name.lastIndexOf('.') > 0 ? name.lastIndexOf('.') : name.length();
+    Path free = wanted;
+    for (int number = 2; Files.exists(free, LinkOption.NOFOLLOW_LINKS); number++) {
+      free = wanted.resolveSibling(name.substring(0, dot) + "-" + number + name.substring(dot));
+    }
+    return free;
   }
 
   @Override

@@ -18,6 +18,8 @@ import org.u2sa.interfaces.time.Clock;
 final class ReplayLink implements ByteLink {
   private record Event(long dueMicros, char what, byte[] bytes) {}
 
+  private static final long MAX_BYTES = 64L << 20; // it is held in memory
+
   private final Path file;
   private final Clock clock;
   private final double speed;
@@ -41,6 +43,10 @@ final class ReplayLink implements ByteLink {
     this.speed = speed;
     List<String> lines;
     try {
+      if (Files.exists(file) && (!Files.isRegularFile(file) || Files.size(file) > MAX_BYTES)) {
+        throw new BadInputException(
+            "recording " + file + ": expected a regular file of at most " + MAX_BYTES + " bytes");
+      }
       lines = Files.readAllLines(file, StandardCharsets.US_ASCII);
     } catch (IOException e) {
       throw new BadInputException("recording " + file + " cannot be read: " + e, e);

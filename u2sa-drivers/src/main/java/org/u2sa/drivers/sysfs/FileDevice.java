@@ -3,6 +3,7 @@ package org.u2sa.drivers.sysfs;
 import static java.nio.charset.StandardCharsets.US_ASCII;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -11,6 +12,8 @@ import org.u2sa.device.port.Device;
 
 /** A device read from files with one number each: all readable, or none. */
 public abstract class FileDevice<R extends Device.Reading> implements Device<R> {
+  private static final int MAX_BYTES = 64; // of a number; the file may be any
+
   private final List<Path> files;
   private Optional<R> latest = Optional.empty();
   private String trouble = "not read yet";
@@ -44,7 +47,11 @@ public abstract class FileDevice<R extends Device.Reading> implements Device<R> 
   }
 
   private static double number(Path file) throws IOException {
-    double number = Double.parseDouble(new String(Files.readAllBytes(file), US_ASCII).trim());
+    byte[] text;
+    try (InputStream in = Files.newInputStream(file)) {
+      text = in.readNBytes(MAX_BYTES);
+    }
+    double number = Double.parseDouble(new String(text, US_ASCII).trim());
     if (!Double.isFinite(number)) {
       throw new NumberFormatException(file + ": " + number + " is not a finite number");
     }

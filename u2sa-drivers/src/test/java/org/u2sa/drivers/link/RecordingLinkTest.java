@@ -50,4 +50,15 @@ class RecordingLinkTest extends ByteLinkContract {
         .hasMessageStartingWith("recording " + file + " cannot be written");
     assertThat(Files.exists(file)).isFalse();
   }
+
+  @Test
+  void recording_fileExists_isNumberedAndTheOldOneStays() throws Exception {
+    Path file = Files.writeString(folder.resolve("own.rec"), "before a crash");
+    Files.writeString(folder.resolve("own-2.rec"), "and before another");
+
+    new RecordingLink(new MemoryLink(), file, new SystemClock()).close();
+
+    assertThat(file).hasContent("before a crash");
+    assertThat(folder.resolve("own-3.rec")).content().startsWith(RecordingLink.HEADER);
+  }
 }
