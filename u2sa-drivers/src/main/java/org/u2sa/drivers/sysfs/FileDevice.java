@@ -47,11 +47,12 @@ public abstract class FileDevice<R extends Device.Reading> implements Device<R> 
   }
 
   private static double number(Path file) throws IOException {
-    byte[] text;
+    byte[] text = new byte[MAX_BYTES];
+    int length;
     try (InputStream in = Files.newInputStream(file)) {
-      text = in.readNBytes(MAX_BYTES);
+      length = Math.max(0, in.read(text)); // sysfs gives a number at once
     }
-    double number = Double.parseDouble(new String(text, US_ASCII).trim());
+    double number = Double.parseDouble(new String(text, 0, length, US_ASCII).trim());
     if (!Double.isFinite(number)) {
       throw new NumberFormatException(file + ": " + number + " is not a finite number");
     }
