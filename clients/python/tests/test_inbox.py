@@ -43,7 +43,7 @@ class InboxTest(unittest.TestCase):
         self.assertEqual(self.inbox.put("goal-commands", Message("GoalCommand", uid="y")), "")
 
     def test_long_messages_have_a_bound_of_their_own_which_stops_do_not_have(self):
-        inbox = Inbox(100, most_bytes=250)
+        inbox = Inbox(100, max_bytes=250)
 
         def received(sensor, size):
             message = state(sensor)

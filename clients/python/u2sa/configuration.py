@@ -16,7 +16,7 @@ from .message import Message
 
 Value = Union[str, float, int, bool]
 _DECIMAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
-_MOST_CHARACTERS = 1_000_000
+_MAX_CHARACTERS = 1_000_000
 _WHOLE = re.compile(r"[+-]?[0-9]{1,20}")
 _OUTSIDE = r"((?:\s|<!--.*?-->)*)"  # comments before and behind the root, which ElementTree does not keep
 _BEFORE = re.compile(r"(?:<\?xml.*?\?>)?" + _OUTSIDE, re.DOTALL)
@@ -212,9 +212,9 @@ def _root(file: pathlib.Path) -> ElementTree.Element:
         if file.exists() and not file.is_file():
             raise BadConfiguration(f"{file}: is not a regular file")
         with file.open(encoding="utf-8") as opened:
-            text = opened.read(_MOST_CHARACTERS + 1)
-        if len(text) > _MOST_CHARACTERS:
-            raise BadConfiguration(f"{file}: is larger than {_MOST_CHARACTERS} characters, the most that is read")
+            text = opened.read(_MAX_CHARACTERS + 1)
+        if len(text) > _MAX_CHARACTERS:
+            raise BadConfiguration(f"{file}: is larger than {_MAX_CHARACTERS} characters, the most that is read")
         if "<!DOCTYPE" in text:
             raise BadConfiguration(f"{file}: a DOCTYPE is not allowed here")
         builder = ElementTree.TreeBuilder(insert_comments=True)

@@ -12,7 +12,7 @@ Delivery = Tuple[str, Message]
 
 _URGENT = "emergency-stop"
 _RESERVED = ("arming", "arming-state", "failsafe")
-_MOST_BYTES = 16 << 20  # as received, of waiting messages; in memory they take several times that
+_MAX_BYTES = 16 << 20  # as received, of waiting messages; in memory they take several times that
 
 #: Channels of which only a source's newest message counts, and the fields that name the source.
 LATEST: Dict[str, Tuple[str, ...]] = {
@@ -44,12 +44,12 @@ class Inbox:
     place. Arming and failsafes wait among the others, but the others cannot take their room (docs/service-contract.md).
 
     :param capacity: messages that wait at most, and as many emergency stops and reserved ones each
-    :param most_bytes: bytes that the others have at most, as received
+    :param max_bytes: bytes that the others have at most, as received
     """
 
-    def __init__(self, capacity: int, most_bytes: int = _MOST_BYTES) -> None:
+    def __init__(self, capacity: int, max_bytes: int = _MAX_BYTES) -> None:
         self._capacity = capacity
-        self._most_bytes = most_bytes
+        self._max_bytes = max_bytes
         self._bytes = 0
         self._some = threading.Condition()
         self._urgent: Deque[List[Delivery]] = collections.deque()
@@ -89,7 +89,7 @@ class Inbox:
         return len(self._others) - self._reserved >= self._capacity
 
     def _is_too_much(self, channel: str, more: int) -> bool:
-        return channel != _URGENT and channel not in _RESERVED and more > 0 and self._bytes + more > self._most_bytes
+        return channel != _URGENT and channel not in _RESERVED and more > 0 and self._bytes + more > self._max_bytes
 
     def take(self, within_s: float) -> Optional[Delivery]:
         """The oldest message, emergency stops first; None if none comes within this time or `wake` is called."""

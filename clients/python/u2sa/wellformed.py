@@ -12,7 +12,7 @@ _ARRAY_TAGS = frozenset((40, 1040, *range(64, 88)))  # RFC 8746, but 41, whose a
 _INDEFINITE = 31
 _BREAK = 0xFF
 _LIST_ELEMENTS = 100_000
-_MOST_BYTES = {_BYTES: 1 << 20, _TEXT: 1 << 16}  # of a byte string that a field takes: message.BYTE_STRING_BYTES
+_MAX_BYTES = {_BYTES: 1 << 20, _TEXT: 1 << 16}  # of a byte string that a field takes: message.BYTE_STRING_BYTES
 
 
 def untagged(payload: bytes) -> bytes:
@@ -52,7 +52,7 @@ class _Scan:
                     raise Malformed(f"byte {begin}: more than {DEPTH} array tags of one item")
             head = self.at
             major, info, length = self._head()
-        if major in _MOST_BYTES:
+        if major in _MAX_BYTES:
             self._string(major, info, length)
         elif major == _ARRAY or major == _MAP:
             if depth == DEPTH:
@@ -83,7 +83,7 @@ class _Scan:
         return self.bytes[self.at - count:self.at]
 
     def _string(self, major: int, info: int, length: int) -> None:
-        most = _MOST_BYTES[major]
+        most = _MAX_BYTES[major]
         if info != _INDEFINITE:
             self._take(self._bounded(length, most))
             return

@@ -71,6 +71,7 @@ public final class CommandedActuators {
   private double announceEveryS = ANNOUNCE_EVERY_S;
   private double announceDueS = Double.POSITIVE_INFINITY;
   private boolean armed;
+  private boolean ignoresArmed; // the last state, for its age
 
   /**
    * Declares its variables with the service and subscribes for it.
@@ -231,6 +232,11 @@ public final class CommandedActuators {
     }
   }
 
+  /** Whether an emergency stop is in force. */
+  public boolean isStopped() {
+    return emergency.isStopped();
+  }
+
   /** Reports which stops are in force, after the actuators obeyed them. */
   void reportStops() {
     service.heedsEmergencyStops(emergency.identities());
@@ -257,7 +263,8 @@ public final class CommandedActuators {
   }
 
   private void arm(ArmingState state) {
-    boolean isArmed = state.armed() && !isOld(state);
+    boolean isIgnored = state.armed() && isOld(state);
+    boolean isArmed = state.armed() && !isIgnored;
     boolean changed = isArmed != armed;
     armed = isArmed;
     if (changed && !mayMove()) {
@@ -267,6 +274,14 @@ public final class CommandedActuators {
     if (changed) {
       service.log(armed ? "armed" : "disarmed: " + state.reasons());
     }
+    if (isIgnored && !ignoresArmed) {
+      service.log(
+          LogLevelEnum.WARN,
+          "ignored that the vehicle is armed: told more than "
+              + MAX_ARMED_AGE_MICROS / Clock.MICROS_PER_SECOND
+              + " s ago, by an earlier run or a clock that is behind");
+    }
+    ignoresArmed = isIgnored;
   }
 
   /** Whether a state, such as one that a broker retained, is of an earlier run. */

@@ -167,9 +167,13 @@ class ActuatorTest {
     retained.timestamp(kit.clock().micros() - 6_000_000);
 
     kit.publish(Channels.ARMING_STATE, retained);
+    kit.publish(Channels.ARMING_STATE, (ArmingState) retained.copy());
     kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
 
     assertThat(armed.moves).containsExactly("neutral");
+    assertThat(kit.log("ARMED WHEEL"))
+        .filteredOn(line -> line.contains("ignored that the vehicle is armed"))
+        .hasSize(1);
   }
 
   @Test

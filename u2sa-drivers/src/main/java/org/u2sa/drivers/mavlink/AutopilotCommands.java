@@ -41,11 +41,18 @@ final class AutopilotCommands {
   }
 
   /**
-   * Takes control as of now, because a predecessor that handed nothing over may have had it: what
-   * it sent last ends in neutral and release.
+   * Releases what a predecessor that handed nothing over may have commanded. Not by way of neutral,
+   * because a radio pilot may be in control instead.
    */
   void inherit() {
-    inherit(0L);
+    inherit(neutralMicros);
+  }
+
+  /** Precedes the release of what was inherited by neutral, as an emergency stop demands. */
+  void endInNeutral() {
+    if (isInherited) {
+      inheritedMicros = 0L;
+    }
   }
 
   private void inherit(long sinceCommandMicros) {

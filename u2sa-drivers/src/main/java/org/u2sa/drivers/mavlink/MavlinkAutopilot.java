@@ -38,9 +38,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   private static final double STEPS_PER_S = 50.0;
   private static final double FULL_PERCENT = 100.0;
 
-  /** More than any such link brings: a flood must not keep emergency stops waiting. */
   private final ByteLink link;
-
   private final DeviceWatch watch;
   private final MavlinkStream stream;
   private final AutopilotPeer peer;
@@ -116,6 +114,9 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   }
 
   private void stopNow() {
+    if (commands.isStopped()) {
+      output.endInNeutral();
+    }
     peer.target().ifPresent(target -> output.stop(target, clock().micros()));
   }
 

@@ -495,7 +495,7 @@ class MavlinkAutopilotTest {
   }
 
   @Test
-  void restart_nothingHandedOver_isNeutralForItsTimeThenGivenBack() {
+  void restart_stopped_isNeutralForItsTimeThenGivenBack() {
     rc();
     MemoryLink again = successorsLink();
 
@@ -515,6 +515,24 @@ class MavlinkAutopilotTest {
     assertThat(steeringCount(0)).isEqualTo(3);
   }
 
+  /** A radio pilot may be flying: neutral would take the throttle away. */
+  @Test
+  void restart_notStopped_isGivenBackWithoutNeutral() {
+    rc();
+    MemoryLink again = successorsLink();
+
+    kit.restart(
+        service,
+        context -> {
+          heard.clear(); // what the first one said at its end
+          return new MavlinkAutopilot(context, again);
+        });
+    live(again, 3.0);
+
+    assertThat(steering()).containsExactly(0);
+    assertThat(steeringCount(0)).isEqualTo(3);
+  }
+
   @Test
   void restart_linkIsAbsent_neutralTimeBeginsOnceItTakesTheFirstMessage() {
     kit.with("AUTOPILOT SYSTEM", 7);
@@ -523,6 +541,7 @@ class MavlinkAutopilotTest {
     again.unplug();
 
     kit.restart(service, context -> new MavlinkAutopilot(context, again));
+    stop();
     kit.advance(5.0);
     again.plug();
     live(again, 3.0);
@@ -549,6 +568,7 @@ class MavlinkAutopilotTest {
     MemoryLink again = successorsLink();
 
     kit.restart(service, context -> new MavlinkAutopilot(context, again));
+    stop();
     live(again, 2.0);
     assertThat(heard(SetAttitudeTarget.class)).isEmpty();
     again.fromDevice(vehicle.encode(attitude(0.0, 1.0)));
