@@ -85,4 +85,17 @@ class MessageCodecTest {
     assertThat(read.receivedBytes()).isBetween(40_000, 100_000);
     assertThat(cloud.receivedBytes()).isZero();
   }
+
+  @Test
+  void receivedBytes_messageInAList_isItsShare() throws MalformedMessageException {
+    PointCloud cloud = new PointCloud().uid("c").x(1).y(2).referenceFrame(ReferenceFrame.BODY);
+    cloud.points(Collections.nCopies(1_000, Point.of(1, 2, 3)));
+    ObjectList list = new ObjectList().objects(List.of(cloud, new Circle().uid("o").x(4).y(8)));
+
+    ObjectList read = (ObjectList) codec.decode(List.of("ObjectList"), list.serialize());
+
+    assertThat(read.objects().get(0).receivedBytes()).isBetween(40_000, 100_000);
+    assertThat(read.objects().get(1).receivedBytes()).isBetween(50, 1_000);
+    assertThat(read.receivedBytes()).isGreaterThan(read.objects().get(0).receivedBytes());
+  }
 }
