@@ -21,6 +21,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.atmosphere.WindField;
+import org.u2sa.sim.gear.Wheel;
+import org.u2sa.sim.motion.BodyAttitude;
 import org.u2sa.sim.motion.RungeKutta;
 import org.u2sa.sim.vehicle.FixedStep;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
@@ -221,7 +223,7 @@ public final class Cessna172 implements SimulatedVehicle {
 
   /** Current state. */
   public AircraftMotion state() {
-    AircraftAttitude attitude = dynamics.attitude;
+    BodyAttitude attitude = dynamics.attitude;
     double airspeed = crashed ? 0.0 : airspeedMps();
     StandardAtmosphere.Air air = StandardAtmosphere.at(s[ALT]);
     double alpha = airspeed < 1.0 ? 0.0 : StrictMath.atan2(dynamics.airW, dynamics.airU);
@@ -257,7 +259,7 @@ public final class Cessna172 implements SimulatedVehicle {
 
   @Override
   public VehicleTruth truth() {
-    AircraftAttitude attitude = dynamics.attitude;
+    BodyAttitude attitude = dynamics.attitude;
     Geodetic place = new Geodetic(Math.toDegrees(s[LON]), Math.toDegrees(s[LAT]), s[ALT]);
     return new VehicleTruth(
         steps.timeS(),

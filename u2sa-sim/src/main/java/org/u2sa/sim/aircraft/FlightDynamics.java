@@ -2,6 +2,8 @@ package org.u2sa.sim.aircraft;
 
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
+import org.u2sa.sim.gear.Wheel;
+import org.u2sa.sim.motion.BodyAttitude;
 import org.u2sa.sim.motion.RungeKutta;
 
 /**
@@ -40,7 +42,7 @@ final class FlightDynamics implements RungeKutta.Motion {
   final Propeller propeller = new Propeller();
   final PistonEngine engine;
   final LandingGear gear = new LandingGear();
-  final AircraftAttitude attitude = new AircraftAttitude();
+  final BodyAttitude attitude = new BodyAttitude();
 
   // environment during one step
   double densityKgPerM3 = StandardAtmosphere.SEA_LEVEL_DENSITY_KG_PER_M3;
@@ -104,10 +106,10 @@ final class FlightDynamics implements RungeKutta.Motion {
     for (int i = 0; i < LandingGear.WHEELS; i++) {
       Wheel wheel = gear.wheels[i];
       int tyre = TYRES + 2 * i;
-      double wheelHeight = height - attitude.down(wheel.x, wheel.y, wheel.z);
-      double vx = q * wheel.z - r * wheel.y;
-      double vy = r * wheel.x - p * wheel.z;
-      double vz = p * wheel.y - q * wheel.x;
+      double wheelHeight = height - attitude.down(wheel.x(), wheel.y(), wheel.z());
+      double vx = q * wheel.z() - r * wheel.y();
+      double vy = r * wheel.x() - p * wheel.z();
+      double vz = p * wheel.y() - q * wheel.x();
       wheel.compute(
           attitude,
           wheelHeight,
@@ -119,15 +121,15 @@ final class FlightDynamics implements RungeKutta.Motion {
       rate[tyre] = wheel.deflectionAlongRate();
       rate[tyre + 1] = wheel.deflectionAcrossRate(s[tyre + 1]);
       if (wheel.compressionM() > 0.0) {
-        double bx = attitude.forward(wheel.forceN, wheel.forceE, wheel.forceD);
-        double by = attitude.right(wheel.forceN, wheel.forceE, wheel.forceD);
-        double bz = attitude.below(wheel.forceN, wheel.forceE, wheel.forceD);
-        mx += wheel.y * bz - wheel.z * by;
-        my += wheel.z * bx - wheel.x * bz;
-        mz += wheel.x * by - wheel.y * bx;
-        gn += wheel.forceN;
-        ge += wheel.forceE;
-        gd += wheel.forceD;
+        double bx = attitude.forward(wheel.forceN(), wheel.forceE(), wheel.forceD());
+        double by = attitude.right(wheel.forceN(), wheel.forceE(), wheel.forceD());
+        double bz = attitude.below(wheel.forceN(), wheel.forceE(), wheel.forceD());
+        mx += wheel.y() * bz - wheel.z() * by;
+        my += wheel.z() * bx - wheel.x() * bz;
+        mz += wheel.x() * by - wheel.y() * bx;
+        gn += wheel.forceN();
+        ge += wheel.forceE();
+        gd += wheel.forceD();
       }
     }
 

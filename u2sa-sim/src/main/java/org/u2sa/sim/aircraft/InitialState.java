@@ -11,6 +11,7 @@ import static org.u2sa.sim.aircraft.FlightDynamics.VN;
 
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.atmosphere.WindField;
+import org.u2sa.sim.motion.BodyAttitude;
 
 /** Initial state vectors of {@link FlightDynamics}. */
 final class InitialState {
@@ -20,7 +21,7 @@ final class InitialState {
   static double[] standing(RunwayStart start, boolean engineRunning) {
     double[] s = at(start.longitudeDeg(), start.latitudeDeg());
     s[ALT] = start.elevationM() + LandingGear.STANDING_M;
-    AircraftAttitude.write(s, Q0, 0.0, LandingGear.STANDING_PITCH_RAD, start.headingRad());
+    BodyAttitude.write(s, Q0, 0.0, LandingGear.STANDING_PITCH_RAD, start.headingRad());
     s[SHAFT] = engineRunning ? PistonEngine.IDLE_RPM * PistonEngine.RADPERS_PER_RPM : 0.0;
     return s;
   }
@@ -29,8 +30,8 @@ final class InitialState {
   static double[] flying(FlightStart start, Wind wind) {
     double[] s = at(start.longitudeDeg(), start.latitudeDeg());
     s[ALT] = start.altitudeM();
-    AircraftAttitude.write(s, Q0, start.rollRad(), start.pitchRad(), start.headingRad());
-    AircraftAttitude attitude = new AircraftAttitude();
+    BodyAttitude.write(s, Q0, start.rollRad(), start.pitchRad(), start.headingRad());
+    BodyAttitude attitude = new BodyAttitude();
     attitude.set(s[Q0], s[Q0 + 1], s[Q0 + 2], s[Q0 + 3]);
     double cosBeta = StrictMath.cos(start.sideslipRad());
     double u = start.trueAirspeedMps() * StrictMath.cos(start.angleOfAttackRad()) * cosBeta;

@@ -1,6 +1,9 @@
 package org.u2sa.sim.aircraft;
 
 import org.u2sa.messages.frame.Gravity;
+import org.u2sa.sim.gear.Tyre;
+import org.u2sa.sim.gear.Wheel;
+import org.u2sa.sim.motion.BodyAttitude;
 
 /**
  * Tricycle gear of the Cessna 172: nose wheel steered by the pedals (10° each way: Pilot's
@@ -24,6 +27,16 @@ final class LandingGear {
   private static final double NOSE_STIFFNESS = 30_000.0;
   private static final double MAIN_STIFFNESS = 70_000.0;
   private static final double STEER_RAD = Math.toRadians(10.0);
+
+  // Cornering stiffness is roughly proportional to static load, so an aircraft with equal tyres
+  // steers neutrally (Pacejka, Tire and Vehicle Dynamics, chapter 1); these are sums over all
+  // wheels.
+  private static final double TYRE_STIFFNESS_OF_ALL = 270_000.0; // longitudinal and lateral [N/m]
+  private static final double TYRE_DAMPING_OF_ALL = 12_000.0; // [N s/m]
+  private static final double RELAXATION_M = 0.3; // half to one wheel radius
+  private static final double GRIP = 0.7; // dry asphalt, light aircraft tyre
+  private static final double BRAKE_GRIP = 0.45; // share the 172's single-disc brakes can use
+  private static final double ROLLING = 0.02; // hard runway: McCormick, table 7.2
 
   /**
    * Maximum sink rate the gear withstands: 10 ft/s (14 CFR 23.473) plus 20 % reserve (23.723)
@@ -63,7 +76,15 @@ final class LandingGear {
     double reach = STANDING_M + share * WEIGHT_N / stiffness;
     double z =
         (reach + x * StrictMath.sin(STANDING_PITCH_RAD)) / StrictMath.cos(STANDING_PITCH_RAD);
-    return new Wheel(x, y, z, stiffness, damping, share, steerRad);
+    Tyre tyre =
+        new Tyre(
+            TYRE_STIFFNESS_OF_ALL * share,
+            TYRE_DAMPING_OF_ALL * share,
+            GRIP,
+            ROLLING,
+            BRAKE_GRIP,
+            RELAXATION_M);
+    return new Wheel(x, y, z, stiffness, damping, tyre, steerRad);
   }
 
   void set(ControlInputs inputs) {
@@ -77,7 +98,7 @@ final class LandingGear {
   }
 
   /** Whether the aircraft crashed in this step; call once per step, after computing the wheels. */
-  boolean broken(AircraftAttitude attitude, double heightM) {
+  boolean broken(BodyAttitude attitude, double heightM) {
     boolean broken = false;
     for (int i = 0; i < WHEELS; i++) {
       boolean down = wheels[i].compressionM() > 0.0;

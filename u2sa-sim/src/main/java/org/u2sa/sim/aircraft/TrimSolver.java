@@ -13,6 +13,7 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.motion.Arguments;
+import org.u2sa.sim.motion.BodyAttitude;
 
 /**
  * Finds {@link Trim}s: Newton's method on the six accelerations (Stevens and Lewis, 2nd ed.,
@@ -161,8 +162,8 @@ final class TrimSolver {
     double p = rates.x();
     double q = rates.y();
     double r = rates.z();
-    AircraftAttitude.write(state, Q0, rollRad, theta, 0.0);
-    AircraftAttitude a = dynamics.attitude;
+    BodyAttitude.write(state, Q0, rollRad, theta, 0.0);
+    BodyAttitude a = dynamics.attitude;
     a.set(state[Q0], state[Q0 + 1], state[Q0 + 2], state[Q0 + 3]);
     state[VN] = a.north(u, v, w);
     state[VE] = a.east(u, v, w);

@@ -6,6 +6,7 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.motion.BodyState;
 import org.u2sa.sim.motion.RungeKutta;
 
 /**
@@ -13,15 +14,10 @@ import org.u2sa.sim.motion.RungeKutta;
  * g(η) = τ (Fossen 2021, equations 10.1 and 10.130–10.136; with a rigid-body C that does not depend
  * on linear velocity, the current is in νᵣ alone).
  *
- * <p>State: north, east, down [m]; quaternion of the attitude (w, x, y, z); velocity relative to
- * the water u, v, w [m/s]; p, q, r [rad/s]; thrust of each thruster [N].
+ * <p>State: {@link BodyState} with the velocity relative to the water; thrust of each thruster [N].
  */
 final class FossenModel implements RungeKutta.Motion {
-  static final int NED = 0;
-  static final int QUATERNION = 3;
-  static final int VELOCITY = 7;
-  static final int RATES = 10;
-  static final int THRUST = 13;
+  static final int THRUST = BodyState.SIZE;
 
   private final Hull hull;
   private final List<VesselThruster> thrusters;
@@ -77,13 +73,13 @@ final class FossenModel implements RungeKutta.Motion {
 
   @Override
   public void derivatives(double[] s, double[] rate) {
-    double u = s[VELOCITY];
-    double v = s[VELOCITY + 1];
-    double w = s[VELOCITY + 2];
-    double p = s[RATES];
-    double q = s[RATES + 1];
-    double r = s[RATES + 2];
-    kinematics(s, rate);
+    double u = s[BodyState.VELOCITY];
+    double v = s[BodyState.VELOCITY + 1];
+    double w = s[BodyState.VELOCITY + 2];
+    double p = s[BodyState.RATES];
+    double q = s[BodyState.RATES + 1];
+    double r = s[BodyState.RATES + 2];
+    BodyState.kinematics(s, rate, currentNorth, currentEast);
     thrust(s, rate);
     drag(u, v, w, p, q, r);
     rigidBody(u, v, w, p, q, r);
@@ -94,37 +90,8 @@ final class FossenModel implements RungeKutta.Motion {
       for (int j = 0; j < 6; j++) {
         sum += inverse[6 * i + j] * force[j];
       }
-      rate[VELOCITY + i] = sum;
+      rate[BodyState.VELOCITY + i] = sum;
     }
-  }
-
-  private void kinematics(double[] s, double[] rate) {
-    double w = s[QUATERNION];
-    double x = s[QUATERNION + 1];
-    double y = s[QUATERNION + 2];
-    double z = s[QUATERNION + 3];
-    double a = s[VELOCITY];
-    double b = s[VELOCITY + 1];
-    double c = s[VELOCITY + 2];
-    double p = s[RATES];
-    double q = s[RATES + 1];
-    double r = s[RATES + 2];
-    rate[NED] =
-        currentNorth
-            + (1 - 2 * (y * y + z * z)) * a
-            + 2 * (x * y - w * z) * b
-            + 2 * (x * z + w * y) * c;
-    rate[NED + 1] =
-        currentEast
-            + 2 * (x * y + w * z) * a
-            + (1 - 2 * (x * x + z * z)) * b
-            + 2 * (y * z - w * x) * c;
-    rate[NED + 2] =
-        2 * (x * z - w * y) * a + 2 * (y * z + w * x) * b + (1 - 2 * (x * x + y * y)) * c;
-    rate[QUATERNION] = -0.5 * (x * p + y * q + z * r);
-    rate[QUATERNION + 1] = 0.5 * (w * p + y * r - z * q);
-    rate[QUATERNION + 2] = 0.5 * (w * q + z * p - x * r);
-    rate[QUATERNION + 3] = 0.5 * (w * r + x * q - y * p);
   }
 
   private void thrust(double[] s, double[] rate) {
@@ -196,14 +163,14 @@ final class FossenModel implements RungeKutta.Motion {
 
   /** Weight and buoyancy; buoyancy decreases as the hull surfaces. */
   private void restore(double[] s) {
-    double w = s[QUATERNION];
-    double x = s[QUATERNION + 1];
-    double y = s[QUATERNION + 2];
-    double z = s[QUATERNION + 3];
+    double w = s[BodyState.QUATERNION];
+    double x = s[BodyState.QUATERNION + 1];
+    double y = s[BodyState.QUATERNION + 2];
+    double z = s[BodyState.QUATERNION + 3];
     double dx = 2 * (x * z - w * y); // down direction in vehicle axes
     double dy = 2 * (y * z + w * x);
     double dz = 1 - 2 * (x * x + y * y);
-    double under = 0.5 + (s[NED + 2] - surfaceDown) / hull.heightM();
+    double under = 0.5 + (s[BodyState.NED + 2] - surfaceDown) / hull.heightM();
     double buoyancy = hull.buoyancyN() * StrictMath.max(0.0, StrictMath.min(1.0, under));
     act(hull.gravityCentre(), hull.massKg() * Gravity.STANDARD_MPS2, dx, dy, dz);
     act(hull.buoyancyCentre(), -buoyancy, dx, dy, dz);

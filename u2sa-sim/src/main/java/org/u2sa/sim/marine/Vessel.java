@@ -2,10 +2,9 @@ package org.u2sa.sim.marine;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.motion.Arguments;
+import org.u2sa.sim.motion.BodyState;
 import org.u2sa.sim.motion.RungeKutta;
 import org.u2sa.sim.vehicle.FixedStep;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
@@ -59,11 +58,7 @@ public final class Vessel implements SimulatedVehicle {
     state = new double[model.size()];
     rates = new double[model.size()];
     integrator = new RungeKutta(model.size());
-    state[FossenModel.NED] = start.y();
-    state[FossenModel.NED + 1] = start.x();
-    state[FossenModel.NED + 2] = -start.z();
-    state[FossenModel.QUATERNION] = StrictMath.cos(headingRad / 2.0);
-    state[FossenModel.QUATERNION + 3] = StrictMath.sin(headingRad / 2.0);
+    BodyState.place(state, start, headingRad);
   }
 
   @Override
@@ -88,63 +83,18 @@ public final class Vessel implements SimulatedVehicle {
 
   private void tick() {
     integrator.step(model, state, 1.0 / TICKS_PER_SECOND);
-    double square = 0.0;
-    for (int i = 0; i < 4; i++) {
-      double each = state[FossenModel.QUATERNION + i];
-      square += each * each;
-    }
-    double scale = 1.0 / StrictMath.sqrt(square);
-    for (int i = 0; i < 4; i++) {
-      state[FossenModel.QUATERNION + i] *= scale;
-    }
+    BodyState.normalize(state);
   }
 
   @Override
   public VehicleTruth truth() {
     model.derivatives(state, rates);
-    Attitude attitude = attitude();
-    Rotation nedFromFrd = attitude.nedFromFrd();
-    Point rate = at(state, FossenModel.RATES);
-    Point through = at(state, FossenModel.VELOCITY);
-    Point turning = // transport term ω × v of the rotating axes
-        Point.of(
-            rate.y() * through.z() - rate.z() * through.y(),
-            rate.z() * through.x() - rate.x() * through.z(),
-            rate.x() * through.y() - rate.y() * through.x());
-    Point acceleration = nedFromFrd.times(at(rates, FossenModel.VELOCITY).plus(turning));
-    return new VehicleTruth(
-        steps.timeS(),
-        enu(at(state, FossenModel.NED)),
-        attitude,
-        enu(at(rates, FossenModel.NED)),
-        rate,
-        enu(acceleration));
+    return BodyState.truth(steps.timeS(), state, rates);
   }
 
   /** Velocity relative to the water: forward, right, down [m/s]. */
   public Point throughWater() {
-    return at(state, FossenModel.VELOCITY);
-  }
-
-  private static Point at(double[] values, int index) {
-    return Point.of(values[index], values[index + 1], values[index + 2]);
-  }
-
-  private static Point enu(Point ned) {
-    return Point.of(ned.y(), ned.x(), -ned.z());
-  }
-
-  private Attitude attitude() {
-    double w = state[FossenModel.QUATERNION];
-    double x = state[FossenModel.QUATERNION + 1];
-    double y = state[FossenModel.QUATERNION + 2];
-    double z = state[FossenModel.QUATERNION + 3];
-    double sinTheta = StrictMath.max(-1.0, StrictMath.min(1.0, 2 * (w * y - x * z)));
-    double psi = StrictMath.atan2(2 * (x * y + w * z), 1 - 2 * (y * y + z * z));
-    return new Attitude(
-        StrictMath.atan2(2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
-        StrictMath.asin(sinTheta),
-        psi < 0.0 ? psi + 2.0 * StrictMath.PI : psi);
+    return BodyState.at(state, BodyState.VELOCITY);
   }
 
   @Override

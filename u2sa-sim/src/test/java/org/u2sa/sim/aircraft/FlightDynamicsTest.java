@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.sim.motion.BodyAttitude;
 
 class FlightDynamicsTest {
   private final FlightDynamics dynamics = new FlightDynamics(new PistonEngine(false));
@@ -134,7 +135,7 @@ class FlightDynamicsTest {
 
   private void derive(double roll, double pitch, double heading) {
     dynamics.groundM = -10_000.0;
-    AircraftAttitude.write(state, FlightDynamics.Q0, roll, pitch, heading);
+    BodyAttitude.write(state, FlightDynamics.Q0, roll, pitch, heading);
     dynamics.derivatives(state, rate);
   }
 }

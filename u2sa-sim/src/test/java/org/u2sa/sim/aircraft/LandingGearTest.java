@@ -6,10 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.sim.gear.Wheel;
+import org.u2sa.sim.motion.BodyAttitude;
 
 class LandingGearTest {
   private final LandingGear gear = new LandingGear();
-  private final AircraftAttitude attitude = new AircraftAttitude();
+  private final BodyAttitude attitude = new BodyAttitude();
 
   // wing tip 5.48 m out and 2 m above ground: 21.5°; tail ring: 14.5° about the main wheels
   @ParameterizedTest
@@ -59,7 +61,7 @@ class LandingGearTest {
     set(0.0, 0.0);
     wheel.set(0.0, 1.0);
     wheel.compute(attitude, -0.05, 20.0, 0.0, 0.0, 1.0, 0.0);
-    assertThat(wheel.forceN / wheel.forceD).isCloseTo(0.47, within(1e-9));
+    assertThat(wheel.forceN() / wheel.forceD()).isCloseTo(0.47, within(1e-9));
   }
 
   private double steadySideForce(Wheel wheel, double speedMps) {
@@ -69,12 +71,12 @@ class LandingGearTest {
       wheel.compute(attitude, -0.05, speedMps, slipMps, 0.0, 0.0, across);
       across = wheel.boundedAcross(across + 0.001 * wheel.deflectionAcrossRate(across));
     }
-    return wheel.forceE;
+    return wheel.forceE();
   }
 
   private void set(double rollDeg, double pitchDeg) {
     double[] q = new double[4];
-    AircraftAttitude.write(q, 0, Math.toRadians(rollDeg), Math.toRadians(pitchDeg), 0.0);
+    BodyAttitude.write(q, 0, Math.toRadians(rollDeg), Math.toRadians(pitchDeg), 0.0);
     attitude.set(q[0], q[1], q[2], q[3]);
   }
 }

@@ -1,0 +1,38 @@
+package org.u2sa.sim.flight;
+
+import java.util.List;
+import org.u2sa.sim.motion.Arguments;
+
+/** Forces and moments of the air on one aircraft, which its actuators change. */
+interface AirLoads {
+  /** Names of the actuators; each has one state, its speed or its deflection. */
+  List<String> actuators();
+
+  /**
+   * Sets the target of an actuator.
+   *
+   * @param value −1…1, or 0…1 for what turns one way only
+   * @throws IllegalArgumentException if it is outside
+   */
+  void command(int actuator, double value);
+
+  /** Weakens what an actuator drives: remaining share of its effect, 0…1. */
+  void weaken(int actuator, double share);
+
+  /** Span of what the gusts act on [m]. */
+  double spanM();
+
+  /**
+   * Adds the loads and computes the rates of the actuators' states.
+   *
+   * @param s state of the aircraft; those of the actuators begin at {@code first}
+   * @param rate its derivative
+   * @param load force and moment in body axes [N, N m]
+   */
+  void add(double[] s, double[] rate, int first, Air air, double[] load);
+
+  /** A share that an actuator keeps. */
+  static double share(double value) {
+    return Arguments.requireInside("share of an actuator's effect", value, 0.0, 1.0);
+  }
+}

@@ -1,0 +1,234 @@
+package org.u2sa.sim.flight;
+
+import java.util.Arrays;
+import java.util.List;
+import org.u2sa.messages.frame.Gravity;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.atmosphere.StandardAtmosphere;
+import org.u2sa.sim.atmosphere.WindField;
+import org.u2sa.sim.gear.Wheel;
+import org.u2sa.sim.motion.Arguments;
+import org.u2sa.sim.motion.BodyAttitude;
+import org.u2sa.sim.motion.BodyState;
+import org.u2sa.sim.motion.RungeKutta;
+import org.u2sa.sim.vehicle.FixedStep;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Footprint;
+import org.u2sa.sim.world.World;
+
+/**
+ * A simulated multirotor or small fixed-wing aircraft. Integrates internally at 400 Hz. A leg that
+ * breaks, or a centre of gravity at the ground, ends the flight: it lies where it is. Not
+ * thread-safe.
+ */
+public final class UnmannedAircraft implements SimulatedVehicle {
+  /** Internal integration rate [1/s]. */
+  public static final int TICKS_PER_SECOND = 400;
+
+  private static final double TICK_S = 1.0 / TICKS_PER_SECOND;
+
+  private final AirLoads loads;
+  private final Footprint footprint;
+  private final World world;
+  private final WindField wind;
+  private final List<Wheel> wheels;
+  private final FreeBody body;
+  private final RungeKutta integrator;
+  private final double[] state;
+  private final double[] rate;
+  private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
+  private boolean crashed;
+
+  private UnmannedAircraft(
+      MassProperties mass,
+      AirLoads loads,
+      List<Leg> legs,
+      Footprint footprint,
+      World world,
+      Point start,
+      double headingRad) {
+    this.loads = loads;
+    this.footprint = footprint;
+    this.world = world;
+    wind = world.windAround(loads.spanM());
+    wheels = Leg.wheels(legs, mass.massKg());
+    body = new FreeBody(mass, loads, wheels, Gravity.STANDARD_MPS2);
+    integrator = new RungeKutta(body.size());
+    state = new double[body.size()];
+    rate = new double[body.size()];
+    BodyState.place(state, start, headingRad);
+    surround();
+    body.derivatives(state, rate);
+  }
+
+  /**
+   * Creates a multirotor at rest, rotors stopped. The command 0…1 of a rotor is the share of its
+   * full speed.
+   *
+   * @param frameDrag drag of the frame along each axis [N s²/m²]
+   * @param legs what it stands on
+   * @param start centre of gravity: east, north, up [m]
+   * @param headingRad clockwise from north [rad]
+   */
+  public static UnmannedAircraft multirotor(
+      MassProperties mass,
+      List<Rotor> rotors,
+      Point frameDrag,
+      List<Leg> legs,
+      Footprint footprint,
+      World world,
+      Point start,
+      double headingRad) {
+    AirLoads loads = new Rotors(rotors, frameDrag);
+    return new UnmannedAircraft(mass, loads, legs, footprint, world, start, headingRad);
+  }
+
+  /**
+   * Creates a fixed-wing aircraft at rest.
+   *
+   * @param legs what it stands on
+   * @param start centre of gravity: east, north, up [m]
+   * @param headingRad clockwise from north [rad]
+   */
+  public static UnmannedAircraft fixedWing(
+      MassProperties mass,
+      WingCoefficients wing,
+      List<ControlSurface> surfaces,
+      ElectricPropeller propeller,
+      List<Leg> legs,
+      Footprint footprint,
+      World world,
+      Point start,
+      double headingRad) {
+    AirLoads loads = new Wings(wing, surfaces, propeller);
+    return new UnmannedAircraft(mass, loads, legs, footprint, world, start, headingRad);
+  }
+
+  /**
+   * Throws the aircraft, as a hand, a bungee or a catapult does.
+   *
+   * @param speedMps speed over ground along its heading and this angle [m/s]
+   * @param climbRad angle above the horizon, which is also its pitch [rad]
+   */
+  public void launch(double speedMps, double climbRad) {
+    Arguments.requireInside("speed of a launch [m/s]", speedMps, 0.0, 200.0);
+    Arguments.requireInside("angle of a launch [rad]", climbRad, 0.0, StrictMath.PI / 3.0);
+    double heading = truth().headingRad();
+    BodyAttitude.write(state, BodyState.QUATERNION, 0.0, climbRad, heading);
+    state[BodyState.VELOCITY] = speedMps;
+    state[BodyState.VELOCITY + 1] = 0.0;
+    state[BodyState.VELOCITY + 2] = 0.0;
+    body.derivatives(state, rate);
+  }
+
+  @Override
+  public List<String> actuators() {
+    return loads.actuators();
+  }
+
+  @Override
+  public void command(String actuator, double value) {
+    loads.command(indexOf(actuator), Double.isNaN(value) ? 0.0 : value);
+  }
+
+  /**
+   * Breaks a rotor, a surface or a motor.
+   *
+   * @param share remaining share of its effect, 0…1
+   * @throws IllegalArgumentException if the actuator is unknown or the share out of range
+   */
+  public void weaken(String actuator, double share) {
+    loads.weaken(indexOf(actuator), share);
+  }
+
+  private int indexOf(String actuator) {
+    int index = loads.actuators().indexOf(actuator);
+    if (index < 0) {
+      throw new IllegalArgumentException(
+          "actuator \"" + actuator + "\": expected one of " + loads.actuators());
+    }
+    return index;
+  }
+
+  @Override
+  public void step(double dtS) {
+    steps.step(dtS, this::tick);
+  }
+
+  private void tick() {
+    if (crashed) {
+      return;
+    }
+    surround();
+    integrator.step(body, state, TICK_S);
+    BodyState.normalize(state);
+    body.boundTyres(state);
+    body.derivatives(state, rate);
+    crashed =
+        state[BodyState.NED + 2] > body.groundDown
+            || wheels.stream().anyMatch(wheel -> wheel.compressionM() > Leg.BREAKS_AT_M);
+    if (crashed) {
+      for (int i = BodyState.VELOCITY; i < state.length; i++) {
+        state[i] = 0.0;
+      }
+      Arrays.fill(rate, 0.0);
+    }
+  }
+
+  private void surround() {
+    body.observe(state);
+    double altitude = world.plane().origin().altitudeM() - state[BodyState.NED + 2];
+    body.air.densityKgPerM3 = StandardAtmosphere.at(altitude).densityKgPerM3();
+    body.groundDown = -world.terrain().heightM(state[BodyState.NED + 1], state[BodyState.NED]);
+    double heading = body.attitude.headingRad();
+    wind.step(
+        TICK_S,
+        body.groundDown - state[BodyState.NED + 2],
+        body.air.speedMps(),
+        StrictMath.cos(heading),
+        StrictMath.sin(heading));
+    body.air.windN = wind.northMps();
+    body.air.windE = wind.eastMps();
+    body.air.windD = wind.downMps();
+    body.air.gustP = wind.gusts().rollRadPerS();
+    body.air.gustQ = wind.gusts().pitchRadPerS();
+    body.air.gustR = wind.gusts().yawRadPerS();
+  }
+
+  /** Whether it has hit the ground too hard to fly on. */
+  public boolean crashed() {
+    return crashed;
+  }
+
+  /** Whether it stands on a leg. */
+  public boolean stands() {
+    return body.stands();
+  }
+
+  /** Velocity through the air: forward, right, down in body axes [m/s]. */
+  public Point throughAir() {
+    body.observe(state);
+    return Point.of(body.air.u, body.air.v, body.air.w);
+  }
+
+  /** Actual state of an actuator: speed [rad/s], deflection [rad] or throttle. */
+  public double actual(String actuator) {
+    return state[FreeBody.ACTUATORS + indexOf(actuator)];
+  }
+
+  @Override
+  public VehicleTruth truth() {
+    return BodyState.truth(steps.timeS(), state, rate);
+  }
+
+  @Override
+  public Footprint footprint() {
+    return footprint;
+  }
+
+  @Override
+  public World world() {
+    return world;
+  }
+}
