@@ -34,11 +34,11 @@ import org.u2sa.service.handover.HandOver;
  * effect.
  *
  * <p>Position → velocity → force and angle → rate → moment, by cascaded PIDs ({@link Cascade}), and
- * weighted allocation ({@link Allocator}). When an actuator appears, disappears or weakens, the
- * next state is allocated accordingly, and health reports the remaining authority. Without fresh
- * navigation the vehicle stops and keeps its heading. Without any state it approaches the point
- * using motion estimated from the sightings of it ({@link SeenMotion}), and actuators are released
- * when no point arrives (thesis 4.3.2).
+ * weighted allocation ({@link Allocator}). A multirotor moves sideways by leaning (LEANS). When an
+ * actuator appears, disappears or weakens, the next state is allocated accordingly, and health
+ * reports the remaining authority. Without fresh navigation the vehicle stops and keeps its
+ * heading. Without any state it approaches the point using motion estimated from the sightings of
+ * it ({@link SeenMotion}), and actuators are released when no point arrives (thesis 4.3.2).
  */
 public final class AllocatingControl extends ControlSystem {
   /** Unit of actuator commands. */
@@ -151,7 +151,11 @@ public final class AllocatingControl extends ControlSystem {
       }
     }
     if (isBlind || !armed || !lost.isEmpty() && essentialsLost()) {
-      cascade.rest();
+      if (armed) {
+        cascade.rest();
+      } else {
+        cascade.stand();
+      }
       tuner.abort();
       response.restart();
       neutral().forEach(this::command);
@@ -163,7 +167,7 @@ public final class AllocatingControl extends ControlSystem {
 
   @Override
   protected boolean obeysWithoutState() {
-    return true;
+    return !tuning.leans(); // which needs its attitude
   }
 
   private Optional<BodyMotion> motion(StateInformation state, Optional<NavigationPoint> point) {

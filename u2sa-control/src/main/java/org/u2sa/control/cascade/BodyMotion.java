@@ -73,6 +73,17 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
     return frd(attitude, ned);
   }
 
+  /** Rotates a vector from north, east, down to forward, right, down of the levelled vehicle. */
+  Point level(Point ned) {
+    Point fld = attitude.levelOf(ned);
+    return Point.of(fld.x(), -fld.y(), fld.z());
+  }
+
+  /** Velocity over ground: forward, right, down of the levelled vehicle [m/s]. */
+  Point levelVelocity() {
+    return level(attitude.nedFromFrd().times(velocity));
+  }
+
   /**
    * Displacement between the positions of two states: north, east, down [m]; empty if one is
    * absent, or if they are in different frames. A height absent from one of them counts as

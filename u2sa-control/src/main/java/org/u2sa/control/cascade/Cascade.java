@@ -6,6 +6,8 @@ import java.util.OptionalDouble;
 import org.u2sa.control.Pid;
 import org.u2sa.control.allocation.Allocator;
 import org.u2sa.control.allocation.DegreeOfFreedom;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.handover.HandOver;
 
@@ -15,7 +17,10 @@ import org.u2sa.service.handover.HandOver;
  */
 final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
-  private static final double LEVEL = 0.0; // roll and pitch [rad]
+  private static final double FLIES_FROM = 0.5; // share of the weight that is lifted
+  private static final int SURGE = DegreeOfFreedom.SURGE.ordinal();
+  private static final int SWAY = DegreeOfFreedom.SWAY.ordinal();
+  private static final int HEAVE = DegreeOfFreedom.HEAVE.ordinal();
 
   private final CascadeVariables settings;
   private final AxisTuning[] tuning = new AxisTuning[DegreeOfFreedom.COUNT];
@@ -26,6 +31,9 @@ final class Cascade {
   private final double[] wrench = new double[DegreeOfFreedom.COUNT];
   private OptionalDouble headingRad = OptionalDouble.empty(); // heading to hold
   private boolean turnsFirst; // turns first, without moving sideways
+  private final Lean lean = new Lean(); // level unless the vehicle leans
+  private final GroundWatch ground = new GroundWatch();
+  private Attitude attitude = new Attitude(0.0, 0.0, 0.0); // of the last step
 
   Cascade(CascadeVariables settings) {
     this.settings = settings;
@@ -50,11 +58,26 @@ final class Cascade {
    */
   double[] step(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps, double stepS) {
     aim(motion, way, speedMps);
+    boolean leans = settings.leans();
+    if (leans) {
+      ground.step(way.orElse(Point.ORIGIN).z(), wanted[HEAVE], motion, stepS);
+      if (ground.stands()) {
+        rest();
+        Arrays.fill(wrench, 0.0);
+        return wrench;
+      }
+      double forward = pids[SURGE].step(wanted[SURGE], measured[SURGE], stepS);
+      double right = pids[SWAY].step(wanted[SWAY], measured[SWAY], stepS);
+      lean.towards(forward, right, settings.maxLeanRad());
+      turn(motion);
+    }
     for (int j = 0; j < AXES.length; j++) {
-      wrench[j] =
-          tuning[j].isControlled()
-              ? tuning[j].mass() * pids[j].step(wanted[j], measured[j], stepS)
-              : 0.0;
+      boolean isDriven = tuning[j].isControlled() && !(leans && j <= SWAY);
+      wrench[j] = isDriven ? pids[j].step(wanted[j], measured[j], stepS) : 0.0;
+      if (leans && j == HEAVE) {
+        wrench[j] = Lean.lift(wrench[j], attitude);
+      }
+      wrench[j] *= tuning[j].mass();
     }
     return wrench;
   }
@@ -68,23 +91,30 @@ final class Cascade {
     } else if (headingRad.isEmpty()) {
       headingRad = OptionalDouble.of(heading);
     }
-    double turn = Math.IEEEremainder(headingRad.getAsDouble() - heading, 2.0 * Math.PI);
+    attitude = motion.attitude();
     Point velocity = velocity(motion, toGo, speedMps.orElse(settings.cruiseMps()));
-    wanted[0] = velocity.x();
-    wanted[1] = velocity.y();
-    wanted[2] = velocity.z();
+    wanted[SURGE] = velocity.x();
+    wanted[SWAY] = velocity.y();
+    wanted[HEAVE] = velocity.z();
+    Point present = settings.leans() ? motion.levelVelocity() : motion.velocity();
+    measured[SURGE] = present.x();
+    measured[SWAY] = present.y();
+    measured[HEAVE] = present.z();
+    turn(motion);
+  }
+
+  /** Wanted rates that turn the vehicle to its heading and to the angles at which it leans. */
+  private void turn(BodyMotion motion) {
+    double heading = headingRad.orElse(attitude.psi()) - attitude.psi();
     Point euler =
         Point.of(
-            towards(DegreeOfFreedom.ROLL, LEVEL - motion.attitude().phi()),
-            towards(DegreeOfFreedom.PITCH, LEVEL - motion.attitude().theta()),
-            towards(DegreeOfFreedom.YAW, turn));
-    Point rates = motion.attitude().bodyRates(euler);
+            towards(DegreeOfFreedom.ROLL, lean.rollRad() - attitude.phi()),
+            towards(DegreeOfFreedom.PITCH, lean.pitchRad() - attitude.theta()),
+            towards(DegreeOfFreedom.YAW, Math.IEEEremainder(heading, 2.0 * Math.PI)));
+    Point rates = attitude.bodyRates(euler);
     wanted[3] = rates.x();
     wanted[4] = rates.y();
     wanted[5] = rates.z();
-    measured[0] = motion.velocity().x();
-    measured[1] = motion.velocity().y();
-    measured[2] = motion.velocity().z();
     measured[3] = motion.rates().x();
     measured[4] = motion.rates().y();
     measured[5] = motion.rates().z();
@@ -95,10 +125,10 @@ final class Cascade {
    * within the speed.
    */
   private Point velocity(BodyMotion motion, Point toGo, double speedMps) {
-    Point body = motion.frd(toGo);
+    Point body = settings.leans() ? motion.level(toGo) : motion.frd(toGo);
     double forward = towards(DegreeOfFreedom.SURGE, body.x());
     double right = towards(DegreeOfFreedom.SWAY, body.y());
-    if (turnsFirst || !tuning[DegreeOfFreedom.SWAY.ordinal()].isControlled()) {
+    if (turnsFirst || !settings.leans() && !tuning[SWAY].isControlled()) {
       double aside = Math.hypot(body.x(), body.y());
       double ahead = aside > 0.0 ? body.x() / aside : 0.0;
       forward = Math.max(0.0, towards(DegreeOfFreedom.SURGE, aside) * ahead); // turn first
@@ -116,11 +146,20 @@ final class Cascade {
   /** Updates the integrals with the attained part of the wrench (anti-windup). */
   void attained(Allocator allocator, double stepS) {
     for (int j = 0; j < AXES.length; j++) {
-      if (tuning[j].isControlled()) {
-        attained[j] = allocator.attained(AXES[j]) / tuning[j].mass();
+      if (settings.leans() && j <= SWAY) {
+        attained[j] = j == SURGE ? lean.forward() : lean.right();
+        pids[j].attained(attained[j], stepS);
+      } else if (tuning[j].isControlled()) {
+        attained[j] = acceleration(j, allocator.attained(AXES[j]));
         pids[j].attained(attained[j], stepS);
       }
     }
+  }
+
+  /** Acceleration that a force or moment of the actuators gives, besides gravity's. */
+  private double acceleration(int axis, double forceOrMoment) {
+    double acceleration = forceOrMoment / tuning[axis].mass();
+    return settings.leans() && axis == HEAVE ? Lean.down(acceleration, attitude) : acceleration;
   }
 
   /** Acceleration by the actuators along or about an axis [m/s², rad/s²]; 0 if not controlled. */
@@ -156,7 +195,14 @@ final class Cascade {
       pid.reset();
     }
     Arrays.fill(attained, 0.0);
+    lean.towards(0.0, 0.0, 0.0);
     headingRad = OptionalDouble.empty();
+  }
+
+  /** The vehicle stands, because it is not armed. */
+  void stand() {
+    rest();
+    ground.rest();
   }
 
   /** Takes over from a wrench commanded by another law (bumpless transfer). */
@@ -164,11 +210,31 @@ final class Cascade {
       BodyMotion motion, Optional<Point> way, Optional<Double> speedMps, double[] present) {
     aim(motion, way, speedMps);
     for (int j = 0; j < AXES.length; j++) {
-      pids[j].takeOver(present[j] / tuning[j].mass(), wanted[j], measured[j]);
+      pids[j].takeOver(acceleration(j, present[j]), wanted[j], measured[j]);
+    }
+    if (settings.leans()) {
+      takeOverLean(present[HEAVE]);
+    }
+  }
+
+  /** The vehicle leans already, and flies if it lifts most of its weight. */
+  private void takeOverLean(double presentN) {
+    double forward = -Gravity.STANDARD_MPS2 * StrictMath.tan(attitude.theta());
+    double right =
+        Gravity.STANDARD_MPS2
+            * StrictMath.tan(attitude.phi())
+            / Math.max(0.1, StrictMath.cos(attitude.theta()));
+    pids[SURGE].takeOver(forward, wanted[SURGE], measured[SURGE]);
+    pids[SWAY].takeOver(right, wanted[SWAY], measured[SWAY]);
+    if (-presentN > FLIES_FROM * tuning[HEAVE].mass() * Gravity.STANDARD_MPS2) {
+      ground.flies();
     }
   }
 
   void handOver(HandOver state) {
+    if (settings.leans() && !ground.stands()) {
+      state.text("FLIES", "true");
+    }
     for (DegreeOfFreedom axis : AXES) {
       pids[axis.ordinal()].handOver(state, axis.name());
     }
@@ -180,5 +246,6 @@ final class Cascade {
       pids[axis.ordinal()].takeOver(state, axis.name());
     }
     headingRad = state.number("HEADING");
+    state.text("FLIES").ifPresent(flies -> ground.flies());
   }
 }

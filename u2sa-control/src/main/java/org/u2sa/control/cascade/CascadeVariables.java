@@ -30,7 +30,19 @@ final class CascadeVariables {
               max = 100,
               ifAbsent = 0.5,
               text = "Speed to a navigation point that sets none.")
-          double cruiseSpeed) {}
+          double cruiseSpeed,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether the vehicle moves sideways by leaning the lift of its actuators, as multirotors do. SURGE and SWAY then have gains, but no weight.")
+          boolean leans,
+      @Variable(
+              unit = "deg",
+              min = 1,
+              max = 60,
+              ifAbsent = 25,
+              text = "Maximum angle from the vertical of a vehicle that leans.")
+          double maxLean) {}
 
   private final Map<DegreeOfFreedom, Supplier<AxisTuning>> axes =
       new EnumMap<>(DegreeOfFreedom.class);
@@ -64,6 +76,14 @@ final class CascadeVariables {
 
   double cruiseMps() {
     return way.get().cruiseSpeed();
+  }
+
+  boolean leans() {
+    return way.get().leans();
+  }
+
+  double maxLeanRad() {
+    return Math.toRadians(way.get().maxLean());
   }
 
   Set<DegreeOfFreedom> controlled() {

@@ -5,8 +5,8 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.gear.Wheel;
 import org.u2sa.sim.motion.BodyAttitude;
-import org.u2sa.sim.motion.BodyState;
 import org.u2sa.sim.motion.RungeKutta;
+import org.u2sa.sim.vehicle.BodyState;
 
 /**
  * Equations of motion of a rigid body under its weight, the loads of the air and those of the

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
-import org.u2sa.sim.motion.BodyState;
+import org.u2sa.sim.vehicle.BodyState;
 
 /**
  * Rotors that carry an aircraft, and the drag of its frame. The command 0…1 is the speed's share.

@@ -9,8 +9,8 @@ import org.u2sa.sim.atmosphere.WindField;
 import org.u2sa.sim.gear.Wheel;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.motion.BodyAttitude;
-import org.u2sa.sim.motion.BodyState;
 import org.u2sa.sim.motion.RungeKutta;
+import org.u2sa.sim.vehicle.BodyState;
 import org.u2sa.sim.vehicle.FixedStep;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -43,7 +43,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   private UnmannedAircraft(
       MassProperties mass,
       AirLoads loads,
-      List<Leg> legs,
+      List<LandingLeg> legs,
       Footprint footprint,
       World world,
       Point start,
@@ -52,7 +52,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     this.footprint = footprint;
     this.world = world;
     wind = world.windAround(loads.spanM());
-    wheels = Leg.wheels(legs, mass.massKg());
+    wheels = LandingLeg.wheels(legs, mass.massKg());
     body = new FreeBody(mass, loads, wheels, Gravity.STANDARD_MPS2);
     integrator = new RungeKutta(body.size());
     state = new double[body.size()];
@@ -75,7 +75,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
       MassProperties mass,
       List<Rotor> rotors,
       Point frameDrag,
-      List<Leg> legs,
+      List<LandingLeg> legs,
       Footprint footprint,
       World world,
       Point start,
@@ -96,7 +96,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
       WingCoefficients wing,
       List<ControlSurface> surfaces,
       ElectricPropeller propeller,
-      List<Leg> legs,
+      List<LandingLeg> legs,
       Footprint footprint,
       World world,
       Point start,
@@ -167,7 +167,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     body.derivatives(state, rate);
     crashed =
         state[BodyState.NED + 2] > body.groundDown
-            || wheels.stream().anyMatch(wheel -> wheel.compressionM() > Leg.BREAKS_AT_M);
+            || wheels.stream().anyMatch(wheel -> wheel.compressionM() > LandingLeg.BREAKS_AT_M);
     if (crashed) {
       for (int i = BodyState.VELOCITY; i < state.length; i++) {
         state[i] = 0.0;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.u2sa.sim.motion.Arguments;
-import org.u2sa.sim.motion.BodyState;
+import org.u2sa.sim.vehicle.BodyState;
 
 /** A wing with control surfaces and a propeller, the last actuator. */
 final class Wings implements AirLoads {

@@ -6,8 +6,8 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.sim.motion.BodyState;
 import org.u2sa.sim.motion.RungeKutta;
+import org.u2sa.sim.vehicle.BodyState;
 
 /**
  * Equations of motion of a vessel in a steady, irrotational current: M ν̇ᵣ + C(νᵣ) νᵣ + D(νᵣ) νᵣ +

@@ -73,8 +73,8 @@ final class Aerosonde {
         0.0);
   }
 
-  private static Leg leg(double x, double y) {
-    return new Leg(Point.of(x, y, STANDS_M), true);
+  private static LandingLeg leg(double x, double y) {
+    return new LandingLeg(Point.of(x, y, STANDS_M), true);
   }
 
   /** Deflections [rad] and throttle 0…1. */

@@ -11,7 +11,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.motion.BodyAttitude;
-import org.u2sa.sim.motion.BodyState;
+import org.u2sa.sim.vehicle.BodyState;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 

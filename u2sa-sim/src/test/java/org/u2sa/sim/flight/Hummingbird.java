@@ -59,8 +59,8 @@ final class Hummingbird {
         0.0);
   }
 
-  private static Leg leg(double x, double y) {
-    return new Leg(Point.of(x, y, STANDS_M), false);
+  private static LandingLeg leg(double x, double y) {
+    return new LandingLeg(Point.of(x, y, STANDS_M), false);
   }
 
   private static Rotor rotor(int number, double x, double y, int spin) {

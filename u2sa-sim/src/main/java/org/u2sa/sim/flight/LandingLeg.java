@@ -12,7 +12,7 @@ import org.u2sa.sim.gear.Wheel;
  * @param place lowest point, unloaded, relative to the centre of gravity: forward, right, down [m]
  * @param rolls whether it is a wheel
  */
-public record Leg(Point place, boolean rolls) {
+public record LandingLeg(Point place, boolean rolls) {
   private static final double COMPRESSION_M = 0.01; // under the aircraft's weight
   private static final double DAMPING_RATIO = 0.7;
   private static final double GRIP = 0.6; // rubber or plastic on grass
@@ -27,7 +27,7 @@ public record Leg(Point place, boolean rolls) {
    *
    * @throws IllegalArgumentException if there are legs, but not at least three
    */
-  static List<Wheel> wheels(List<Leg> legs, double massKg) {
+  static List<Wheel> wheels(List<LandingLeg> legs, double massKg) {
     if (!legs.isEmpty() && legs.size() < 3) {
       throw new IllegalArgumentException("legs: " + legs.size() + "; expected none, or at least 3");
     }

@@ -1,9 +1,9 @@
-package org.u2sa.sim.motion;
+package org.u2sa.sim.vehicle;
 
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
-import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.motion.BodyAttitude;
 
 /**
  * State vector of a rigid body over a flat earth, and its kinematics: north, east, down [m];

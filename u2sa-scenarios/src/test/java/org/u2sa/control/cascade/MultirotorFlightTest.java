@@ -1,0 +1,122 @@
+package org.u2sa.control.cascade;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.sim.atmosphere.Wind;
+
+/** Multirotors by AllocatingControl, scored against the truth of the simulated aircraft. */
+class MultirotorFlightTest {
+  @ParameterizedTest
+  @ValueSource(ints = {4, 6, 8})
+  void fly_toPointsInCalmAir_reachesEachAndHolds(int rotors) {
+    try (RotorFlight flight = new RotorFlight(rotors, Wind.calm())) {
+      flight.target = Point.of(0.0, 0.0, -5.0);
+      flight.fly(10.0);
+      assertThat(flight.worstM(2.0)).isLessThan(0.2);
+
+      flight.target = Point.of(20.0, -10.0, -8.0);
+      flight.fly(20.0);
+
+      assertThat(flight.worstM(3.0)).isLessThan(0.3);
+      assertThat(flight.steepestDeg(20.0)).isLessThan(36.0);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"6, 0.5, 1", "6, 2.6, 2", "10, -1.2, 3"})
+  void fly_inGusts_holdsItsPlace(double windMps, double fromRad, long seed) {
+    try (RotorFlight flight = new RotorFlight(6, Wind.gusty(fromRad, windMps, seed))) {
+      flight.target = Point.of(0.0, 0.0, -20.0);
+      flight.fly(40.0);
+
+      assertThat(flight.worstM(20.0)).isLessThan(1.0);
+    }
+  }
+
+  @Test
+  void standing_withoutATargetAbove_doesNotLift() {
+    try (RotorFlight flight = new RotorFlight(4, Wind.constant(0.3, 6.0))) {
+      flight.fly(5.0);
+      flight.flyUntold(5.0);
+
+      assertThat(flight.aircraft.stands()).isTrue();
+      assertThat(flight.kit.percent("ROTOR 1")).isZero();
+      assertThat(flight.fastestMps(5.0)).isLessThan(0.01);
+    }
+  }
+
+  @Test
+  void fly_downToTheGround_landsAndStopsItsRotors() {
+    try (RotorFlight flight = new RotorFlight(4, Wind.calm())) {
+      flight.target = Point.of(0.0, 0.0, -6.0);
+      flight.fly(8.0);
+
+      flight.target = Point.of(0.0, 0.0, 1.0); // below the ground
+      flight.fly(15.0);
+
+      assertThat(flight.aircraft.crashed()).isFalse();
+      assertThat(flight.aircraft.stands()).isTrue();
+      assertThat(flight.kit.percent("ROTOR 1")).isZero();
+    }
+  }
+
+  @Test
+  void navigationStops_inFlight_hoversWhereItIs() {
+    try (RotorFlight flight = new RotorFlight(6, Wind.constant(0.3, 5.0))) {
+      flight.target = Point.of(30.0, 0.0, -10.0);
+      flight.fly(8.0);
+
+      flight.flyUntold(15.0);
+
+      assertThat(flight.fastestMps(5.0)).isLessThan(0.3);
+      assertThat(flight.aircraft.truth().position().z()).isBetween(7.0, 12.0);
+    }
+  }
+
+  @Test
+  void swap_inFlight_neitherFallsNorTilts() {
+    try (RotorFlight flight = new RotorFlight(6, Wind.constant(0.3, 6.0))) {
+      flight.target = Point.of(0.0, 0.0, -10.0);
+      flight.fly(20.0);
+      double before = flight.steepestDeg(3.0);
+
+      flight.swap();
+      flight.fly(5.0);
+
+      assertThat(flight.worstM(5.0)).isLessThan(0.2);
+      assertThat(flight.steepestDeg(5.0)).isLessThan(before + 2.0);
+    }
+  }
+
+  @Test
+  void weaken_oneRotorOfEight_flightGoesOn() {
+    try (RotorFlight flight = new RotorFlight(8, Wind.calm())) {
+      flight.target = Point.of(0.0, 0.0, -15.0);
+      flight.fly(15.0);
+
+      flight.aircraft.weaken("ROTOR 3", 0.0);
+      flight.fly(20.0);
+
+      assertThat(flight.aircraft.crashed()).isFalse();
+      assertThat(flight.worstM(5.0)).isLessThan(0.5);
+    }
+  }
+
+  @Test
+  void disarmed_onTheGround_staysDownUntilArmedAndToldToRise() {
+    try (RotorFlight flight = new RotorFlight(4, Wind.calm())) {
+      flight.kit.send(Channels.ARMING_STATE, new ArmingState().armed(false));
+      flight.target = Point.of(0.0, 0.0, -5.0);
+      flight.fly(3.0);
+
+      assertThat(flight.aircraft.stands()).isTrue();
+    }
+  }
+}
