@@ -48,6 +48,11 @@ public enum AircraftActuator {
     return this == THROTTLE || this == MIXTURE || this == FLAPS;
   }
 
+  /** Whether {@link Elevons} do its work on a flying wing. */
+  boolean isElevons() {
+    return this == AILERON || this == ELEVATOR;
+  }
+
   /** Surfaces left alone, engine idling on a rich mixture, brakes off [%]. */
   static Map<String, Double> neutral() {
     Map<String, Double> neutral = new LinkedHashMap<>();

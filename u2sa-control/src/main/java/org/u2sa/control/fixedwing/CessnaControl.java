@@ -19,25 +19,31 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Flies a Cessna 172 autonomously from the runway along its mission. In: state, navigation. Out:
- * actuation (aileron, elevator, rudder, throttle, mixture, flaps, brakes, once per state),
- * control-status. Without fresh navigation it holds wings level and altitude, then circles; on the
- * ground it holds the brakes. If navigation leads to the ground, it lands.
+ * Flies a Cessna 172, or another aeroplane by its gains and speeds, autonomously from the runway
+ * along its mission. In: state, navigation. Out: actuation (aileron, elevator, rudder, throttle,
+ * mixture, flaps, brakes, once per state), control-status. Without fresh navigation it holds wings
+ * level and altitude, then circles; on the ground it holds the brakes. If navigation leads to the
+ * ground, it lands.
  */
 public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
   private static final double FULL_PERCENT = 100.0;
 
-  private record Power(
+  private record Outputs(
       @Variable(
               unit = "s",
               min = 0.02,
               max = 60,
               ifAbsent = 10,
               text = "How long throttle, mixture and flaps obey a command that is not renewed.")
-          double powerExpiry) {}
+          double powerExpiry,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether LEFT ELEVON and RIGHT ELEVON take the place of AILERON and ELEVATOR, as on flying wings.")
+          boolean elevons) {}
 
-  private final Settings<Power> power = settings(Power.class);
+  private final Settings<Outputs> outputs = settings(Outputs.class);
   private final Supplier<AutopilotVariables> tuning = AutopilotVariables.in(this);
   private final FlightStateReader reader = new FlightStateReader();
   private final ActuatorRoster roster = new ActuatorRoster();
@@ -77,10 +83,18 @@ public final class CessnaControl extends ControlSystem {
     Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
     lookAtSurfaces();
     Surfaces surfaces = mixing.of(autopilot.step(now, target));
+    boolean elevons = outputs.get().elevons();
+    if (elevons) {
+      commandShare(Elevons.LEFT, Elevons.left(surfaces));
+      commandShare(Elevons.RIGHT, Elevons.right(surfaces));
+    }
     for (AircraftActuator actuator : AircraftActuator.values()) {
+      if (elevons && actuator.isElevons()) {
+        continue;
+      }
       double percentage = FULL_PERCENT * actuator.of(surfaces);
       if (actuator.holdsThroughSilence()) {
-        command(actuator.actuatorName(), percentage, power.get().powerExpiry());
+        command(actuator.actuatorName(), percentage, outputs.get().powerExpiry());
       } else {
         command(actuator.actuatorName(), percentage);
       }
@@ -184,9 +198,16 @@ public final class CessnaControl extends ControlSystem {
       reader.takeOver(state);
       autopilot.takeOver(state);
     } else if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isPresent()) {
+      boolean elevons = outputs.get().elevons();
+      double left = lastShare(Elevons.LEFT);
+      double right = lastShare(Elevons.RIGHT);
       autopilot.takeOver(
-          lastShare(AircraftActuator.AILERON.actuatorName()),
-          lastShare(AircraftActuator.ELEVATOR.actuatorName()),
+          elevons
+              ? Elevons.aileron(left, right)
+              : lastShare(AircraftActuator.AILERON.actuatorName()),
+          elevons
+              ? Elevons.elevator(left, right)
+              : lastShare(AircraftActuator.ELEVATOR.actuatorName()),
           lastShare(AircraftActuator.RUDDER.actuatorName()),
           lastShare(AircraftActuator.THROTTLE.actuatorName()));
     }
@@ -201,6 +222,10 @@ public final class CessnaControl extends ControlSystem {
 
   @Override
   protected Map<String, Double> neutral() {
-    return AircraftActuator.neutral();
+    Map<String, Double> neutral = AircraftActuator.neutral();
+    if (outputs.get().elevons()) {
+      Elevons.replace(neutral);
+    }
+    return neutral;
   }
 }

@@ -81,7 +81,7 @@ public record EnergyVariables(
         double pitchDemandRateLimit,
     @Variable(
             unit = "m/s",
-            min = 5,
+            min = 2,
             max = 40,
             ifAbsent = 20,
             text = "Minimum airspeed for computing flight-path angles.")

@@ -62,6 +62,6 @@ public record FlightState(
 
   /** True over calibrated airspeed: about 1 at low altitude, growing with height. */
   public double trueOverCalibrated() {
-    return calibratedAirspeedMps > 20.0 ? trueAirspeedMps / calibratedAirspeedMps : 1.0;
+    return calibratedAirspeedMps > 5.0 ? trueAirspeedMps / calibratedAirspeedMps : 1.0;
   }
 }

@@ -7,26 +7,26 @@ import org.u2sa.interfaces.configuration.Variable;
 public record GuidanceVariables(
     @Variable(
             unit = "m/s",
-            min = 20,
+            min = 5,
             max = 100,
             ifAbsent = 46,
             text = "Calibrated airspeed at which the surface gains hold; they scale from there.")
         double referenceSpeed,
     @Variable(
             unit = "m/s",
-            min = 30,
+            min = 6,
             max = 60,
             ifAbsent = 40,
             text = "Calibrated airspeed unless navigation asks for another.")
         double cruiseSpeed,
     @Variable(
             unit = "m/s",
-            min = 35,
+            min = 7,
             max = 82,
             ifAbsent = 60,
             text = "Maximum demanded calibrated airspeed.")
         double maxSpeed,
-    @Variable(unit = "deg", min = 5, max = 30, ifAbsent = 27.5, text = "Maximum demanded bank.")
+    @Variable(unit = "deg", min = 5, max = 60, ifAbsent = 27.5, text = "Maximum demanded bank.")
         double bankLimit,
     @Variable(unit = "deg/s", min = 2, max = 60, ifAbsent = 15, text = "Maximum bank rate.")
         double bankRateLimit,
@@ -43,7 +43,7 @@ public record GuidanceVariables(
         double pitchUpperLimit,
     @Variable(
             unit = "m",
-            min = 50,
+            min = 5,
             max = 1000,
             ifAbsent = 150,
             text =
@@ -51,7 +51,7 @@ public record GuidanceVariables(
         double minLookAhead,
     @Variable(
             unit = "m/s",
-            min = 15,
+            min = 4,
             max = 40,
             ifAbsent = 26.2,
             text = "Calibrated stall speed, wings level, flaps up.")

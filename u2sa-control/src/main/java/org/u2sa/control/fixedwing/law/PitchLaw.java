@@ -42,7 +42,7 @@ public final class PitchLaw {
 
   private static final double STEEPEST_RAD =
       Math.toRadians(60.0); // maximum bank that is compensated
-  private static final double SLOWEST_MPS = 20.0;
+  private static final double SLOWEST_MPS = 5.0;
 
   private final Variables parameters;
   private final RateLoop loop;

@@ -33,7 +33,7 @@ public final class YawLaw {
       @Variable(min = 0, max = 1, ifAbsent = 0.45, text = "Rudder per aileron: adverse yaw.")
           double aileronToRudder) {}
 
-  private static final double SLOWEST_MPS = 20.0;
+  private static final double SLOWEST_MPS = 5.0;
 
   private final Variables parameters;
   private double integral;
