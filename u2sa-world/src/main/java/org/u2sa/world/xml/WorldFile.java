@@ -16,15 +16,19 @@ import org.u2sa.messages.schema.MessageTypes;
 
 /**
  * A world read from a file (docs/world-model.md): {@code <world>} with an element for each object,
- * named after its class (thesis 3.2.3.3). The objects have unique UIDs and are frozen.
+ * named after its class (thesis 3.2.3.3), and at most one {@code <environment>}. The objects have
+ * unique UIDs and are frozen.
  */
 public final class WorldFile {
   private static final String REFERENCE = "reference";
+  private static final String ENVIRONMENT = "environment";
 
   private final List<ObjectDescription> objects;
+  private final Optional<XmlElement> environment;
 
-  private WorldFile(List<ObjectDescription> objects) {
+  private WorldFile(List<ObjectDescription> objects, Optional<XmlElement> environment) {
     this.objects = List.copyOf(objects);
+    this.environment = environment;
   }
 
   /**
@@ -55,7 +59,7 @@ public final class WorldFile {
     Map<String, XmlElement> byUid = new LinkedHashMap<>();
     List<ObjectDescription> objects = new ArrayList<>();
     for (XmlElement child : root.children()) {
-      if (!child.name().equals(REFERENCE)) {
+      if (!child.name().equals(REFERENCE) && !child.name().equals(ENVIRONMENT)) {
         ObjectDescription object =
             ObjectElement.read(child, type(child, types), frame, objects.size() + 1);
         XmlElement other = byUid.putIfAbsent(object.uid(), child);
@@ -71,7 +75,7 @@ public final class WorldFile {
         objects.add(object);
       }
     }
-    return new WorldFile(objects);
+    return new WorldFile(objects, root.child(ENVIRONMENT));
   }
 
   private static ReferenceFrame frame(XmlElement element) {
@@ -116,6 +120,11 @@ public final class WorldFile {
   /** The objects in the order of the file. */
   public List<ObjectDescription> objects() {
     return objects;
+  }
+
+  /** Terrain, surface, water and wind, which simulations read; empty if there is none. */
+  public Optional<XmlElement> environment() {
+    return environment;
   }
 
   /** Object with the given UID; empty if none. */
