@@ -10,11 +10,13 @@ import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PointCloud;
+import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 
 /** Collision shape of an object in world axes, for rays and footprints. */
-sealed interface Obstacle {
+sealed interface Obstacle
+    permits Obstacle.Block, Obstacle.Pillar, Obstacle.Ball, Obstacle.Wire, Tower {
   double NEVER = Double.POSITIVE_INFINITY;
 
   Bounds bounds();
@@ -51,6 +53,8 @@ sealed interface Obstacle {
       return new Pillar(c.x(), c.y(), c.z(), disc.radius(), 0.0);
     } else if (placed instanceof Sphere ball) {
       return new Ball(c.x(), c.y(), c.z(), ball.radius());
+    } else if (placed instanceof Polygon area && area.points().size() > 2) {
+      return Tower.of(inWorld(area.points(), c, earth, plane), c.z(), area.height());
     } else if (placed instanceof Line line) {
       return new Wire(inWorld(line.points(), c, earth, plane), true);
     } else if (placed instanceof PointCloud cloud) {

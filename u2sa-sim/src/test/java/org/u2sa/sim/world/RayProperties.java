@@ -14,6 +14,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Sphere;
 
 /**
@@ -32,9 +33,10 @@ class RayProperties {
     for (int i = 0; i < count; i++) {
       double size = 0.2 + 2.0 * random.nextDouble();
       ObjectDescription object =
-          switch (random.nextInt(3)) {
+          switch (random.nextInt(4)) {
             case 0 -> new Cylinder().radius(size).height(2.0 * random.nextDouble());
             case 1 -> new Sphere().radius(size);
+            case 2 -> new Polygon().points(star(random, size)).height(3.0 * random.nextDouble());
             default ->
                 new Box()
                     .length(size)
@@ -53,6 +55,20 @@ class RayProperties {
               .z(down ? -z : z));
     }
     return objects;
+  }
+
+  /** Corners of a star, convex or not, anywhere. */
+  private static List<Point> star(Random random, double size) {
+    double x = 30.0 * (random.nextDouble() - 0.5);
+    double y = 30.0 * (random.nextDouble() - 0.5);
+    List<Point> corners = new ArrayList<>();
+    int count = 3 + random.nextInt(6);
+    for (int i = 0; i < count; i++) {
+      double angle = 2.0 * Math.PI * (i + 0.5 * random.nextDouble()) / count;
+      double reach = size * (0.3 + random.nextDouble());
+      corners.add(Point.of(x + reach * Math.cos(angle), y + reach * Math.sin(angle), 0.0));
+    }
+    return corners;
   }
 
   private static double distanceM(ObjectDescription object, Point enu) {

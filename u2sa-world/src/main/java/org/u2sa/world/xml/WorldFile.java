@@ -13,6 +13,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.world.sdf.SdfWorld;
 
 /**
  * A world read from a file (docs/world-model.md): {@code <world>} with an element for each object,
@@ -25,10 +26,13 @@ public final class WorldFile {
 
   private final List<ObjectDescription> objects;
   private final Optional<XmlElement> environment;
+  private final List<String> ignored;
 
-  private WorldFile(List<ObjectDescription> objects, Optional<XmlElement> environment) {
+  private WorldFile(
+      List<ObjectDescription> objects, Optional<XmlElement> environment, List<String> ignored) {
     this.objects = List.copyOf(objects);
     this.environment = environment;
+    this.ignored = List.copyOf(ignored);
   }
 
   /**
@@ -42,12 +46,16 @@ public final class WorldFile {
   }
 
   /**
-   * Reads a world.
+   * Reads a world, or a world of Gazebo if the file is named {@code .sdf} or {@code .world}.
    *
    * @param types message types in which object classes are looked up
    * @throws org.u2sa.interfaces.BadInputException see {@link #load(Path)}
    */
   public static WorldFile load(Path file, MessageTypes types) {
+    if (SdfWorld.isSdf(file)) {
+      SdfWorld sdf = SdfWorld.read(file, System.getenv());
+      return new WorldFile(sdf.objects(), Optional.empty(), sdf.ignored());
+    }
     return parse(XmlReader.read(file, "world"), types);
   }
 
@@ -75,7 +83,7 @@ public final class WorldFile {
         objects.add(object);
       }
     }
-    return new WorldFile(objects, root.child(ENVIRONMENT));
+    return new WorldFile(objects, root.child(ENVIRONMENT), List.of());
   }
 
   private static ReferenceFrame frame(XmlElement element) {
@@ -125,6 +133,11 @@ public final class WorldFile {
   /** Terrain, surface, water and wind, which simulations read; empty if there is none. */
   public Optional<XmlElement> environment() {
     return environment;
+  }
+
+  /** What a world of Gazebo holds that is no object here, and why. */
+  public List<String> ignored() {
+    return ignored;
   }
 
   /** Object with the given UID; empty if none. */

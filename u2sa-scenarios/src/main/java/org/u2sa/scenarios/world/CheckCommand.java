@@ -1,0 +1,116 @@
+package org.u2sa.scenarios.world;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.sim.world.EnvironmentElement;
+import org.u2sa.sim.world.World;
+import org.u2sa.world.xml.WorldFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa world check}: what a simulation takes from a world file, and what it leaves out. */
+@Command(
+    name = "check",
+    description = {
+      "Read a world file as a simulation does, and say what it holds: objects, terrain, water and wind.",
+      "Worlds of Gazebo (.sdf, .world) are read as well; what is no object there is listed."
+    })
+final class CheckCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+
+  @Parameters(paramLabel = "FILE", description = "The world file.")
+  private Path file;
+
+  @Override
+  public Integer call() {
+    PrintWriter out = command.commandLine().getOut();
+    WorldFile world = WorldFile.load(file);
+    List<ObjectDescription> objects = world.objects();
+    World simulated;
+    try {
+      simulated = World.at(origin(objects)).with(objects);
+    } catch (IllegalArgumentException e) {
+      throw new BadInputException(file + ": " + e.getMessage(), e);
+    }
+    out.println(file + ": " + kinds(objects));
+    objects.stream()
+        .collect(Collectors.groupingBy(ObjectDescription::referenceFrame, Collectors.toList()))
+        .forEach((frame, all) -> out.println("  " + extent(frame, all)));
+    if (world.environment().isPresent()) {
+      Path folder = file.toAbsolutePath().normalize().getParent();
+      World with = EnvironmentElement.apply(world.environment().get(), simulated, folder, 1L);
+      out.println("  " + environment(with));
+    }
+    world.ignored().forEach(words -> out.println("  not read: " + words));
+    return ExitCode.DONE;
+  }
+
+  /** A place from which the objects of the earth are near. */
+  private static Geodetic origin(List<ObjectDescription> objects) {
+    return objects.stream()
+        .filter(each -> each.referenceFrame().isEarth())
+        .findFirst()
+        .map(each -> Geodetic.of(each.in(ReferenceFrame.GLOBAL, null).center()))
+        .orElse(new Geodetic(0.0, 0.0, 0.0));
+  }
+
+  private static String kinds(List<ObjectDescription> objects) {
+    Map<String, Integer> kinds = new TreeMap<>();
+    objects.forEach(each -> kinds.merge(each.type().name(), 1, Integer::sum));
+    String each =
+        kinds.entrySet().stream()
+            .map(kind -> kind.getValue() + " " + kind.getKey())
+            .collect(Collectors.joining(", "));
+    return objects.size() + " objects" + (each.isEmpty() ? "" : ": " + each);
+  }
+
+  private static String extent(ReferenceFrame frame, List<ObjectDescription> objects) {
+    DoubleSummaryStatistics x =
+        objects.stream().mapToDouble(each -> each.center().x()).summaryStatistics();
+    DoubleSummaryStatistics y =
+        objects.stream().mapToDouble(each -> each.center().y()).summaryStatistics();
+    String format =
+        frame.isEarth()
+            ? "%s: x %.6f…%.6f, y %.6f…%.6f (centres)"
+            : "%s: x %.1f…%.1f m, y %.1f…%.1f m (centres)";
+    return String.format(
+        Locale.ROOT, format, frame, x.getMin(), x.getMax(), y.getMin(), y.getMax());
+  }
+
+  private static String environment(World world) {
+    String water =
+        world
+            .water()
+            .map(
+                each ->
+                    String.format(
+                        Locale.ROOT,
+                        "water at %.1f m, current %.2f m/s",
+                        each.surfaceM(),
+                        Math.hypot(each.currentEastMps(), each.currentNorthMps())))
+            .orElse("no water");
+    return String.format(
+        Locale.ROOT,
+        "ground up to %.1f m, slopes up to %.2f; %s; wind %.1f m/s from %.0f°, gusts σ %.1f m/s",
+        world.terrain().highestM(),
+        world.terrain().steepest(),
+        water,
+        world.wind().speedMps(),
+        Math.toDegrees(world.wind().fromRad()),
+        world.wind().gustSigmaMps());
+  }
+}

@@ -1,0 +1,178 @@
+package org.u2sa.world.sdf;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.shape.Box;
+import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.Polygon;
+import org.u2sa.messages.shape.Sphere;
+
+/**
+ * Objects for {@code <geometry>}. What does not stand upright, and meshes, become the upright prism
+ * around them.
+ */
+final class SdfGeometry {
+  private static final int ROUND = 24; // corners of a rim
+  private static final double FLAT_M = 1e-3; // thickness of what has none
+
+  private final SdfResources resources;
+  private final List<String> ignored;
+
+  /**
+   * @param ignored receives what cannot be an object, and why
+   */
+  SdfGeometry(SdfResources resources, List<String> ignored) {
+    this.resources = resources;
+    this.ignored = ignored;
+  }
+
+  /**
+   * The object of a geometry.
+   *
+   * @param pose of the geometry in the world
+   * @param name for what is ignored
+   * @param folder of the file that it is in
+   */
+  Optional<ObjectDescription> object(XmlElement geometry, SdfPose pose, String name, Path folder) {
+    for (XmlElement shape : geometry.children()) {
+      switch (shape.name()) {
+        case "box":
+          return Optional.of(box(shape, pose));
+        case "cylinder":
+          return Optional.of(
+              cylinder(
+                  SdfNumbers.positive(shape, "radius"),
+                  SdfNumbers.positive(shape, "length"),
+                  pose));
+        case "capsule":
+          double radius = SdfNumbers.positive(shape, "radius");
+          double length = SdfNumbers.positive(shape, "length");
+          return Optional.of(cylinder(radius, length + 2.0 * radius, pose));
+        case "sphere":
+          return Optional.of(sphere(SdfNumbers.positive(shape, "radius"), pose));
+        case "polyline":
+          return polyline(shape, pose, name);
+        case "mesh":
+          return mesh(shape, pose, name, folder);
+        case "plane":
+          ignored.add(name + ": a plane; the ground is the simulation's");
+          return Optional.empty();
+        case "heightmap":
+          ignored.add(name + ": a heightmap; give it as <environment> of a world file");
+          return Optional.empty();
+        default:
+          ignored.add(name + ": <" + shape.name() + "> in line " + shape.line());
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static ObjectDescription box(XmlElement shape, SdfPose pose) {
+    double[] size = SdfNumbers.of(SdfNumbers.required(shape, "size"), 3);
+    for (double each : size) {
+      if (!(each > 0.0)) {
+        throw shape.error("<size> " + each + ": expected numbers above 0");
+      }
+    }
+    if (pose.isUpright()) {
+      Box box = new Box().length(size[0]).width(size[1]).height(size[2]);
+      box.psi(pose.yawRad());
+      return at(box, pose.at());
+    }
+    List<Point> corners = new ArrayList<>();
+    for (int i = 0; i < 8; i++) {
+      double x = ((i & 1) - 0.5) * size[0];
+      double y = ((i >> 1 & 1) - 0.5) * size[1];
+      double z = ((i >> 2 & 1) - 0.5) * size[2];
+      corners.add(pose.place(Point.of(x, y, z)));
+    }
+    return prism(corners);
+  }
+
+  private static ObjectDescription cylinder(double radius, double length, SdfPose pose) {
+    if (pose.isUpright()) {
+      return at(new Cylinder().radius(radius).height(length), pose.at());
+    }
+    List<Point> rims = new ArrayList<>();
+    for (int i = 0; i < ROUND; i++) {
+      double angle = 2.0 * Math.PI * i / ROUND;
+      double x = radius * Math.cos(angle);
+      double y = radius * Math.sin(angle);
+      rims.add(pose.place(Point.of(x, y, length / 2.0)));
+      rims.add(pose.place(Point.of(x, y, -length / 2.0)));
+    }
+    return prism(rims);
+  }
+
+  private static ObjectDescription sphere(double radius, SdfPose pose) {
+    return at(new Sphere().radius(radius), pose.at());
+  }
+
+  private Optional<ObjectDescription> polyline(XmlElement shape, SdfPose pose, String name) {
+    double height = SdfNumbers.positive(shape, "height");
+    List<Point> points = new ArrayList<>();
+    for (XmlElement point : shape.children("point")) {
+      double[] xy = SdfNumbers.of(point, 2);
+      points.add(pose.place(Point.of(xy[0], xy[1], 0.0)));
+      points.add(pose.place(Point.of(xy[0], xy[1], height)));
+    }
+    return hull(points, name);
+  }
+
+  private Optional<ObjectDescription> mesh(
+      XmlElement shape, SdfPose pose, String name, Path folder) {
+    String uri = SdfNumbers.required(shape, "uri").text();
+    double[] scale =
+        shape.child("scale").map(each -> SdfNumbers.of(each, 3)).orElse(new double[] {1, 1, 1});
+    Optional<Path> file = resources.find(uri, folder);
+    if (file.isEmpty()) {
+      ignored.add(name + ": mesh " + uri + " is not found");
+      return Optional.empty();
+    }
+    try {
+      List<Point> points = new ArrayList<>();
+      for (Point p : MeshPoints.read(file.get())) {
+        points.add(pose.place(Point.of(scale[0] * p.x(), scale[1] * p.y(), scale[2] * p.z())));
+      }
+      return hull(points, name);
+    } catch (IOException e) {
+      ignored.add(name + ": mesh " + uri + ": " + e.getMessage());
+      return Optional.empty();
+    }
+  }
+
+  private Optional<ObjectDescription> hull(List<Point> points, String name) {
+    if (ConvexHull.of(points).size() < 3) {
+      ignored.add(name + ": has no extent, seen from above");
+      return Optional.empty();
+    }
+    return Optional.of(prism(points));
+  }
+
+  private static ObjectDescription prism(List<Point> points) {
+    double low = points.stream().mapToDouble(Point::z).min().orElse(0.0);
+    double high = points.stream().mapToDouble(Point::z).max().orElse(0.0);
+    List<Point> outline = new ArrayList<>();
+    double x = 0.0;
+    double y = 0.0;
+    List<Point> hull = ConvexHull.of(points);
+    for (Point corner : hull) {
+      outline.add(Point.of(corner.x(), corner.y(), 0.0));
+      x += corner.x() / hull.size();
+      y += corner.y() / hull.size();
+    }
+    Polygon polygon = new Polygon().points(outline).height(Math.max(FLAT_M, high - low));
+    return at(polygon, Point.of(x, y, (low + high) / 2.0));
+  }
+
+  private static ObjectDescription at(ObjectDescription object, Point place) {
+    object.x(place.x()).y(place.y()).z(place.z());
+    return object;
+  }
+}

@@ -1,0 +1,77 @@
+package org.u2sa.world.sdf;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Finds the models and meshes that a world names: {@code model://name/…}, relative to the file, or
+ * by their last name if they are on a server, from which nothing is fetched. Files outside the
+ * folders of the world and of Gazebo's variables are not read.
+ */
+final class SdfResources {
+  private static final String MODEL = "model://";
+  private static final List<String> VARIABLES =
+      List.of("GZ_SIM_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "SDF_PATH");
+
+  private final List<Path> roots = new ArrayList<>();
+
+  /**
+   * @param world the world file
+   * @param environment variables of the process
+   */
+  SdfResources(Path world, Map<String, String> environment) {
+    Path folder = world.toAbsolutePath().normalize().getParent();
+    add(folder);
+    add(folder.resolve("models"));
+    if (folder.getParent() != null) {
+      add(folder.getParent().resolve("models"));
+    }
+    for (String variable : VARIABLES) {
+      for (String each : environment.getOrDefault(variable, "").split(":")) {
+        if (!each.isEmpty()) {
+          add(Paths.get(each).toAbsolutePath().normalize());
+        }
+      }
+    }
+  }
+
+  private void add(Path folder) {
+    if (Files.isDirectory(folder)) {
+      roots.add(folder);
+    }
+  }
+
+  /**
+   * The file or folder of a URI; empty if none of the folders holds it.
+   *
+   * @param from folder of the file that names it
+   */
+  Optional<Path> find(String uri, Path from) {
+    List<Path> candidates = new ArrayList<>();
+    try {
+      if (uri.startsWith(MODEL)) {
+        String rest = uri.substring(MODEL.length());
+        roots.forEach(root -> candidates.add(root.resolve(rest)));
+      } else if (uri.contains("://")) { // of a server such as Gazebo Fuel: a copy by its name
+        String name = uri.substring(uri.lastIndexOf('/') + 1);
+        roots.forEach(root -> candidates.add(root.resolve(name)));
+      } else {
+        candidates.add(from.resolve(uri));
+        roots.forEach(root -> candidates.add(root.resolve(uri)));
+      }
+    } catch (InvalidPathException e) {
+      return Optional.empty(); // a name that no file has
+    }
+    return candidates.stream()
+        .map(path -> path.toAbsolutePath().normalize())
+        .filter(path -> roots.stream().anyMatch(path::startsWith))
+        .filter(Files::exists)
+        .findFirst();
+  }
+}
