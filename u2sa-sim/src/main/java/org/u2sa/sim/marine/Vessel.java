@@ -32,7 +32,7 @@ public final class Vessel implements SimulatedVehicle {
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
 
   /**
-   * Creates a vessel at rest.
+   * Creates a vessel that drifts with the water.
    *
    * @param world with water
    * @param start east, north, up [m]
@@ -64,6 +64,20 @@ public final class Vessel implements SimulatedVehicle {
     state[FossenModel.NED + 2] = -start.z();
     state[FossenModel.QUATERNION] = StrictMath.cos(headingRad / 2.0);
     state[FossenModel.QUATERNION + 3] = StrictMath.sin(headingRad / 2.0);
+  }
+
+  /** Starts at rest over ground instead of drifting with the current; call before any step. */
+  public Vessel moored() {
+    Water water = world.water().orElseThrow();
+    Point through =
+        attitude()
+            .nedFromFrd()
+            .transposed()
+            .times(Point.of(-water.currentNorthMps(), -water.currentEastMps(), 0.0));
+    state[FossenModel.VELOCITY] = through.x();
+    state[FossenModel.VELOCITY + 1] = through.y();
+    state[FossenModel.VELOCITY + 2] = through.z();
+    return this;
   }
 
   @Override
