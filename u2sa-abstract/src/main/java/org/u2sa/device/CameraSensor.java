@@ -36,7 +36,7 @@ public abstract class CameraSensor extends DeviceSensor<CameraFrame> {
    * @throws org.u2sa.interfaces.BadInputException if there is no such driver
    */
   public static Camera open(ServiceContext context) {
-    return Devices.open(Camera.class, USUAL, context, Optional.empty());
+    return Devices.open(Camera.class, USUAL, context, "camera", Optional.empty());
   }
 
   private static SensorKind<Camera> kind(String serviceName) {

@@ -54,7 +54,7 @@ public abstract class DeviceSensor<R extends Device.Reading> extends Sensor {
                 .ifAbsent(kind.silentAfterS())
                 .describedAs(
                     "Time without a new reading after which " + name + " counts as silent."));
-    device = Devices.open(kind.port(), kind.usual(), context, made);
+    device = Devices.open(kind.port(), kind.usual(), context, getServiceName(), made);
     reader = new DeviceReader<>(this, name, device, silentAfterS);
   }
 

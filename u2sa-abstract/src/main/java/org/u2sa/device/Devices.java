@@ -33,13 +33,18 @@ public final class Devices {
    * The device of a service. Declares CONNECTION, the variable that names the driver, and the
    * variables of all the port's drivers.
    *
-   * @param made device provided by the host, such as a phone or a simulation; overrides the
-   *     configuration
+   * @param service name of the service
+   * @param made device provided by the host, such as a phone's; overrides the configuration, as
+   *     does one from {@link ServiceContext#devices()}
    * @throws BadInputException if there is no such driver, or more than one
    */
   public static <D extends Device<?>> D open(
-      Class<D> port, Usual usual, ServiceContext context, Optional<D> made) {
+      Class<D> port, Usual usual, ServiceContext context, String service, Optional<D> made) {
     XmlConfiguration configuration = context.configuration();
+    Optional<D> provided =
+        made.isPresent()
+            ? made
+            : context.devices().device(port, service, configuration, context.clock());
     configuration.getVariable(
         VariableDeclaration.text("CONNECTION")
             .ifAbsent(usual.connection)
@@ -55,7 +60,7 @@ public final class Devices {
     }
     Set<String> names = new LinkedHashSet<>(providers.keySet());
     names.add(usual.driver);
-    if (made.isPresent()) {
+    if (provided.isPresent()) {
       names.add(SIMULATED);
     }
     String name =
@@ -64,8 +69,8 @@ public final class Devices {
                 .oneOf(names.toArray(new String[0]))
                 .ifAbsent(usual.driver)
                 .describedAs("Kind of " + usual.noun + ": the name of a driver."));
-    if (made.isPresent()) {
-      return made.get();
+    if (provided.isPresent()) {
+      return provided.get();
     }
     D opened = port.cast(named(name, providers, port, usual.variable).open(name, context));
     context.onAbandon(opened::close);

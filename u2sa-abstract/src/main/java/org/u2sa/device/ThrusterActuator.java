@@ -70,7 +70,7 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
     commands = new CommandedActuators(this, Set.of(actuatorName), this::stopNow);
     slew = new SlewLimit(variables.slewLimit());
     registerPublisher(Channels.POWER);
-    thruster = Devices.open(Thruster.class, USUAL, context, made);
+    thruster = Devices.open(Thruster.class, USUAL, context, getServiceName(), made);
     reader = new DeviceReader<>(this, "the thruster", thruster, variables.timeout());
   }
 

@@ -75,6 +75,8 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
   private WheelMotors(ServiceContext context, Optional<MotorController> made) {
     super(context, ServiceRole.ACTUATOR, "WheelMotors", STEPS_PER_S);
     WheelVariables variables = settings(WheelVariables.class).get();
+    controller = // before the odometry's variables, which may follow from it
+        Devices.open(MotorController.class, USUAL, context, getServiceName(), made);
     leftName = variables.leftActuator();
     rightName = variables.rightActuator();
     leftIsSecond = variables.leftIsSecond();
@@ -93,7 +95,6 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
     registerPublisher(Channels.SENSED_STATE);
     registerPublisher(Channels.POWER);
     goesOnMicros = Clock.micros(variables.serialTimeout());
-    controller = Devices.open(MotorController.class, USUAL, context, made);
     reader = new DeviceReader<>(this, "the motor controller", controller, SILENT_AFTER_S);
   }
 

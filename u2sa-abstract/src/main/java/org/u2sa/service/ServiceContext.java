@@ -26,6 +26,7 @@ public final class ServiceContext {
   private final long seed;
   private final boolean restart;
   private final Execution execution;
+  private final DeviceSource devices;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
   private volatile ServiceInstance predecessor; // null if none, or already released
 
@@ -40,6 +41,7 @@ public final class ServiceContext {
     seed = builder.seed;
     restart = builder.restart;
     predecessor = builder.predecessor;
+    devices = builder.devices;
   }
 
   /** Builds a context for a service of the given system and configuration. */
@@ -90,11 +92,17 @@ public final class ServiceContext {
             .logDirectory(logDirectory)
             .messageTypes(messageTypes)
             .seed(seed)
-            .restart(restart);
+            .restart(restart)
+            .devices(devices);
     builder.transport = transport;
     builder.predecessor = predecessor;
     builder.execution = Objects.requireNonNull(kept, "kept");
     return builder.build();
+  }
+
+  /** Devices that the host of the run provides, such as those of a simulated vehicle. */
+  public DeviceSource devices() {
+    return devices;
   }
 
   /** Hook of a recorder or replay. */
@@ -152,6 +160,7 @@ public final class ServiceContext {
     private boolean restart;
     private ServiceInstance predecessor;
     private Execution execution = Execution.NONE;
+    private DeviceSource devices = DeviceSource.NONE;
 
     private Builder(String systemId, XmlConfiguration configuration) {
       this.systemId = Objects.requireNonNull(systemId, "systemId");
@@ -194,6 +203,12 @@ public final class ServiceContext {
      */
     public Builder inPlaceOf(ServiceInstance running) {
       predecessor = Objects.requireNonNull(running, "running");
+      return this;
+    }
+
+    /** Sets where devices come from that replace the configured ones. */
+    public Builder devices(DeviceSource value) {
+      devices = Objects.requireNonNull(value, "devices");
       return this;
     }
 

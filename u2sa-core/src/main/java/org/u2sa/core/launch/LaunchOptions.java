@@ -14,6 +14,7 @@ import java.util.function.Function;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.service.DeviceSource;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
@@ -28,6 +29,7 @@ public final class LaunchOptions {
   private boolean supervised;
   private boolean restart;
   private boolean throughBroker;
+  private DeviceSource devices = DeviceSource.NONE;
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
   private final Map<String, Function<ServiceContext, ? extends U2SAService>> makers =
       new HashMap<>();
@@ -112,6 +114,16 @@ public final class LaunchOptions {
       Class<S> serviceClass, Function<ServiceContext, ? extends S> maker) {
     makers.put(serviceClass.getName(), Objects.requireNonNull(maker, "maker"));
     return this;
+  }
+
+  /** Sets where services find devices that replace their configured ones; restarts use it too. */
+  public LaunchOptions devices(DeviceSource value) {
+    devices = Objects.requireNonNull(value, "devices");
+    return this;
+  }
+
+  DeviceSource devices() {
+    return devices;
   }
 
   /**

@@ -38,7 +38,8 @@ final class ServiceMaker {
         .logDirectory(options.logDirectory())
         .messageTypes(types)
         .seed(options.seed())
-        .restart(options.restart());
+        .restart(options.restart())
+        .devices(options.devices());
   }
 
   /**

@@ -75,7 +75,7 @@ final class MapChart {
             Math.max(least, MARGIN * extent.getHeight()) / size.getHeight());
     double widthM = metresPerPixel * size.getWidth();
     double heightM = metresPerPixel * size.getHeight();
-    unitM = plan.domain() == Domain.GROUND && widthM < M_PER_KM ? 1.0 : M_PER_KM;
+    unitM = plan.domain() != Domain.AIR && widthM < M_PER_KM ? 1.0 : M_PER_KM;
     NumberAxis east =
         new NumberAxis(
             (unitM == 1.0 ? "m" : "km")

@@ -38,7 +38,7 @@ record Quantity(
   static Quantity onMap(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
       case AIR -> altitude(plan, track);
-      case GROUND -> speed(track);
+      case GROUND, WATER -> speed(track);
     };
   }
 
@@ -46,7 +46,7 @@ record Quantity(
   static Quantity overTime(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
       case AIR -> altitude(plan, track);
-      case GROUND -> offTrack(track);
+      case GROUND, WATER -> offTrack(track);
     };
   }
 

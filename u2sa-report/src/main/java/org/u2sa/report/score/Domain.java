@@ -12,7 +12,12 @@ public enum Domain {
    * A ground vehicle, over metres. It turns beside the waypoint, up to 2 m away if the mission
    * allows it, and then needs about a metre to settle on the line.
    */
-  GROUND(3.0, 10.0, "driven");
+  GROUND(3.0, 10.0, "driven"),
+  /**
+   * A boat or submarine, over tens of metres. Without wheels it drifts outwards in turns and needs
+   * some lengths of two metres to settle.
+   */
+  WATER(10.0, 20.0, "sailed");
 
   private final double settlingDistanceM;
   private final double leastMapM;

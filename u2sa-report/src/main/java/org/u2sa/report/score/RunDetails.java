@@ -10,8 +10,21 @@ import java.util.OptionalInt;
  * @param simulator what simulated the vehicle, e.g. {@code embedded} or {@code FlightGear
  *     2020.3.16}
  * @param wallSeconds time of the wall clock that the run took [s], more than 0
+ * @param goals goals of the mission; empty: as many as the plan has waypoints
  * @param goalsCompleted goals that the Mission Manager called completed, by its estimates; empty:
  *     not asked
  */
 public record RunDetails(
-    String demo, long seed, String simulator, double wallSeconds, OptionalInt goalsCompleted) {}
+    String demo,
+    long seed,
+    String simulator,
+    double wallSeconds,
+    OptionalInt goals,
+    OptionalInt goalsCompleted) {
+
+  /** Details of a run whose goals are the waypoints of its plan. */
+  public RunDetails(
+      String demo, long seed, String simulator, double wallSeconds, OptionalInt goalsCompleted) {
+    this(demo, seed, simulator, wallSeconds, OptionalInt.empty(), goalsCompleted);
+  }
+}

@@ -22,6 +22,9 @@ public record RunOutcome(
     Map<String, Integer> counts,
     Map<String, Double> figures) {
 
+  /** Count of goals without a place, which are judged by their completion. */
+  public static final String GOALS_WITHOUT_PLACE = "goalsWithoutPlace";
+
   public RunOutcome {
     violations = List.copyOf(violations);
     counts = Collections.unmodifiableMap(new LinkedHashMap<>(counts));
@@ -31,6 +34,13 @@ public record RunOutcome(
   /** Creates an outcome without further metrics. */
   public RunOutcome(int contacts, boolean stalled, List<String> violations) {
     this(contacts, stalled, violations, Map.of(), Map.of());
+  }
+
+  /** Copy with another count. */
+  RunOutcome counting(String name, int count) {
+    Map<String, Integer> all = new LinkedHashMap<>(counts);
+    all.put(name, count);
+    return new RunOutcome(contacts, stalled, violations, all, figures);
   }
 
   /** A clean outcome. */

@@ -46,10 +46,13 @@ public record RunScore(
   }
 
   /**
-   * Whether all waypoints were captured, at least one was planned, and the {@linkplain
+   * Whether all waypoints were captured, at least one goal was planned, and the {@linkplain
    * RunOutcome#isClean outcome is clean}: the condition for exit code 0.
    */
   public boolean success() {
-    return !waypoints.isEmpty() && captured() == waypoints.size() && outcome.isClean();
+    boolean hasGoals =
+        !waypoints.isEmpty()
+            || outcome.counts().getOrDefault(RunOutcome.GOALS_WITHOUT_PLACE, 0) > 0;
+    return hasGoals && captured() == waypoints.size() && outcome.isClean();
   }
 }

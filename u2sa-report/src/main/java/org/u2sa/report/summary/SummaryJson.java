@@ -48,7 +48,7 @@ final class SummaryJson {
     if (domain == Domain.GROUND) {
       json.writeNumberField("waypointsWithin2M", score.within(QUALIFYING_M));
     }
-    json.writeNumberField("goals", planned);
+    json.writeNumberField("goals", facts.goals().orElse(planned));
     json.writeNumberField("goalsCompleted", facts.goalsCompleted().orElse(score.captured()));
     json.writeArrayFieldStart("perWaypoint");
     for (WaypointResult result : score.waypoints()) {

@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.SystemFile;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
@@ -37,6 +38,39 @@ public interface Demo {
   /** System file of the services, in its folder of {@code config}. */
   default String systemFile() {
     return "system.xml";
+  }
+
+  /** System file of the services. */
+  default Path system() {
+    String folder = "config/" + profile().name();
+    return HomeFolder.holding(folder).resolve(folder).resolve(systemFile());
+  }
+
+  /**
+   * The mission without {@code --mission}.
+   *
+   * @param options the run's changes of configuration
+   */
+  default Path ownMission(SystemFile system, LaunchOptions options) {
+    return HomeFolder.holding("missions/" + profile().name())
+        .resolve("missions")
+        .resolve(profile().name())
+        .resolve(profile().missionFile());
+  }
+
+  /** Whether fence and landing mission of the configuration hold for a {@code --mission}, too. */
+  default boolean isConfiguredForMission() {
+    return false;
+  }
+
+  /** The plan of a mission, for reports and screens. */
+  default RunPlan plan(Mission mission) {
+    return RunPlans.of(profile().domain(), mission, Optional.of(start(mission)));
+  }
+
+  /** Time limit of a run [s]. */
+  default double limitS(RunPlan plan) {
+    return profile().readyWithinS() + plan.lengthM() / profile().slowestMps();
   }
 
   /**

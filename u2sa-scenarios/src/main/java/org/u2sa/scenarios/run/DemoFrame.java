@@ -64,15 +64,13 @@ public final class DemoFrame {
   private Integer run(Demo demo, boolean realTime, OptionalDouble patience)
       throws InterruptedException, IOException {
     String name = demo.profile().name();
-    Path root = HomeFolder.holding("config/" + name);
-    SystemFile system =
-        SystemFile.read(root.resolve("config").resolve(name).resolve(demo.systemFile()));
+    SystemFile system = SystemFile.read(demo.system());
     changes.check(system);
     recording.check();
     LaunchOptions changed = new LaunchOptions();
     changes.applyTo(changed);
-    Path own = root.resolve("missions").resolve(name).resolve(demo.profile().missionFile());
-    Mission mission = VehicleMission.load(system, changed, options.mission().orElse(own));
+    Path file = options.mission().orElseGet(() -> demo.ownMission(system, changed));
+    Mission mission = VehicleMission.load(system, changed, file);
     demo.check(plan(demo, mission)); // report errors before anything is created
     return new RunLoop(options, command.commandLine().getOut())
         .run(
@@ -85,13 +83,14 @@ public final class DemoFrame {
                       name,
                       system,
                       plan,
-                      demo.profile().readyWithinS() + plan.lengthM() / demo.profile().slowestMps(),
+                      trial.mission().goals().size(),
+                      demo.limitS(plan),
                       trial.observer(),
                       directory,
                       terminal(),
                       interruption,
                       changes.swaps());
-              LaunchOptions launch = launch(system, trial).changesTo(changesOf(directory));
+              LaunchOptions launch = launch(demo, system, trial).changesTo(changesOf(directory));
               record(launch, system, trial.mission(), demo.world(), run);
               return run(run, launch, trial, seed, realTime, patience);
             });
@@ -138,19 +137,18 @@ public final class DemoFrame {
 
   /** The plan of a mission, for reports and screens. */
   public RunPlan plan(Demo demo, Mission mission) {
-    RunPlan plan =
-        RunPlans.of(demo.profile().domain(), mission, Optional.of(demo.start(mission)))
-            .among(demo.surroundings());
+    RunPlan plan = demo.plan(mission).among(demo.surroundings());
     OptionalDouble ruled = demo.captureRadiusM();
     return ruled.isPresent() ? plan.reachedWithin(ruled.getAsDouble()) : plan;
   }
 
-  private LaunchOptions launch(SystemFile system, Demo.Trial trial) {
+  private LaunchOptions launch(Demo demo, SystemFile system, Demo.Trial trial) {
     LaunchOptions launch =
         new LaunchOptions()
             .console(line -> terminal().out().println(line))
             .override("MissionManager", "MISSION", absolute(trial.mission()));
-    if (!isOwnMission()) { // it may be far from the configured place
+    if (!isOwnMission()
+        && !demo.isConfiguredForMission()) { // it may be far from the configured place
       launch.override("MissionManager", "LAND MISSION", "").override("SafetyManager", "FENCE", "");
     }
     trial.settings().accept(launch);

@@ -32,6 +32,7 @@ import org.u2sa.service.U2SAService;
  * @param demo name in reports
  * @param system the system file's services
  * @param plan the planned route
+ * @param goals goals of the mission
  * @param limitS time limit [s]
  * @param maker creates the ground-truth observer
  * @param directory output directory of logs and report
@@ -42,6 +43,7 @@ record DemoRun(
     String demo,
     SystemFile system,
     RunPlan plan,
+    int goals,
     double limitS,
     RunObserver.Maker maker,
     Path directory,
@@ -140,7 +142,12 @@ record DemoRun(
       double wallS = Clock.seconds(STOPWATCH.micros() - began);
       return RunReport.of(
           new RunDetails(
-              demo, seed, simulated.name(), wallS, OptionalInt.of(observer.record().completed())),
+              demo,
+              seed,
+              simulated.name(),
+              wallS,
+              OptionalInt.of(goals),
+              OptionalInt.of(observer.record().completed())),
           plan.within(fence(running)),
           observer.record().track(),
           observer.outcome());

@@ -3,6 +3,7 @@ package org.u2sa.scenarios.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
@@ -13,6 +14,7 @@ import org.u2sa.mission.Home;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
+import org.u2sa.sim.world.LocalPlane;
 
 /** Converts missions to plans for reports and screens. */
 public final class RunPlans {
@@ -41,6 +43,48 @@ public final class RunPlans {
       }
     }
     return new RunPlan(domain, home, waypoints);
+  }
+
+  /**
+   * The plan of any mission: waypoints on the earth or in a local frame. Other goals have no place.
+   *
+   * @param local plane whose origin is that of local frames
+   */
+  public static RunPlan placed(
+      Domain domain, Mission mission, RunPlan.Start home, LocalPlane local) {
+    List<RunPlan.Waypoint> waypoints = new ArrayList<>();
+    for (GoalInformation goal : mission.goals()) {
+      if (goal instanceof Waypoint waypoint
+          && waypoint.x().isPresent()
+          && waypoint.y().isPresent()) {
+        place(waypoint, local.origin())
+            .ifPresent(
+                place ->
+                    waypoints.add(
+                        new RunPlan.Waypoint(
+                            waypoint.uid(),
+                            place.x().orElseThrow(),
+                            place.y().orElseThrow(),
+                            waypoint.z().isPresent() ? place.z() : OptionalDouble.empty(),
+                            waypoint.horizontalThreshold(),
+                            waypoint.verticalThreshold())));
+      }
+    }
+    return new RunPlan(domain, Optional.of(home), waypoints);
+  }
+
+  private static Optional<StateInformation> place(Waypoint waypoint, Geodetic origin) {
+    StateInformation at =
+        new StateInformation()
+            .referenceFrame(waypoint.referenceFrame())
+            .x(waypoint.x().orElseThrow())
+            .y(waypoint.y().orElseThrow());
+    waypoint.z().ifPresent(at::z);
+    try {
+      return Optional.of(at.in(ReferenceFrame.GLOBAL, origin));
+    } catch (IllegalArgumentException e) {
+      return Optional.empty(); // relative to the vehicle or to something else that moves
+    }
   }
 
   /**

@@ -9,6 +9,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
@@ -81,6 +82,9 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
   public void callback(U2SAData data) {
     if (data instanceof GoalList && record.isTargetUnseen()) {
       look(); // for waypoints closer together than two samples
+    }
+    if (data instanceof GoalInformation report) {
+      scorer.reported(report);
     }
     if (data instanceof ArmingState state) {
       scorer.armed(state, vehicle.get());
@@ -165,6 +169,9 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
 
     /** Processes an arming state with the ground truth at that time. */
     default void armed(ArmingState state, VehicleTruth truth) {}
+
+    /** Processes a report on a goal. */
+    default void reported(GoalInformation report) {}
 
     /** Additional channels besides goals, goal reports and arming state. */
     default List<Channel<?>> listensTo() {

@@ -122,6 +122,7 @@ public final class WaypointTable {
       lines.addAll(summary(score.flight().get(), score.outcome()));
     } else {
       lines.add("contacts " + score.outcome().contacts());
+      score.outcome().figures().forEach((name, value) -> lines.add(format("%s %.3f", name, value)));
     }
     lines.add("simulated " + clock(score.simSeconds()));
     return lines;

@@ -3,6 +3,7 @@ package org.u2sa.sim.device;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.Random;
 import org.u2sa.device.port.Device;
 import org.u2sa.sim.motion.Arguments;
 
@@ -15,12 +16,14 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
   private static final long NOT_YET = Long.MIN_VALUE;
 
   private final long periodMicros;
-  private final long latencyMicros;
+  private long latencyMicros;
   private final Deque<R> underWay = new ArrayDeque<>(); // measured, not delivered
   private Optional<R> latest = Optional.empty();
   private long beganMicros = NOT_YET;
   private long dueMicros = NOT_YET;
   private int seen;
+  private double lost;
+  private Random losses = new Random(0);
   private volatile boolean isPlugged = true;
   private volatile int connections = 1;
 
@@ -42,9 +45,22 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
    */
   abstract R measure(double timeS, long measuredAtMicros);
 
+  /**
+   * Adds delay and loss to a device whose model has none; before the first reading.
+   *
+   * @param latencyS from a measurement to its arrival [s]
+   * @param share share of measurements lost, 0…1
+   * @param random decides which are lost
+   */
+  public final void degrade(double latencyS, double share, Random random) {
+    latencyMicros += Math.round(latencyS * MICROS_PER_S);
+    lost = share;
+    losses = random;
+  }
+
   /** Whether the next measurement is lost. */
   boolean isDropped() {
-    return false;
+    return lost > 0.0 && losses.nextDouble() < lost;
   }
 
   /** Called at each read while the device is plugged in. */

@@ -18,6 +18,7 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
   private static final double FULL_PERCENT = 100.0;
 
   private final Supplier<GroundState> truth;
+  private final Outputs outputs;
   private final EncoderModel left;
   private final EncoderModel right;
   private final long timeoutMicros;
@@ -25,6 +26,13 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
   private volatile Told told = new Told(DriveCommand.neutral(), 0);
 
   private record Told(DriveCommand command, long untilMicros) {}
+
+  /** The motors behind the controller. */
+  @FunctionalInterface
+  public interface Outputs {
+    /** Both commands, from now until their time-out [µs of the run's clock]. */
+    void drive(DriveCommand command, long nowMicros, long untilMicros);
+  }
 
   /**
    * Uses the random streams {@code left encoder} and {@code right encoder}.
@@ -35,7 +43,22 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
    */
   public SimulatedMotors(
       double countsPerTurn, double timeoutS, NoiseStreams streams, Supplier<GroundState> truth) {
+    this(countsPerTurn, timeoutS, streams, truth, (command, nowMicros, untilMicros) -> {});
+  }
+
+  /**
+   * As the other constructor, with motors that are told each command.
+   *
+   * @param outputs called at each reading
+   */
+  public SimulatedMotors(
+      double countsPerTurn,
+      double timeoutS,
+      NoiseStreams streams,
+      Supplier<GroundState> truth,
+      Outputs outputs) {
     super(RATE_HZ, 0.0);
+    this.outputs = outputs;
     this.truth = truth;
     left = new EncoderModel(countsPerTurn, 0.0, streams, "left encoder");
     right = new EncoderModel(countsPerTurn, 0.0, streams, "right encoder");
@@ -51,6 +74,7 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
   @Override
   void tell(long nowMicros) {
     told = new Told(wanted, nowMicros + timeoutMicros);
+    outputs.drive(wanted, nowMicros, nowMicros + timeoutMicros);
   }
 
   @Override

@@ -35,11 +35,26 @@ public final class DifferentialVehicle extends PlanarVehicle {
    * @throws IllegalArgumentException if the payload lifts a wheel
    */
   public DifferentialVehicle(DifferentialParameters p, GroundStart start) {
-    this(p, start, Chassis.of(p.massKg(), p.yawInertiaKgM2(), p.cogAheadM(), p.payload()));
+    this(p, start, outlineOfWheels(p));
   }
 
-  private DifferentialVehicle(DifferentialParameters p, GroundStart start, Chassis chassis) {
+  /**
+   * As the other constructor, with another collision outline than that of the wheels.
+   *
+   * @throws IllegalArgumentException if the payload lifts a wheel
+   */
+  public DifferentialVehicle(DifferentialParameters p, GroundStart start, Footprint footprint) {
+    this(
+        p,
+        start,
+        footprint,
+        Chassis.of(p.massKg(), p.yawInertiaKgM2(), p.cogAheadM(), p.payload()));
+  }
+
+  private DifferentialVehicle(
+      DifferentialParameters p, GroundStart start, Footprint footprint, Chassis chassis) {
     super(start, SIZE, chassis, new Battery(p.battery()));
+    this.footprint = footprint;
     this.p = p;
     this.chassis = chassis;
     mismatch = p.mismatch();
@@ -54,13 +69,15 @@ public final class DifferentialVehicle extends PlanarVehicle {
     left = wheel(p, x, -p.trackM() / 2.0 - chassis.cogRightM(), axleN / 2.0 - shiftN);
     right = wheel(p, x, p.trackM() / 2.0 - chassis.cogRightM(), axleN / 2.0 + shiftN);
     castor = new Castor(x + p.castorAheadM(), -chassis.cogRightM(), p.castorTrailM(), castorN);
-    footprint =
-        Footprint.rectangle(
-            p.castorAheadM() + HALF_TYRE_M,
-            p.wheelRadiusM(),
-            p.trackM() + 2.0 * HALF_TYRE_M,
-            0.0,
-            2.0 * p.cogHeightM());
+  }
+
+  private static Footprint outlineOfWheels(DifferentialParameters p) {
+    return Footprint.rectangle(
+        p.castorAheadM() + HALF_TYRE_M,
+        p.wheelRadiusM(),
+        p.trackM() + 2.0 * HALF_TYRE_M,
+        0.0,
+        2.0 * p.cogHeightM());
   }
 
   @Override
@@ -155,7 +172,6 @@ public final class DifferentialVehicle extends PlanarVehicle {
     return List.of("LEFT MOTOR", "RIGHT MOTOR");
   }
 
-  /** {@inheritDoc} The outline of its wheels. */
   @Override
   public Footprint footprint() {
     return footprint;

@@ -1,6 +1,7 @@
 package org.u2sa.sim.marine;
 
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
@@ -42,7 +43,9 @@ public final class BlueRov2 {
         Point.of(0.0, 0.0, 0.02),
         Point.ORIGIN,
         114.8,
-        0.25);
+        0.25,
+        Optional.empty(),
+        Optional.empty());
   }
 
   /** Thrusters THRUSTER 1…6: front right and left, rear right and left, vertical right and left. */

@@ -118,6 +118,9 @@ final class FossenModel implements RungeKutta.Motion {
     force[3] -= drag(p, hull.angularDrag().x(), hull.squareAngularDrag().x());
     force[4] -= drag(q, hull.angularDrag().y(), hull.squareAngularDrag().y());
     force[5] -= drag(r, hull.angularDrag().z(), hull.squareAngularDrag().z());
+    if (hull.crossFlow().isPresent()) {
+      hull.crossFlow().get().drag(v, r, force);
+    }
   }
 
   private static double drag(double speed, double linear, double square) {
@@ -170,10 +173,25 @@ final class FossenModel implements RungeKutta.Motion {
     double dx = 2 * (x * z - w * y); // down direction in vehicle axes
     double dy = 2 * (y * z + w * x);
     double dz = 1 - 2 * (x * x + y * y);
+    if (hull.waterplane().isPresent()) {
+      restoreAtSurface(hull.waterplane().get(), s[BodyState.NED + 2] - surfaceDown, dx, dy, dz);
+      return;
+    }
     double under = 0.5 + (s[BodyState.NED + 2] - surfaceDown) / hull.heightM();
     double buoyancy = hull.buoyancyN() * StrictMath.max(0.0, StrictMath.min(1.0, under));
     act(hull.gravityCentre(), hull.massKg() * Gravity.STANDARD_MPS2, dx, dy, dz);
     act(hull.buoyancyCentre(), -buoyancy, dx, dy, dz);
+  }
+
+  /** G η of a floating hull, with the ballast's weight (Fossen 2021, equations 4.16 and 4.31). */
+  private void restoreAtSurface(Waterplane plane, double sunkM, double dx, double dy, double dz) {
+    double roll = StrictMath.atan2(dy, dz);
+    double pitch = -StrictMath.asin(StrictMath.max(-1.0, StrictMath.min(1.0, dx)));
+    double x = plane.centreAheadM();
+    force[2] -= plane.heaveNPerM() * (sunkM - x * pitch);
+    force[3] -= plane.rollNmPerRad() * roll;
+    force[4] -= plane.pitchNmPerRad() * pitch - x * plane.heaveNPerM() * (sunkM - x * pitch);
+    act(plane.ballast(), plane.ballastKg() * Gravity.STANDARD_MPS2, dx, dy, dz);
   }
 
   private void act(Point at, double downN, double dx, double dy, double dz) {

@@ -1,5 +1,6 @@
 package org.u2sa.sim.marine;
 
+import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 
@@ -20,6 +21,9 @@ import org.u2sa.sim.motion.Arguments;
  * @param buoyancyN buoyancy of the submerged hull [N]
  * @param heightM hull height [m], half of it above the reference point; used for buoyancy at the
  *     surface
+ * @param waterplane restoring forces of a hull that stays at the surface, instead of weight,
+ *     buoyancy and height
+ * @param crossFlow drag of a slender hull; empty: none
  */
 public record Hull(
     double massKg,
@@ -33,7 +37,9 @@ public record Hull(
     Point gravityCentre,
     Point buoyancyCentre,
     double buoyancyN,
-    double heightM) {
+    double heightM,
+    Optional<Waterplane> waterplane,
+    Optional<CrossFlow> crossFlow) {
   /**
    * @throws IllegalArgumentException if a mass or the height is not above 0
    */

@@ -31,7 +31,7 @@ public final class Vessel implements SimulatedVehicle {
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
 
   /**
-   * Creates a vessel at rest.
+   * Creates a vessel that drifts with the water.
    *
    * @param world with water
    * @param start east, north, up [m]
@@ -59,6 +59,20 @@ public final class Vessel implements SimulatedVehicle {
     rates = new double[model.size()];
     integrator = new RungeKutta(model.size());
     BodyState.place(state, start, headingRad);
+  }
+
+  /** Starts at rest over ground instead of drifting with the current; call before any step. */
+  public Vessel moored() {
+    Water water = world.water().orElseThrow();
+    Point through =
+        BodyState.attitude(state)
+            .nedFromFrd()
+            .transposed()
+            .times(Point.of(-water.currentNorthMps(), -water.currentEastMps(), 0.0));
+    state[BodyState.VELOCITY] = through.x();
+    state[BodyState.VELOCITY + 1] = through.y();
+    state[BodyState.VELOCITY + 2] = through.z();
+    return this;
   }
 
   @Override

@@ -119,7 +119,8 @@ public final class BodyState {
     return Point.of(ned.y(), ned.x(), -ned.z());
   }
 
-  private static Attitude attitude(double[] s) {
+  /** Attitude of a body. */
+  public static Attitude attitude(double[] s) {
     double w = s[QUATERNION];
     double x = s[QUATERNION + 1];
     double y = s[QUATERNION + 2];

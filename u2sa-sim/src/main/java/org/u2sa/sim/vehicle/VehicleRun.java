@@ -1,7 +1,12 @@
 package org.u2sa.sim.vehicle;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
+import org.u2sa.interfaces.RunFailedException;
 
 /**
  * A vehicle shared by sensors, actuators and observers of a run: the first access at a time
@@ -16,6 +21,7 @@ public final class VehicleRun {
   private final List<ContactWatch.Contact> contacts = new CopyOnWriteArrayList<>();
   private final ContactWatch watch = new ContactWatch(contacts::add);
   private VehicleTruth truth;
+  private final Map<String, Long> expiries = new LinkedHashMap<>(); // by actuator [µs]
   private long beginMicros = -1;
   private long steppedMicros;
 
@@ -36,14 +42,55 @@ public final class VehicleRun {
     if (beginMicros < 0) {
       beginMicros = nowMicros;
     }
+    for (long next = nextExpiry(nowMicros); next < nowMicros; next = nextExpiry(nowMicros)) {
+      step(next);
+      expire(next);
+    }
+    step(nowMicros);
+    return truth;
+  }
+
+  /**
+   * A property of the vehicle at a time, read while nobody steps it.
+   *
+   * @param nowMicros of the run's clock [µs]
+   */
+  public synchronized <T> T read(long nowMicros, Function<SimulatedVehicle, T> property) {
+    at(nowMicros);
+    return property.apply(vehicle);
+  }
+
+  private void step(long nowMicros) {
     long elapsed = nowMicros - beginMicros;
     if (elapsed > steppedMicros) {
-      vehicle.step(Math.min(FixedStep.LONGEST_STEP_S, (elapsed - steppedMicros) / US_PER_S));
+      try {
+        vehicle.step(Math.min(FixedStep.LONGEST_STEP_S, (elapsed - steppedMicros) / US_PER_S));
+        truth = vehicle.truth();
+      } catch (IllegalArgumentException e) {
+        throw new RunFailedException(
+            String.format(
+                Locale.ROOT,
+                "the simulated vehicle's motion grew beyond all numbers at %.1f s (%s): are its parameters right?",
+                elapsed / US_PER_S,
+                e.getMessage()),
+            e);
+      }
       steppedMicros = elapsed;
-      truth = vehicle.truth();
       watch.look(vehicle, truth);
     }
-    return truth;
+  }
+
+  private long nextExpiry(long nowMicros) {
+    return expiries.values().stream().reduce(nowMicros, Math::min);
+  }
+
+  private void expire(long micros) {
+    for (Map.Entry<String, Long> each : List.copyOf(expiries.entrySet())) {
+      if (each.getValue() <= micros) {
+        expiries.remove(each.getKey());
+        vehicle.command(each.getKey(), Double.NaN);
+      }
+    }
   }
 
   /**
@@ -54,6 +101,20 @@ public final class VehicleRun {
   public synchronized void command(long nowMicros, String actuator, double value) {
     at(nowMicros);
     vehicle.command(actuator, value);
+    expiries.remove(actuator);
+  }
+
+  /**
+   * Sets an actuator command that ends by itself, as of a controller with a time-out: afterwards
+   * the actuator has no signal.
+   *
+   * @param nowMicros of the run's clock [µs]
+   * @param untilMicros end of the command [µs]
+   */
+  public synchronized void command(
+      long nowMicros, String actuator, double value, long untilMicros) {
+    command(nowMicros, actuator, value);
+    expiries.put(actuator, untilMicros);
   }
 
   /** The vehicle, for immutable properties: actuators, footprint and world. */

@@ -138,4 +138,31 @@ class VehicleRunTest {
         .x(east)
         .y(4.0);
   }
+
+  @Test
+  void at_afterTheEndOfACommand_coastsFromThatTimeOn() {
+    VehicleRun expiring =
+        new VehicleRun(new DifferentialVehicle(DifferentialParameters.miniMolle()));
+    VehicleRun told = new VehicleRun(new DifferentialVehicle(DifferentialParameters.miniMolle()));
+    for (String motor : List.of("LEFT MOTOR", "RIGHT MOTOR")) {
+      expiring.command(0L, motor, 1.0, 500_000L);
+      told.command(0L, motor, 1.0);
+    }
+    for (String motor : List.of("LEFT MOTOR", "RIGHT MOTOR")) {
+      told.command(500_000L, motor, Double.NaN);
+    }
+
+    assertThat(expiring.at(2_000_000L)).isEqualTo(told.at(2_000_000L));
+  }
+
+  @Test
+  void command_withoutEnd_replacesOneWithAnEnd() {
+    VehicleRun run = new VehicleRun(new DifferentialVehicle(DifferentialParameters.miniMolle()));
+    for (String motor : List.of("LEFT MOTOR", "RIGHT MOTOR")) {
+      run.command(0L, motor, 1.0, 500_000L);
+      run.command(100_000L, motor, 1.0);
+    }
+
+    assertThat(run.at(3_000_000L).speedMps()).isGreaterThan(1.5);
+  }
 }

@@ -1,0 +1,41 @@
+package org.u2sa.report.score;
+
+import java.util.List;
+
+/** How often a vehicle truly left its fence. */
+final class FenceBreaches {
+  private FenceBreaches() {}
+
+  /**
+   * Counts the times the track leaves the polygon, or begins outside it.
+   *
+   * @param fence corners of the keep-in area
+   */
+  static int count(List<RunPlan.Corner> fence, List<TrackSample> track) {
+    int breaches = 0;
+    boolean wasInside = true;
+    for (TrackSample sample : track) {
+      boolean isInside = contains(fence, sample.longitudeDeg(), sample.latitudeDeg());
+      breaches += wasInside && !isInside ? 1 : 0;
+      wasInside = isInside;
+    }
+    return breaches;
+  }
+
+  /** Whether a ray to the east crosses the outline an odd number of times. */
+  private static boolean contains(List<RunPlan.Corner> fence, double longitude, double latitude) {
+    boolean isInside = false;
+    for (int i = 0; i < fence.size(); i++) {
+      RunPlan.Corner a = fence.get(i);
+      RunPlan.Corner b = fence.get((i + 1) % fence.size());
+      boolean crosses = a.latitudeDeg() > latitude != b.latitudeDeg() > latitude;
+      if (crosses) {
+        double share = (latitude - a.latitudeDeg()) / (b.latitudeDeg() - a.latitudeDeg());
+        double at = Math.IEEEremainder(a.longitudeDeg() - longitude, 360.0);
+        double width = Math.IEEEremainder(b.longitudeDeg() - a.longitudeDeg(), 360.0);
+        isInside ^= at + share * width > 0.0;
+      }
+    }
+    return isInside;
+  }
+}

@@ -1,0 +1,37 @@
+package org.u2sa.report.score;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+class FenceBreachesTest {
+  private static final List<RunPlan.Corner> SQUARE =
+      List.of(
+          new RunPlan.Corner(179.9, 0.0),
+          new RunPlan.Corner(-179.9, 0.0),
+          new RunPlan.Corner(-179.9, 0.2),
+          new RunPlan.Corner(179.9, 0.2));
+
+  private static List<TrackSample> track(double... longitudes) {
+    return IntStream.range(0, longitudes.length)
+        .mapToObj(
+            i ->
+                new TrackSample(
+                    i, longitudes[i], 0.1, 0.0, 0.0, 1.0, 0.0, 0, "DRIVES", Optional.empty()))
+        .toList();
+  }
+
+  @Test
+  void count_trackThatStaysInsideOverTheDateLine_isNone() {
+    assertThat(FenceBreaches.count(SQUARE, track(179.95, 180.0, -179.95))).isZero();
+  }
+
+  @Test
+  void count_trackThatLeavesTwice_isTwo() {
+    assertThat(FenceBreaches.count(SQUARE, track(179.95, 179.8, 179.8, 179.95, 179.8)))
+        .isEqualTo(2);
+  }
+}

@@ -1,0 +1,168 @@
+package org.u2sa.scenarios.simulate;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.report.score.RunOutcome;
+import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.sim.vehicle.VehicleRun;
+import org.u2sa.sim.vehicle.VehicleTruth;
+
+/**
+ * Scores a run of any vehicle: goals without a place by their completion, contacts, and the
+ * published state against the truth.
+ */
+final class EstimateScorer implements TruthObserver.Scorer {
+  private static final double SIGMAS = 3.0;
+  private static final double US_PER_S = 1e6;
+
+  private final VehicleRun run;
+  private final Geodetic origin;
+  private final Supplier<Long> nowMicros;
+  private final Set<String> unplaced;
+  private final Set<String> completed = new HashSet<>();
+  private final Errors position = new Errors();
+  private final Errors heading = new Errors();
+  private double squares; // of the distances from the true position [m²]
+  private double farthestM;
+
+  /** Errors of a quantity relative to the standard deviations that the state claims. */
+  private static final class Errors {
+    private double squares;
+    private double largest;
+    private int count;
+    private int claims;
+    private int within;
+
+    void add(double error, OptionalDouble sigma) {
+      squares += error * error;
+      largest = Math.max(largest, Math.abs(error));
+      count++;
+      if (sigma.isPresent()) {
+        claims++;
+        within += Math.abs(error) <= SIGMAS * sigma.getAsDouble() ? 1 : 0;
+      }
+    }
+
+    double rms() {
+      return Math.sqrt(squares / count);
+    }
+  }
+
+  /**
+   * @param run the vehicle
+   * @param origin origin of local frames
+   * @param nowMicros time of the run's clock [µs]
+   * @param unplaced names of the goals that are no waypoints of the plan
+   */
+  EstimateScorer(VehicleRun run, Geodetic origin, Supplier<Long> nowMicros, Set<String> unplaced) {
+    this.run = run;
+    this.origin = origin;
+    this.nowMicros = nowMicros;
+    this.unplaced = unplaced;
+  }
+
+  @Override
+  public List<Channel<?>> listensTo() {
+    return List.of(Channels.STATE);
+  }
+
+  @Override
+  public void reported(GoalInformation report) {
+    if (report.completed()) {
+      completed.add(report.uid());
+    }
+  }
+
+  @Override
+  public boolean heard(U2SAData data) {
+    if (!(data instanceof StateInformation state)) {
+      return false;
+    }
+    ReferenceFrame frame = state.referenceFrame();
+    boolean isPlace =
+        frame.isEarth()
+            || frame.equals(ReferenceFrame.LOCAL_ENU)
+            || frame.equals(ReferenceFrame.LOCAL_NED);
+    if (isPlace) {
+      compare(
+          state.in(ReferenceFrame.LOCAL_ENU, origin), state.timestamp().orElse(nowMicros.get()));
+      VehicleTruth truth = run.at(nowMicros.get());
+      state
+          .psi()
+          .ifPresent(
+              psi ->
+                  heading.add(
+                      Math.IEEEremainder(psi - truth.headingRad(), 2.0 * Math.PI),
+                      state.psiSigma()));
+    }
+    return true;
+  }
+
+  /**
+   * @param enu east, north, up
+   * @param atMicros time of the state
+   */
+  private void compare(StateInformation enu, long atMicros) {
+    if (enu.x().isEmpty() || enu.y().isEmpty()) {
+      return;
+    }
+    VehicleTruth truth = run.at(nowMicros.get());
+    double ageS = Math.max(0.0, (nowMicros.get() - atMicros) / US_PER_S);
+    Point then =
+        Point.of(
+            truth.position().x() - ageS * truth.velocity().x(),
+            truth.position().y() - ageS * truth.velocity().y(),
+            0.0);
+    double east = enu.x().getAsDouble() - then.x();
+    double north = enu.y().getAsDouble() - then.y();
+    position.add(east, enu.xSigma());
+    position.add(north, enu.ySigma());
+    double square = east * east + north * north;
+    squares += square;
+    farthestM = Math.max(farthestM, Math.sqrt(square));
+  }
+
+  @Override
+  public RunOutcome outcome() {
+    List<String> violations = new ArrayList<>();
+    for (String goal : unplaced) {
+      if (!completed.contains(goal)) {
+        violations.add("goal \"" + goal + "\" was not completed");
+      }
+    }
+    Map<String, Integer> counts = new LinkedHashMap<>();
+    counts.put(RunOutcome.GOALS_WITHOUT_PLACE, unplaced.size());
+    return new RunOutcome(run.contacts().size(), false, violations, counts, figures());
+  }
+
+  private Map<String, Double> figures() {
+    Map<String, Double> figures = new LinkedHashMap<>();
+    if (position.count > 0) {
+      figures.put("positionErrorRmsM", Math.sqrt(2.0 * squares / position.count));
+      figures.put("positionErrorMaxM", farthestM);
+    }
+    if (heading.count > 0) {
+      figures.put("headingErrorRmsDeg", Math.toDegrees(heading.rms()));
+      figures.put("headingErrorMaxDeg", Math.toDegrees(heading.largest));
+    }
+    int claims = position.claims + heading.claims;
+    if (claims > 0) {
+      figures.put("stateWithin3Sigma", (double) (position.within + heading.within) / claims);
+    }
+    return figures;
+  }
+}

@@ -1,0 +1,232 @@
+package org.u2sa.scenarios.simulate;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.mission.Home;
+import org.u2sa.mission.Mission;
+import org.u2sa.mission.MissionManager;
+import org.u2sa.report.score.Domain;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.Surroundings;
+import org.u2sa.scenarios.run.Demo;
+import org.u2sa.scenarios.run.DemoFrame;
+import org.u2sa.scenarios.run.RunPlans;
+import org.u2sa.scenarios.run.Simulation;
+import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.sim.file.VehicleDevices;
+import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.file.VehicleModel;
+import org.u2sa.sim.vehicle.VehicleRun;
+import org.u2sa.sim.world.World;
+import org.u2sa.world.xml.WorldFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa simulate}: runs a system file, unchanged, with the vehicle of a file. */
+@Command(
+    name = "simulate",
+    description = {
+      "Run a system file with a simulated vehicle of your own, from a file.",
+      "",
+      "The services are those of the system file, unchanged; their devices are the vehicle's (docs/vehicle-files.md). The vehicle starts at "
+          + "the mission's home. The command is its own operator and arms the vehicle."
+    })
+final class SimulateCommand implements Callable<Integer>, Demo {
+  private static final double READY_WITHIN_S = 120.0;
+  private static final double SLOWEST_MPS = 0.1;
+  private static final double OTHER_GOAL_S = 300.0;
+
+  @Mixin private DemoFrame frame;
+  @Spec private CommandSpec command;
+
+  @Parameters(paramLabel = "SYSTEM.xml", description = "System file.")
+  private Path systemFile;
+
+  @Option(
+      names = "--vehicle",
+      paramLabel = "FILE",
+      required = true,
+      description = "Vehicle file (XML).")
+  private Path vehicleFile;
+
+  @Option(
+      names = "--world",
+      paramLabel = "FILE",
+      description = "World XML file with what stands around. Default: nothing.")
+  private Path worldFile; // null for an empty world
+
+  @Option(
+      names = "--start",
+      paramLabel = "LONGITUDE,LATITUDE[,HEADING]",
+      split = ",",
+      description =
+          "Where the vehicle starts, and the origin of local frames [deg]. Default: the mission's home.")
+  private double[] start; // null for the mission's home
+
+  @Option(
+      names = "--limit",
+      paramLabel = "SECONDS",
+      description =
+          "Simulated time after which the run ends. Default: by the length of the mission.")
+  private Double limitS; // null if not given
+
+  private VehicleFile vehicle;
+  private int unplaced;
+
+  @Override
+  public Integer call() throws InterruptedException, IOException {
+    if (!Files.isRegularFile(systemFile)) {
+      throw new BadInputException(systemFile + ": no such file; expected a system file (XML)");
+    }
+    if (limitS != null && !(limitS > 0.0 && Double.isFinite(limitS))) {
+      throw wrong("--limit " + limitS + ": expected more than 0 s");
+    }
+    if (start != null
+        && (start.length < 2
+            || start.length > 3
+            || !(Math.abs(start[0]) <= 180.0 && Math.abs(start[1]) <= 85.0))) {
+      throw wrong(
+          "--start: expected LONGITUDE,LATITUDE[,HEADING] in degrees, at most 85 degrees north or south");
+    }
+    vehicle = VehicleFile.load(vehicleFile);
+    return frame.run(this);
+  }
+
+  private ParameterException wrong(String message) {
+    return new ParameterException(command.commandLine(), message);
+  }
+
+  @Override
+  public Profile profile() {
+    boolean isAfloat = vehicle.model().medium() == VehicleModel.Medium.WATER;
+    return new Profile(
+        "simulate",
+        "simulate",
+        "",
+        isAfloat ? Domain.WATER : Domain.GROUND,
+        READY_WITHIN_S,
+        SLOWEST_MPS);
+  }
+
+  @Override
+  public Path system() {
+    return systemFile;
+  }
+
+  /** {@inheritDoc} The one that the Mission Manager's configuration names. */
+  @Override
+  public Path ownMission(SystemFile system, LaunchOptions options) {
+    for (SystemFile.Entry entry : system.services()) {
+      if (entry.className().equals(MissionManager.class.getName())) {
+        XmlConfiguration variables = options.configuration(entry);
+        Path folder =
+            variables.file().map(file -> file.toAbsolutePath().getParent()).orElse(Path.of(""));
+        return folder.resolve(variables.getVariable("MISSION").toString()).normalize();
+      }
+    }
+    throw new BadInputException(
+        system.file() + ": lists no MissionManager; expected one, and its mission");
+  }
+
+  @Override
+  public boolean isConfiguredForMission() {
+    return true;
+  }
+
+  @Override
+  public Optional<Path> world() {
+    return Optional.ofNullable(worldFile);
+  }
+
+  @Override
+  public Surroundings surroundings() {
+    return worldFile == null
+        ? Surroundings.none()
+        : new Surroundings(WorldFile.load(worldFile).objects(), 0.0);
+  }
+
+  @Override
+  public RunPlan.Start start(Mission mission) {
+    if (start != null) {
+      return new RunPlan.Start(
+          start[0], start[1], 0.0, Math.toRadians(start.length > 2 ? start[2] : 0.0));
+    }
+    Optional<Home> home = mission.home();
+    if (home.isPresent() && home.get().geodetic().isPresent()) {
+      return RunPlans.start(mission);
+    }
+    boolean isLocal =
+        mission.goals().stream()
+            .noneMatch(goal -> goal instanceof Waypoint at && at.referenceFrame().isEarth());
+    if (!isLocal) {
+      throw new BadInputException(
+          mission.origin() + ": has no home on the earth; expected <home>, or --start");
+    }
+    return new RunPlan.Start(
+        0.0, 0.0, 0.0, home.map(at -> at.headingRad().orElse(0.0)).orElse(0.0));
+  }
+
+  @Override
+  public RunPlan plan(Mission mission) {
+    RunPlan.Start at = start(mission);
+    RunPlan plan = RunPlans.placed(profile().domain(), mission, at, world(at).plane());
+    unplaced = mission.goals().size() - plan.waypoints().size();
+    return plan;
+  }
+
+  @Override
+  public double limitS(RunPlan plan) {
+    return limitS != null ? limitS : Demo.super.limitS(plan) + unplaced * OTHER_GOAL_S;
+  }
+
+  private World world(RunPlan.Start at) {
+    return vehicle.home(
+        World.at(new Geodetic(at.longitudeDeg(), at.latitudeDeg(), at.altitudeM()))
+            .with(surroundings().objects()));
+  }
+
+  @Override
+  public Trial trial(Mission mission, Path directory, long seed) {
+    RunPlan.Start at = start(mission);
+    World world = world(at);
+    VehicleRun run = new VehicleRun(vehicle.make(world, Point.ORIGIN, at.headingRad(), seed));
+    Set<String> elsewhere = new LinkedHashSet<>();
+    mission.goals().forEach(goal -> elsewhere.add(goal.uid()));
+    plan(mission).waypoints().forEach(waypoint -> elsewhere.remove(waypoint.name()));
+    Simulation simulation = new Simulation.Within(vehicle.name(), "vehicle");
+    return new Trial(
+        mission,
+        (context, plan, screen) -> {
+          Clock clock = context.clock();
+          return TruthObserver.of(
+                  () -> run.at(clock.micros()),
+                  world.plane(),
+                  new EstimateScorer(run, world.plane().origin(), clock::micros, elsewhere))
+              .make(context, plan, screen);
+        },
+        launch ->
+            launch
+                .override("SafetyManager", "ARM AT START", true) // the command acts as operator
+                .devices(new VehicleDevices(vehicle, run, seed)),
+        launch -> simulation,
+        launch -> simulation);
+  }
+}

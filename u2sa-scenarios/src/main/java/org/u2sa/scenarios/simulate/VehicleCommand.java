@@ -1,0 +1,49 @@
+package org.u2sa.scenarios.simulate;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.sim.file.VehicleCheck;
+import org.u2sa.sim.file.VehicleFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa vehicle}: commands for vehicle files. */
+@Command(
+    name = "vehicle",
+    description = "Check a vehicle file, and what the vehicle can do.",
+    subcommands = VehicleCommand.Check.class)
+final class VehicleCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+
+  @Override
+  public Integer call() {
+    command.commandLine().usage(command.commandLine().getOut());
+    return ExitCode.DONE;
+  }
+
+  /** {@code u2sa vehicle check}. */
+  @Command(
+      name = "check",
+      description = {
+        "Check a vehicle file and print what the vehicle can do.",
+        "",
+        "Every figure but the mass is measured in a simulation of the vehicle on level ground or in still water."
+      })
+  static final class Check implements Callable<Integer> {
+    @Parameters(paramLabel = "FILE", description = "Vehicle file (XML).")
+    private Path file;
+
+    @Spec private CommandSpec command;
+
+    @Override
+    public Integer call() {
+      PrintWriter out = command.commandLine().getOut();
+      VehicleCheck.lines(VehicleFile.load(file)).forEach(out::println);
+      return ExitCode.DONE;
+    }
+  }
+}

@@ -1,0 +1,169 @@
+package org.u2sa.scenarios.simulate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
+
+/** A user's own vehicle, system file and mission in a folder of their own. */
+class SimulateTest {
+  @TempDir private Path folder;
+
+  /** Copies a vehicle's project to the folder. */
+  private void project(String name) throws IOException, URISyntaxException {
+    Path origin = Path.of(SimulateTest.class.getResource(name).toURI());
+    try (Stream<Path> files = Files.list(origin)) {
+      for (Path each : files.toList()) {
+        Files.copy(each, folder.resolve(each.getFileName().toString()));
+      }
+    }
+  }
+
+  private void replace(String file, String what, String by) throws IOException {
+    Path path = folder.resolve(file);
+    String text = Files.readString(path);
+    assertThat(text).contains(what);
+    Files.writeString(path, text.replace(what, by));
+  }
+
+  private CommandLineRun simulate(String out, String... more) {
+    List<String> arguments =
+        new ArrayList<>(
+            List.of(
+                "simulate",
+                folder.resolve("system.xml").toString(),
+                "--vehicle",
+                folder.resolve("vehicle.xml").toString(),
+                "--port",
+                "0",
+                "--out",
+                folder.resolve(out).toString()));
+    arguments.addAll(List.of(more));
+    return CommandLineRun.of(arguments.toArray(new String[0]));
+  }
+
+  private JsonNode summary(String out) throws IOException {
+    return new com.fasterxml.jackson.databind.ObjectMapper()
+        .readTree(Files.readString(folder.resolve(out).resolve("summary.json")));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"rover", "boat"})
+  void simulate_ownVehicle_completesItsMissionAndRepeatsItToTheByte(String name)
+      throws IOException, URISyntaxException {
+    project(name);
+    CommandLineRun first = simulate("one", "--seed", "3");
+    CommandLineRun second = simulate("two", "--seed", "3");
+
+    assertThat(first.exitCode()).as(first.out() + first.err()).isEqualTo(ExitCode.DONE);
+    assertThat(second.exitCode()).isEqualTo(ExitCode.DONE);
+    assertThat(folder.resolve("one/track.csv"))
+        .hasSameBinaryContentAs(folder.resolve("two/track.csv"));
+    JsonNode summary = summary("one");
+    assertThat(summary.get("goals").asInt()).isEqualTo(3);
+    assertThat(summary.get("goalsCompleted").asInt()).isEqualTo(3);
+    assertThat(summary.get("waypointsCaptured").asInt()).isEqualTo(3);
+    assertThat(summary.get("positionErrorRmsM").asDouble()).isBetween(0.001, 1.0);
+    assertThat(summary.get("stateWithin3Sigma").asDouble()).isBetween(0.8, 1.0);
+    assertThat(folder.resolve("one/logs/Control.log")).exists();
+    assertThat(folder.resolve("one/track.svg")).exists();
+  }
+
+  @Test
+  void simulate_otherSeed_drivesAnotherTrack() throws IOException, URISyntaxException {
+    project("rover");
+    simulate("one", "--seed", "3", "--summary-only");
+    simulate("two", "--seed", "4", "--summary-only");
+
+    assertThat(summary("one").get("positionErrorRmsM"))
+        .isNotEqualTo(summary("two").get("positionErrorRmsM"));
+  }
+
+  @Test
+  void simulate_objectGoal_isJudgedByItsCompletion() throws IOException, URISyntaxException {
+    project("rover");
+    replace(
+        "system.xml",
+        "  <service class=\"org.u2sa.mission",
+        "  <service class=\"org.u2sa.world.WorldModeler\" configuration=\"WorldModeler.xml\"/>\n"
+            + "  <service class=\"org.u2sa.mission");
+    CommandLineRun run = simulate("out", "--mission", folder.resolve("barrel.xml").toString());
+
+    JsonNode summary = summary("out");
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+    assertThat(summary.get("waypoints").asInt()).isEqualTo(1);
+    assertThat(summary.get("goals").asInt()).isEqualTo(2);
+    assertThat(summary.get("goalsWithoutPlace").asInt()).isEqualTo(1);
+    assertThat(summary.get("goalsCompleted").asInt()).isEqualTo(2);
+  }
+
+  @Test
+  void simulate_objectThatIsNotThere_failsWithTheGoalsName()
+      throws IOException, URISyntaxException {
+    project("rover");
+    CommandLineRun run =
+        simulate("out", "--mission", folder.resolve("barrel.xml").toString(), "--limit", "60");
+
+    assertThat(run.exitCode()).isEqualTo(ExitCode.FAILED);
+    assertThat(run.out()).contains("goal \"barrel\" was not completed");
+  }
+
+  @Test
+  void simulate_wallOnTheWay_countsTheContact() throws IOException, URISyntaxException {
+    project("rover");
+    Files.writeString(
+        folder.resolve("world.xml"),
+        "<world><reference>Local ENU</reference><box><x>0</x><y>5</y><z>0.5</z><length>0.2</length><width>4</width><height>1</height></box></world>");
+    CommandLineRun run = simulate("out", "--world", folder.resolve("world.xml").toString());
+
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.FAILED);
+    assertThat(summary("out").get("contacts").asInt()).isPositive();
+  }
+
+  @Test
+  void simulate_wrongField_isRefusedWithFileLineFieldValueAndExpectation()
+      throws IOException, URISyntaxException {
+    project("rover");
+    replace("vehicle.xml", "<mass unit=\"kg\">35</mass>", "<mass unit=\"kg\">-35</mass>");
+    CommandLineRun run = simulate("out");
+
+    assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(run.err())
+        .contains("vehicle.xml, line 4, <mass>: -35.0 kg: expected above 0 and at most 1.0E9 kg");
+  }
+
+  @Test
+  void simulate_sensorServiceWithoutASensor_isRefusedWithItsNameAndWhatThereIs()
+      throws IOException, URISyntaxException {
+    project("rover");
+    replace("vehicle.xml", "<gps preset=\"survey\"/>", "");
+    CommandLineRun run = simulate("out");
+
+    assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(run.err())
+        .contains(
+            "service \"GpsSensor\" needs a GpsReceiver and finds none; the vehicle has <compass>, <imu>, LEFT MOTOR, RIGHT MOTOR");
+  }
+
+  @Test
+  void check_boat_printsWhatItCanDo() throws IOException, URISyntaxException {
+    project("boat");
+    CommandLineRun run =
+        CommandLineRun.of("vehicle", "check", folder.resolve("vehicle.xml").toString());
+
+    assertThat(run.exitCode()).isEqualTo(ExitCode.DONE);
+    assertThat(run.out()).contains("Trio: mass 30.00 kg").contains("turning right:");
+  }
+}

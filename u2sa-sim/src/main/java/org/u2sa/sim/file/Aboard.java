@@ -1,0 +1,31 @@
+package org.u2sa.sim.file;
+
+import java.util.function.Supplier;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.ground.GroundState;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.World;
+
+/**
+ * What a device of a simulated vehicle works with.
+ *
+ * @param world around the vehicle
+ * @param truth current state of the vehicle
+ * @param wheels current state of a ground vehicle's wheels
+ * @param streams the device's own random numbers
+ */
+record Aboard(
+    World world, Supplier<VehicleTruth> truth, Supplier<GroundState> wheels, NoiseStreams streams) {
+
+  /** Current state of a sensor on the vehicle. */
+  Supplier<VehicleTruth> at(Mount mount) {
+    return () -> mount.of(truth.get());
+  }
+
+  /** Altitude of a place on the vehicle above mean sea level [m]. */
+  double altitudeM(Mount mount) {
+    Point place = mount.of(truth.get()).position();
+    return world.plane().at(place.x(), place.y(), place.z()).altitudeM();
+  }
+}

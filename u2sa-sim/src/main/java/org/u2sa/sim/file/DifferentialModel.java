@@ -1,0 +1,71 @@
+package org.u2sa.sim.file;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.ground.DifferentialParameters;
+import org.u2sa.sim.ground.DifferentialVehicle;
+import org.u2sa.sim.ground.GroundStart;
+import org.u2sa.sim.ground.Payload;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.world.Footprint;
+import org.u2sa.sim.world.World;
+
+/** Two driven wheels and a castor in front; the reference point is between the driven wheels. */
+record DifferentialModel(
+    DifferentialParameters parameters, Footprint footprint, double largestMismatch)
+    implements VehicleModel {
+
+  static DifferentialModel read(FileElement file, Body body) {
+    double mismatch = file.number("mismatch", "1", 0.0, 0.5, 0.0);
+    DifferentialParameters parameters =
+        new DifferentialParameters(
+            body.massKg(),
+            body.inertiaAboutGravityCentre().z(),
+            body.gravityCentre().x(),
+            -body.gravityCentre().z(),
+            file.number("track", "m", 0.02, 10.0),
+            file.number("castorAhead", "m", 0.01, 10.0),
+            file.number("castorTrail", "m", 0.005, 2.0),
+            file.number("wheelRadius", "m", 0.005, 5.0),
+            file.number("wheelInertia", "kg m^2", 1e-6, 1_000.0),
+            0.0,
+            GroundParts.motor(file.part("motor")),
+            GroundParts.tyre(file.part("tyre")),
+            GroundParts.battery(file.part("battery")),
+            Payload.none());
+    DifferentialModel model = new DifferentialModel(parameters, body.footprint(), mismatch);
+    model.make(Point.ORIGIN, 0.0, 0.0); // refuses what cannot stand
+    return model;
+  }
+
+  private DifferentialVehicle make(Point start, double headingRad, double mismatch) {
+    return new DifferentialVehicle(
+        parameters.withMismatch(mismatch),
+        new GroundStart(start.x(), start.y(), headingRad),
+        footprint);
+  }
+
+  @Override
+  public Medium medium() {
+    return Medium.GROUND;
+  }
+
+  @Override
+  public List<String> actuators() {
+    return List.of("LEFT MOTOR", "RIGHT MOTOR");
+  }
+
+  @Override
+  public Optional<Wheels> wheels() {
+    return Optional.of(new Wheels(parameters.trackM(), parameters.wheelRadiusM()));
+  }
+
+  @Override
+  public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
+    DifferentialVehicle vehicle =
+        make(start, headingRad, GroundParts.mismatch(largestMismatch, seed));
+    vehicle.enter(world);
+    return vehicle;
+  }
+}

@@ -1,0 +1,40 @@
+package org.u2sa.sim.file;
+
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.device.port.Device;
+import org.u2sa.sim.device.SimulatedDevice;
+
+/**
+ * A sensor of a vehicle file.
+ *
+ * @param kind its element
+ * @param port kind of device that services see
+ * @param service name of the only service that gets it; empty: every service of the port without a
+ *     sensor of its own, each with its own noise
+ * @param delayS extra delay [s]
+ * @param lost share of readings lost, 0…1
+ * @param variables values of the services' variables that follow from the sensor
+ * @param maker makes the device
+ */
+record SensorEntry(
+    String kind,
+    Class<? extends Device<?>> port,
+    Optional<String> service,
+    double delayS,
+    double lost,
+    Map<String, Double> variables,
+    Maker maker) {
+  /** Makes a device for a vehicle. */
+  @FunctionalInterface
+  interface Maker {
+    SimulatedDevice<?> make(Aboard vehicle);
+  }
+
+  /** Makes the device of one service. */
+  Device<?> make(Aboard vehicle) {
+    SimulatedDevice<?> device = maker.make(vehicle);
+    device.degrade(delayS, lost, vehicle.streams().of("losses"));
+    return device;
+  }
+}

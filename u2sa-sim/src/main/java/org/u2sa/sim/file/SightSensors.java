@@ -1,0 +1,134 @@
+package org.u2sa.sim.file;
+
+import java.util.Map;
+import java.util.function.Supplier;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.Rotation;
+import org.u2sa.sim.device.SimulatedCamera;
+import org.u2sa.sim.device.SimulatedLaser;
+import org.u2sa.sim.device.SimulatedRangeFinder;
+import org.u2sa.sim.device.SimulatedSonar;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Ray;
+import org.u2sa.sim.world.World;
+
+/** Sensors of the surroundings. */
+final class SightSensors {
+  private static final int MAX_BEAMS = 20_000;
+  private static final int MAX_PIXELS = 4_000;
+
+  private SightSensors() {}
+
+  static SensorKinds.Reader laser(FileElement file) {
+    double rate = file.number("rate", "Hz", 0.1, 1_000.0);
+    double first = file.number("firstAngle", "rad", -2.0 * Math.PI, 2.0 * Math.PI);
+    double step = file.number("stepAngle", "rad", -1.0, 1.0);
+    int beams = file.count("beams", 1, MAX_BEAMS);
+    double nearest = file.number("minRange", "m", 0.0, 1_000.0);
+    double farthest = file.positive("maxRange", "m", 1_000.0);
+    double sigma = file.number("sigma", "m", 0.0, 100.0);
+    double noEcho = file.number("noEcho", "1", 0.0, 1.0, 0.0);
+    double mixed = file.number("mixed", "1", 0.0, 1.0, 0.0);
+    Mount mount = Mount.pose(file);
+    SimulatedLaser.Optics optics =
+        new SimulatedLaser.Optics(rate, first, step, beams, nearest, farthest, sigma);
+    SimulatedLaser.Faults faults = new SimulatedLaser.Faults(noEcho, mixed);
+    return new SensorKinds.Reader(
+        mounted(mount),
+        vehicle ->
+            new SimulatedLaser(
+                optics,
+                faults,
+                vehicle.streams(),
+                sight(vehicle.world(), vehicle.at(mount), farthest)));
+  }
+
+  /** The services' MOUNTED variables, whose y, roll and yaw are positive to the left. */
+  private static Map<String, Double> mounted(Mount mount) {
+    return Map.of(
+        "MOUNTED X",
+        mount.place().x(),
+        "MOUNTED Y",
+        -mount.place().y() + 0.0,
+        "MOUNTED Z",
+        mount.place().z(),
+        "MOUNTED ROLL",
+        -mount.turn().x() + 0.0,
+        "MOUNTED PITCH",
+        mount.turn().y(),
+        "MOUNTED YAW",
+        -mount.turn().z() + 0.0);
+  }
+
+  private static Supplier<SimulatedLaser.Sight> sight(
+      World world, Supplier<VehicleTruth> sensor, double rangeM) {
+    return () -> {
+      VehicleTruth now = sensor.get();
+      Rotation nedFromFrd = now.attitude().nedFromFrd();
+      Point from = now.position();
+      return (angleRad, cos, sin) -> {
+        Point way = nedFromFrd.times(Point.of(cos, -sin, 0.0));
+        Ray ray = new Ray(from.x(), from.y(), from.z(), way.y(), way.x(), -way.z());
+        return world.distanceM(ray, rangeM);
+      };
+    };
+  }
+
+  static SensorKinds.Reader sonar(FileElement file) {
+    SimulatedSonar.Head head =
+        new SimulatedSonar.Head(
+            file.number("rate", "Hz", 0.1, 1_000.0),
+            file.number("stepAngle", "rad", -Math.PI, Math.PI),
+            file.count("samples", 1, 10_000),
+            file.positive("maxRange", "m", 1_000.0));
+    Mount mount = Mount.pose(file);
+    return new SensorKinds.Reader(
+        mounted(mount),
+        vehicle -> {
+          Supplier<SimulatedLaser.Sight> sight =
+              sight(vehicle.world(), vehicle.at(mount), head.reachM());
+          return new SimulatedSonar(
+              head,
+              vehicle.streams(),
+              angle -> sight.get().distanceM(angle, StrictMath.cos(angle), StrictMath.sin(angle)));
+        });
+  }
+
+  static SensorKinds.Reader rangeFinder(FileElement file) {
+    double rate = file.number("rate", "Hz", 0.1, 1_000.0);
+    double farthest = file.positive("maxRange", "m", 1_000.0);
+    double sigma = file.number("sigma", "m", 0.0, 100.0);
+    Mount mount = Mount.pose(file);
+    return new SensorKinds.Reader(
+        mounted(mount),
+        vehicle -> {
+          Supplier<SimulatedLaser.Sight> sight =
+              sight(vehicle.world(), vehicle.at(mount), farthest);
+          return new SimulatedRangeFinder(
+              "range finder",
+              rate,
+              farthest,
+              sigma,
+              vehicle.streams(),
+              () -> sight.get().distanceM(0.0, 1.0, 0.0));
+        });
+  }
+
+  static SensorKinds.Reader camera(FileElement file) {
+    SimulatedCamera.Lens lens =
+        new SimulatedCamera.Lens(
+            file.number("rate", "Hz", 0.1, 120.0),
+            file.count("width", 1, MAX_PIXELS),
+            file.count("height", 1, MAX_PIXELS),
+            file.number("view", "rad", 0.01, 3.0),
+            file.number("sigma", "1", 0.0, 1.0));
+    double farthest = file.positive("maxRange", "m", 10_000.0);
+    Mount mount = Mount.pose(file);
+    return new SensorKinds.Reader(
+        vehicle ->
+            new SimulatedCamera(
+                lens,
+                vehicle.streams(),
+                () -> SimulatedCamera.ahead(vehicle.world(), vehicle.at(mount).get(), farthest)));
+  }
+}

@@ -1,0 +1,84 @@
+package org.u2sa.sim.file;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleFunction;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.ground.BatteryParameters;
+import org.u2sa.sim.ground.GroundStart;
+import org.u2sa.sim.ground.MotorParameters;
+import org.u2sa.sim.ground.SkidSteerParameters;
+import org.u2sa.sim.ground.SkidSteerVehicle;
+import org.u2sa.sim.ground.TyreParameters;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.world.World;
+
+/**
+ * Any number of driven wheels per side.
+ *
+ * @param parameters by the mismatch of its motors
+ */
+record SkidSteerModel(
+    DoubleFunction<SkidSteerParameters> parameters, Wheels measures, double largestMismatch)
+    implements VehicleModel {
+  private static final int MAX_AXLES = 20;
+
+  static SkidSteerModel read(FileElement file, Body body) {
+    double mismatch = file.number("mismatch", "1", 0.0, 0.5, 0.0);
+    List<Double> axles = file.numbers("axles", "m", -20.0, 20.0, MAX_AXLES);
+    double track = file.number("track", "m", 0.02, 10.0);
+    double radius = file.number("wheelRadius", "m", 0.005, 5.0);
+    double wheelInertia = file.number("wheelInertia", "kg m^2", 1e-6, 1_000.0);
+    MotorParameters motor = GroundParts.motor(file.part("motor"));
+    TyreParameters tyre = GroundParts.tyre(file.part("tyre"));
+    BatteryParameters battery = GroundParts.battery(file.part("battery"));
+    SkidSteerModel model =
+        new SkidSteerModel(
+            each ->
+                new SkidSteerParameters(
+                    body.massKg(),
+                    body.inertiaAboutGravityCentre().z(),
+                    body.gravityCentre().x(),
+                    -body.gravityCentre().z(),
+                    axles,
+                    track,
+                    radius,
+                    wheelInertia,
+                    each,
+                    motor,
+                    tyre,
+                    battery,
+                    body.footprint()),
+            new Wheels(track, radius),
+            mismatch);
+    model.make(Point.ORIGIN, 0.0, 0.0); // refuses what cannot stand
+    return model;
+  }
+
+  private SkidSteerVehicle make(Point start, double headingRad, double mismatch) {
+    return new SkidSteerVehicle(
+        parameters.apply(mismatch), new GroundStart(start.x(), start.y(), headingRad));
+  }
+
+  @Override
+  public Medium medium() {
+    return Medium.GROUND;
+  }
+
+  @Override
+  public List<String> actuators() {
+    return List.of("LEFT MOTOR", "RIGHT MOTOR");
+  }
+
+  @Override
+  public Optional<Wheels> wheels() {
+    return Optional.of(measures);
+  }
+
+  @Override
+  public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
+    SkidSteerVehicle vehicle = make(start, headingRad, GroundParts.mismatch(largestMismatch, seed));
+    vehicle.enter(world);
+    return vehicle;
+  }
+}

@@ -1,0 +1,147 @@
+package org.u2sa.sim.file;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.u2sa.device.port.Device;
+import org.u2sa.device.port.MotorController;
+import org.u2sa.device.port.Thruster;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.DeviceSource;
+import org.u2sa.sim.device.SimulatedMotors;
+import org.u2sa.sim.device.VehicleThruster;
+import org.u2sa.sim.ground.GroundState;
+import org.u2sa.sim.ground.GroundVehicle;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.VehicleRun;
+
+/**
+ * The devices of a simulated vehicle for the services of a system file, whichever drivers their
+ * configurations name. A sensor is found by its port and the service's name, an actuator by its
+ * own. Each service has its own noise. Variables that follow from the device, such as a receiver's
+ * DELAY, are set unless the service's file sets them.
+ */
+public final class VehicleDevices implements DeviceSource {
+  private static final String ACTUATOR_NAME = "ACTUATOR NAME";
+  private static final String COUNTS = "COUNTS PER TURN";
+  private static final double USUAL_COUNTS = 2_000.0;
+  private static final double MOTOR_TIMEOUT_S = 0.5;
+
+  private final VehicleFile file;
+  private final VehicleRun run;
+  private final long seed;
+
+  /**
+   * @param run the vehicle of the file, in its world
+   * @param seed of the run, for the noise
+   */
+  public VehicleDevices(VehicleFile file, VehicleRun run, long seed) {
+    this.file = file;
+    this.run = run;
+    this.seed = seed;
+  }
+
+  @Override
+  public <D> Optional<D> device(
+      Class<D> port, String service, XmlConfiguration variables, Clock clock) {
+    if (port == Thruster.class) {
+      return Optional.of(port.cast(thruster(service, variables)));
+    }
+    if (port == MotorController.class) {
+      return Optional.of(port.cast(motors(service, variables, clock)));
+    }
+    return SensorKinds.isKnown(port)
+        ? Optional.of(port.cast(sensor(port, service, variables, clock)))
+        : Optional.empty();
+  }
+
+  private static Optional<String> stated(XmlConfiguration service, String variable) {
+    return service.enumerateFields().stream()
+        .filter(each -> each.getKey().equals(variable))
+        .map(each -> each.getValue().toString())
+        .filter(text -> !text.isEmpty())
+        .findFirst();
+  }
+
+  private static void unlessStated(XmlConfiguration service, String variable, double value) {
+    if (stated(service, variable).isEmpty()) {
+      service.override(variable, value);
+    }
+  }
+
+  private Device<?> sensor(Class<?> port, String name, XmlConfiguration service, Clock clock) {
+    List<SensorEntry> fitting =
+        file.sensors().stream()
+            .filter(each -> each.port() == port)
+            .filter(each -> each.service().isEmpty() || each.service().get().equals(name))
+            .collect(Collectors.toList());
+    SensorEntry entry =
+        fitting.stream()
+            .filter(each -> each.service().isPresent())
+            .findFirst()
+            .or(() -> fitting.stream().findFirst())
+            .orElseThrow(() -> none(name, port.getSimpleName()));
+    for (Map.Entry<String, Double> each : entry.variables().entrySet()) {
+      unlessStated(service, each.getKey(), each.getValue());
+    }
+    return entry.make(
+        new Aboard(
+            run.vehicle().world(), () -> run.at(clock.micros()), wheels(clock), streams(name)));
+  }
+
+  private BadInputException none(String service, String port) {
+    List<String> all = new ArrayList<>();
+    for (SensorEntry each : file.sensors()) {
+      all.add(
+          "<"
+              + each.kind()
+              + each.service().map(only -> " service=\"" + only + "\"").orElse("")
+              + ">");
+    }
+    all.addAll(file.model().actuators());
+    return new BadInputException(
+        String.format(
+            "%s: service \"%s\" needs a %s and finds none; the vehicle has %s",
+            file.origin(), service, port, String.join(", ", all)));
+  }
+
+  private NoiseStreams streams(String service) {
+    return new NoiseStreams(new NoiseStreams(seed).of("sensor " + service).nextLong());
+  }
+
+  private Supplier<GroundState> wheels(Clock clock) {
+    return () -> run.read(clock.micros(), vehicle -> ((GroundVehicle) vehicle).state());
+  }
+
+  private Thruster thruster(String service, XmlConfiguration variables) {
+    String name = stated(variables, ACTUATOR_NAME).orElse(service);
+    if (file.model().medium() != VehicleModel.Medium.WATER
+        || !file.model().actuators().contains(name)) {
+      throw none(service, "Thruster \"" + name + "\"");
+    }
+    return new VehicleThruster(run, name);
+  }
+
+  private MotorController motors(String name, XmlConfiguration service, Clock clock) {
+    VehicleModel.Wheels wheels =
+        file.model().wheels().orElseThrow(() -> none(name, "MotorController"));
+    unlessStated(service, COUNTS, USUAL_COUNTS);
+    unlessStated(service, "WHEEL DIAMETER", 2.0 * wheels.radiusM());
+    unlessStated(service, "TRACK", wheels.trackM());
+    List<String> sides = file.model().actuators();
+    return new SimulatedMotors(
+        Double.parseDouble(stated(service, COUNTS).orElseThrow()),
+        MOTOR_TIMEOUT_S,
+        streams(name),
+        wheels(clock),
+        (command, now, until) -> {
+          run.command(now, sides.get(0), command.first(), until);
+          run.command(now, sides.get(1), command.second(), until);
+        });
+  }
+}

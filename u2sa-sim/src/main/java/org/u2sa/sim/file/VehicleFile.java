@@ -1,0 +1,125 @@
+package org.u2sa.sim.file;
+
+import java.io.InputStream;
+import java.nio.file.Path;
+import java.util.List;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.world.Water;
+import org.u2sa.sim.world.World;
+
+/** A vehicle read from a file (docs/vehicle-files.md). Immutable. */
+public final class VehicleFile {
+  private static final String ROOT = "vehicle";
+  private static final double PROBE_S = 1.0;
+  private static final double FASTEST_MPS = 1_000.0;
+
+  private final String origin;
+  private final String name;
+  private final Body body;
+  private final VehicleModel model;
+  private final List<SensorEntry> sensors;
+
+  private VehicleFile(XmlElement root) {
+    FileElement vehicle = new FileElement(root);
+    origin = root.origin();
+    name = vehicle.text("name");
+    body = Body.read(vehicle.part("body"));
+    model = VehicleModels.read(vehicle, body);
+    sensors = SensorKinds.read(vehicle, model);
+    vehicle.end();
+    probe(root);
+  }
+
+  /**
+   * Reads a vehicle.
+   *
+   * @throws BadInputException naming file, line, element, value and what was expected
+   */
+  public static VehicleFile load(Path file) {
+    return new VehicleFile(XmlReader.read(file, ROOT));
+  }
+
+  /**
+   * Reads a vehicle from a stream, without closing it.
+   *
+   * @param origin name of the source in messages
+   * @throws BadInputException as {@link #load}
+   */
+  public static VehicleFile read(InputStream in, String origin) {
+    return new VehicleFile(XmlReader.read(in, origin, ROOT));
+  }
+
+  /** Refuses parameters whose motion the integration at a fixed rate cannot follow. */
+  private void probe(XmlElement root) {
+    for (int pattern = 0; pattern < 4; pattern++) { // all ahead, all astern, and alternating
+      SimulatedVehicle vehicle = make(emptyWorld(), Point.ORIGIN, 0.0, 1);
+      int bits = pattern;
+      for (int i = 0; i < model.actuators().size(); i++) {
+        vehicle.command(model.actuators().get(i), (bits >> i % 2 & 1) == 0 ? 1.0 : -1.0);
+      }
+      double speed = Double.NaN;
+      try {
+        vehicle.step(PROBE_S);
+        speed = vehicle.truth().velocity().distance() + vehicle.truth().rates().distance();
+      } catch (IllegalArgumentException e) {
+        throw root.error("its motion grows beyond all numbers: " + e.getMessage(), e);
+      }
+      if (!(speed < FASTEST_MPS)) {
+        throw root.error(
+            "with full commands it reaches "
+                + speed
+                + " m/s and rad/s within "
+                + PROBE_S
+                + " s; expected less than "
+                + FASTEST_MPS
+                + ": are mass, inertia and forces in their units?");
+      }
+    }
+  }
+
+  /** A level world in which the vehicle can be alone: for a vessel, deep water. */
+  public World emptyWorld() {
+    return home(World.at(new Geodetic(0.0, 0.0, 0.0)));
+  }
+
+  /** The world, with still water up to its plane if the vehicle needs water and it has none. */
+  public World home(World world) {
+    return model.medium() == VehicleModel.Medium.WATER && world.water().isEmpty()
+        ? world.with(new Water(0.0, 0.0, 0.0))
+        : world;
+  }
+
+  /** The file, as named by the user. */
+  public String origin() {
+    return origin;
+  }
+
+  /** The vehicle's name. */
+  public String name() {
+    return name;
+  }
+
+  /** Its mass [kg]. */
+  public double massKg() {
+    return body.massKg();
+  }
+
+  /** Its dynamics. */
+  public VehicleModel model() {
+    return model;
+  }
+
+  List<SensorEntry> sensors() {
+    return sensors;
+  }
+
+  /** Creates a vehicle at rest; see {@link VehicleModel#make}. */
+  public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
+    return model.make(world, start, headingRad, seed);
+  }
+}

@@ -1,0 +1,54 @@
+package org.u2sa.sim.file;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.world.World;
+
+/**
+ * One kind of dynamics, with the parameters of a vehicle file. A new kind is an implementation and
+ * one entry in {@link VehicleModels}.
+ */
+public interface VehicleModel {
+  /** Where vehicles of this kind move. */
+  enum Medium {
+    /** On the ground. */
+    GROUND,
+    /** On or under water. */
+    WATER
+  }
+
+  /**
+   * Wheels that encoders can count.
+   *
+   * @param trackM distance between the left and the right wheel [m]
+   * @param radiusM [m]
+   */
+  record Wheels(double trackM, double radiusM) {}
+
+  /** Where it moves. */
+  Medium medium();
+
+  /** Whether it moves under water. */
+  default boolean isSubmerged() {
+    return false;
+  }
+
+  /** Names of its actuators, as in commands. */
+  List<String> actuators();
+
+  /** Its wheels; empty if it has none to count. */
+  default Optional<Wheels> wheels() {
+    return Optional.empty();
+  }
+
+  /**
+   * Creates a vehicle at rest.
+   *
+   * @param start east, north, up [m]
+   * @param headingRad clockwise from north [rad]
+   * @param seed decides how it differs from its nominal parameters
+   */
+  SimulatedVehicle make(World world, Point start, double headingRad, long seed);
+}

@@ -1,0 +1,48 @@
+package org.u2sa.sim.file;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiFunction;
+import java.util.stream.Collectors;
+
+/** The kinds of dynamics, by their elements in vehicle files. */
+final class VehicleModels {
+  private static final Map<String, BiFunction<FileElement, Body, VehicleModel>> KINDS = kinds();
+
+  private VehicleModels() {}
+
+  private static Map<String, BiFunction<FileElement, Body, VehicleModel>> kinds() {
+    Map<String, BiFunction<FileElement, Body, VehicleModel>> kinds = new LinkedHashMap<>();
+    kinds.put("differential", DifferentialModel::read);
+    kinds.put("skidSteer", SkidSteerModel::read);
+    kinds.put("vessel", VesselModel::read);
+    return kinds;
+  }
+
+  /**
+   * Reads the only dynamics of a vehicle.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if there is none, or more than one
+   */
+  static VehicleModel read(FileElement vehicle, Body body) {
+    List<FileElement> found =
+        KINDS.keySet().stream()
+            .flatMap(kind -> vehicle.parts(kind).stream())
+            .collect(Collectors.toList());
+    if (found.size() != 1) {
+      throw vehicle
+          .xml()
+          .error(
+              "has "
+                  + found.size()
+                  + " elements of dynamics; expected exactly one of "
+                  + String.join(", ", KINDS.keySet()));
+    }
+    FileElement dynamics = found.get(0);
+    VehicleModel model =
+        dynamics.made(() -> KINDS.get(dynamics.xml().name()).apply(dynamics, body));
+    dynamics.end();
+    return model;
+  }
+}

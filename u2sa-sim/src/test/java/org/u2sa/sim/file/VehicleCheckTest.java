@@ -1,0 +1,38 @@
+package org.u2sa.sim.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class VehicleCheckTest {
+  @Test
+  void lines_sixWheels_tellMassSpeedAndThatItTurnsOnTheSpot() {
+    assertThat(VehicleCheck.lines(Vehicles.parse(Vehicles.sixWheels())))
+        .contains("Six: mass 35.00 kg")
+        .contains("actuators: LEFT MOTOR, RIGHT MOTOR")
+        .contains("sensors: gps, compass, imu")
+        .anyMatch(line -> line.matches("ahead: 2\\.0\\d m/s, at most \\d.* m/s\\^2"))
+        .anyMatch(line -> line.matches("turning right: .* on a circle of 0\\.0\\d m radius"))
+        .noneMatch(line -> line.startsWith("down:"));
+  }
+
+  @Test
+  void lines_threeThrusters_goSidewaysToo() {
+    assertThat(VehicleCheck.lines(Vehicles.parse(Vehicles.threeThrusters())))
+        .anyMatch(line -> line.startsWith("right: "))
+        .anyMatch(line -> line.startsWith("ahead: 2."))
+        .noneMatch(line -> line.startsWith("up: "));
+  }
+
+  @Test
+  void lines_otter_haveTheReferencesTopSpeedWithinThreePercent() {
+    // 24.4 kgf over the drag at 6 knots, and what the trim adds
+    String ahead =
+        VehicleCheck.lines(VehicleFile.load(Vehicles.OTTER)).stream()
+            .filter(line -> line.startsWith("ahead: "))
+            .findFirst()
+            .orElseThrow();
+
+    assertThat(Double.parseDouble(ahead.split(" ")[1])).isBetween(3.086, 3.3);
+  }
+}

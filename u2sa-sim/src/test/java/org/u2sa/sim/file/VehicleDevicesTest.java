@@ -1,0 +1,127 @@
+package org.u2sa.sim.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.u2sa.device.port.Device;
+import org.u2sa.device.port.GpsReceiver;
+import org.u2sa.device.port.LaserScanner;
+import org.u2sa.device.port.MotorController;
+import org.u2sa.device.port.Thruster;
+import org.u2sa.device.port.TrafficReceiver;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.vehicle.VehicleRun;
+
+class VehicleDevicesTest {
+  private final LockstepClock clock = new LockstepClock();
+
+  private VehicleRun run(VehicleFile file) {
+    return new VehicleRun(file.make(file.emptyWorld(), Point.ORIGIN, 0.0, 1));
+  }
+
+  private static XmlConfiguration variables(Object... more) {
+    Map<String, Object> variables = new HashMap<>();
+    for (int i = 0; i < more.length; i += 2) {
+      variables.put((String) more[i], more[i + 1]);
+    }
+    return XmlConfiguration.inMemory("the test", variables);
+  }
+
+  private <D extends Device<?>> Optional<D> device(
+      VehicleFile file, Class<D> port, String service, XmlConfiguration variables) {
+    return new VehicleDevices(file, run(file), 1).device(port, service, variables, clock);
+  }
+
+  @Test
+  void device_sensorThatTheVehicleLacks_isRefusedWithServiceAndWhatThereIs() {
+    VehicleFile file = Vehicles.parse(Vehicles.sixWheels());
+
+    assertThatThrownBy(() -> device(file, LaserScanner.class, "FrontLaser", variables()))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage(
+            "vehicle.xml: service \"FrontLaser\" needs a LaserScanner and finds none; the vehicle has"
+                + " <gps>, <compass>, <imu>, LEFT MOTOR, RIGHT MOTOR");
+  }
+
+  @Test
+  void device_thrusterOfAnotherName_isRefusedWithTheNamesOfThoseThere() {
+    VehicleFile file = Vehicles.parse(Vehicles.threeThrusters());
+
+    assertThatThrownBy(() -> device(file, Thruster.class, "STERN", variables()))
+        .hasMessageContaining("needs a Thruster \"STERN\"")
+        .hasMessageEndingWith("PORT, STARBOARD, BOW");
+    assertThatThrownBy(() -> device(file, MotorController.class, "WheelMotors", variables()))
+        .hasMessageContaining("needs a MotorController");
+  }
+
+  @Test
+  void device_portOfNoVehicleFile_isLeftToTheConfiguration() {
+    VehicleFile file = Vehicles.parse(Vehicles.sixWheels());
+
+    assertThat(device(file, TrafficReceiver.class, "TrafficSensor", variables())).isEmpty();
+  }
+
+  @Test
+  void device_sensorOfOneService_isNotAnothers() {
+    VehicleFile file =
+        Vehicles.parse(
+            Vehicles.sixWheels()
+                .replace("<gps preset=\"survey\"/>", "<gps service=\"Rover\" preset=\"phone\"/>"));
+
+    assertThat(device(file, GpsReceiver.class, "Rover", variables())).isPresent();
+    assertThatThrownBy(() -> device(file, GpsReceiver.class, "GpsSensor", variables()))
+        .hasMessageContaining("<gps service=\"Rover\">");
+  }
+
+  @Test
+  void device_receiver_setsDelayUnlessTheServiceStatesOne() {
+    VehicleFile file = Vehicles.parse(Vehicles.sixWheels());
+    XmlConfiguration open = variables();
+    XmlConfiguration stated = variables("DELAY", 0.2);
+    device(file, GpsReceiver.class, "GpsSensor", open);
+    device(file, GpsReceiver.class, "GpsSensor", stated);
+
+    assertThat(open.overrides()).containsEntry("DELAY", 0.06);
+    assertThat(stated.overrides()).isEmpty();
+  }
+
+  @Test
+  void device_motors_driveTheVehicleUntilTheirTimeOut() {
+    VehicleFile file = Vehicles.parse(Vehicles.sixWheels());
+    VehicleRun run = run(file);
+    MotorController motors =
+        new VehicleDevices(file, run, 1)
+            .device(MotorController.class, "WheelMotors", variables(), clock)
+            .orElseThrow();
+    motors.drive(100.0, 100.0);
+    motors.read(0L);
+    double driving = run.at(500_000L).speedMps();
+
+    assertThat(driving).isGreaterThan(0.5);
+    assertThat(run.at(10_000_000L).speedMps()).isCloseTo(0.0, within(0.05));
+  }
+
+  @Test
+  void device_thruster_pushesAndStopsAtOnce() {
+    VehicleFile file = Vehicles.parse(Vehicles.threeThrusters());
+    VehicleRun run = run(file);
+    VehicleDevices devices = new VehicleDevices(file, run, 1);
+    Thruster bow =
+        devices.device(Thruster.class, "X", variables("ACTUATOR NAME", "BOW"), clock).orElseThrow();
+    bow.thrust(100.0);
+    bow.read(0L);
+    double turning = run.at(400_000L).rates().z();
+    bow.stop(400_000L);
+
+    assertThat(turning).isGreaterThan(0.1);
+    assertThat(Math.abs(run.at(30_000_000L).rates().z())).isLessThan(0.01);
+  }
+}
