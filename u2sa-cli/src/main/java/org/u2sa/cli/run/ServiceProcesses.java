@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.ObjIntConsumer;
 import org.u2sa.cli.Main;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.interfaces.mqtt.ClientIds;
 import org.u2sa.interfaces.mqtt.MqttClient;
 import org.u2sa.interfaces.time.SystemClock;
 
@@ -221,7 +222,9 @@ final class ServiceProcesses implements AutoCloseable {
         command.add("--set");
         command.add(setting);
       }
-      return new ProcessBuilder(command);
+      ProcessBuilder process = new ProcessBuilder(command);
+      process.environment().put(ClientIds.ENVIRONMENT, ClientIds.run());
+      return process;
     }
   }
 }

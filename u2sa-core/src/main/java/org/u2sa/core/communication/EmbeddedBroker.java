@@ -86,6 +86,7 @@ final class EmbeddedBroker implements AutoCloseable {
       throw cannotListen(address, e);
     }
     filter.broker().router().join(broker.incoming);
+    filter.broker().sources().join(bus);
     broker.copies.start();
     bus.attach(broker.copies);
     return broker;

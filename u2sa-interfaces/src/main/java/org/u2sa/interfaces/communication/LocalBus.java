@@ -1,7 +1,6 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -75,6 +74,13 @@ public final class LocalBus implements Transport {
     return route != null && route.subscriptions.length > 0;
   }
 
+  /** Whether a connected local service was the latest to publish for this source of a channel. */
+  public boolean isLocal(String channelName, String source) {
+    Route route = routes.get(channelName);
+    LocalConnection publisher = route == null ? null : route.publishers.get(source);
+    return publisher != null && !publisher.closed;
+  }
+
   /**
    * Counts messages from other processes lost on the way to the bus, at most {@link
    * Long#MAX_VALUE}.
@@ -144,7 +150,7 @@ public final class LocalBus implements Transport {
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
     private long retainedBytes; // of other processes' messages
     private final Map<String, LocalConnection> publishers =
-        new HashMap<>(); // latest publishers, by source
+        new ConcurrentHashMap<>(); // latest publishers, by source
     private Channel<?> channel; // channel of the retained messages
 
     /**
@@ -163,7 +169,7 @@ public final class LocalBus implements Transport {
           retain(source, message, publisher != null);
           hand(message, carrier);
           if (publisher != null) {
-            publishers.put(source, publisher);
+            remember(source, publisher);
             publisher.cross(on, message, Bridge::forward);
           } else if (publishers.containsKey(source)) {
             publishers.get(source).cross(on, message, Bridge::restate);
@@ -172,8 +178,15 @@ public final class LocalBus implements Transport {
       } else {
         hand(message, carrier);
         if (publisher != null) {
+          remember(on.sourceOf(message), publisher);
           publisher.cross(on, message, Bridge::forward);
         }
+      }
+    }
+
+    private void remember(String source, LocalConnection publisher) {
+      if (publishers.get(source) != publisher) { // a read is cheaper
+        publishers.put(source, publisher);
       }
     }
 
