@@ -201,6 +201,21 @@ class SourceNamesTest {
     assertThat(reports(successor, "PathPlanner")).isTrue();
   }
 
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void refusalOf_armedStateWhileTheVehiclesSafetyManagerRestarts_isRefused(boolean isLocal) {
+    pipeline.broker.sources().join(bus);
+    ArmingState armed = frozen(new ArmingState().armed(true));
+    if (isLocal) {
+      pipeline.broker.sources().hearLocal(Channels.ARMING_STATE, armed);
+    } else {
+      assertThat(publishes(ofVehicle, Channels.ARMING_STATE, armed)).isTrue();
+      ofVehicle.leave();
+    }
+
+    assertThat(publishes(first, Channels.ARMING_STATE, armed)).isFalse();
+  }
+
   @Test
   void refusalOf_nameOfAVehiclesServiceThatStopped_isFree() {
     reports(ofVehicle, "PathPlanner");
@@ -215,11 +230,20 @@ class SourceNamesTest {
     pipeline.broker.sources().join(bus);
     reports(first, "PathPlanner");
 
-    pipeline.broker.sources().hearLocal(health("PathPlanner", ServiceStatus.RUNNING));
+    pipeline
+        .broker
+        .sources()
+        .hearLocal(Channels.HEALTH, health("PathPlanner", ServiceStatus.RUNNING));
     assertThat(reports(first, "PathPlanner")).isFalse();
-    pipeline.broker.sources().hearLocal(health("PathPlanner", ServiceStatus.FAILED));
+    pipeline
+        .broker
+        .sources()
+        .hearLocal(Channels.HEALTH, health("PathPlanner", ServiceStatus.FAILED));
     assertThat(reports(first, "PathPlanner")).isFalse();
-    pipeline.broker.sources().hearLocal(health("PathPlanner", ServiceStatus.STOPPED));
+    pipeline
+        .broker
+        .sources()
+        .hearLocal(Channels.HEALTH, health("PathPlanner", ServiceStatus.STOPPED));
 
     assertThat(reports(first, "PathPlanner")).isTrue();
   }

@@ -82,8 +82,15 @@ public record SourceName(
             : codec.peek(ByteBufUtil.getBytes(payload), field).orElse(topic.source());
     boolean isService = OF_SERVICES.contains(rule.channel());
     String kind = isService ? "" : topic.channel(); // never empty
-    String key = topic.systemId() + "/" + kind + "/" + name;
+    String key = key(topic.systemId(), kind, name);
     return Optional.of(new SourceName(key, topic.systemId(), topic.channel(), name, isService));
+  }
+
+  /**
+   * @param kind name of the channel; empty for a service's name
+   */
+  static String key(String systemId, String kind, String name) {
+    return systemId + "/" + kind + "/" + name;
   }
 
   /** Whether it is a service's, as its health reports have it. */

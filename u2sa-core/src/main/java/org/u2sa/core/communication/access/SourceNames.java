@@ -8,11 +8,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.u2sa.core.security.AccessRule;
+import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -23,7 +26,9 @@ import org.u2sa.messages.schema.U2SAData;
  *
  * <p>The vehicle, i.e. the broker's process and the processes that it started, takes any name from
  * others. A name under which one of its services has reported health stays the vehicle's until that
- * service says that it has stopped, so that nobody can report in place of one that failed.
+ * service says that it has stopped, so that nobody can report in place of one that failed. Arming
+ * state and failsafe stay its own for good: what is published while its Safety Manager restarts
+ * would be believed by actuators.
  *
  * <p>For the network's thread only, except where stated otherwise.
  */
@@ -38,7 +43,7 @@ public final class SourceNames {
 
   private final MessageCodec codec;
   private final Map<String, Speaker> speakers = new HashMap<>(); // by key
-  private final Set<String> vehicles = ConcurrentHashMap.newKeySet(); // keys of services' names
+  private final Set<String> vehicles = ConcurrentHashMap.newKeySet(); // keys kept for the vehicle
   private volatile LocalBus bus; // null until joined
 
   /**
@@ -54,14 +59,17 @@ public final class SourceNames {
   }
 
   /** Notes a message of a service of the broker's process. Thread-safe. */
-  public void hearLocal(U2SAData message) {
+  public void hearLocal(Channel<?> channel, U2SAData message) {
     LocalBus services = bus;
-    if (services == null || !(message instanceof HealthReport report)) {
+    if (services == null) {
       return;
     }
-    if (!(message instanceof ConnectionLost)) { // which reports on others
+    if (message instanceof ArmingState || message instanceof FailsafeState) {
+      keep(SourceName.key(services.systemId(), channel.name(), ""), false);
+    } else if (message instanceof HealthReport report
+        && !(message instanceof ConnectionLost)) { // which reports on others
       keep(
-          services.systemId() + "//" + report.serviceName(),
+          SourceName.key(services.systemId(), "", report.serviceName()),
           report.status() == ServiceStatus.STOPPED);
     }
   }
@@ -87,7 +95,9 @@ public final class SourceNames {
       return true;
     }
     boolean may = mayUse(source.get(), speaker, nowMicros);
-    if (may && speaker.isOfVehicle() && source.get().isOfHealth()) {
+    if (may && speaker.isOfVehicle() && rule.kind() == AccessRule.Kind.URGENT) {
+      keep(source.get().key(), false);
+    } else if (may && speaker.isOfVehicle() && source.get().isOfHealth()) {
       Optional<String> status = codec.peek(ByteBufUtil.getBytes(payload), "status");
       keep(source.get().key(), status.equals(Optional.of(ServiceStatus.STOPPED.name())));
     }
