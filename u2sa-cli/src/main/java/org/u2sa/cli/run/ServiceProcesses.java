@@ -111,12 +111,15 @@ final class ServiceProcesses implements AutoCloseable {
   }
 
   /**
-   * Kills the service's process, if alive, and starts a new one.
+   * Ends the service's process, if alive, and starts a new one. One that works is asked to end
+   * (SIGTERM), so that it leaves its outputs neutral and closes its files, and has a few seconds
+   * for that; one that is silent is killed.
    *
+   * @param speaks whether it is known to work
    * @return whether it was started; false during shutdown
    * @throws IOException if the process cannot be started
    */
-  boolean startProcess(String entry) throws IOException, InterruptedException {
+  boolean startProcess(String entry, boolean speaks) throws IOException, InterruptedException {
     Process old;
     synchronized (this) {
       old = processes.remove(entry); // so that its end is not reported
@@ -124,7 +127,11 @@ final class ServiceProcesses implements AutoCloseable {
     }
     try {
       if (old != null && old.isAlive()) {
-        old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS);
+        if (speaks) {
+          old.destroy();
+          old.waitFor(END_WITHIN_S, TimeUnit.SECONDS);
+        }
+        old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS); // no effect if it has ended
       }
       boolean started = start(entry, true);
       if (started) {
