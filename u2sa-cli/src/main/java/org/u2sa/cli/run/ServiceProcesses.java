@@ -194,8 +194,10 @@ final class ServiceProcesses implements AutoCloseable {
    * @param logs folder of the log files
    * @param seed the run's seed
    * @param settings the {@code --set} options
+   * @param besideManager whether this process runs the Communication Manager
    */
-  record ProcessCommand(Path file, Path logs, long seed, List<String> settings) {
+  record ProcessCommand(
+      Path file, Path logs, long seed, List<String> settings, boolean besideManager) {
     /**
      * Returns the process builder of one service.
      *
@@ -224,6 +226,9 @@ final class ServiceProcesses implements AutoCloseable {
               String.valueOf(seed)));
       if (restart) {
         command.add("--restart");
+      }
+      if (besideManager) {
+        command.add("--beside-manager");
       }
       for (String setting : settings) {
         command.add("--set");

@@ -47,7 +47,13 @@ final class Supervisor implements ServiceHost, AutoCloseable {
       Consumer<String> console) {
     this.processes = processes;
     names =
-        new ServiceNames(file, known, system.communicationManager().transport(), clock, console);
+        new ServiceNames(
+            file,
+            known,
+            system.communicationManager()::isOwn,
+            system.communicationManager().transport(),
+            clock,
+            console);
     ServiceContext context = system.contextFor(XmlConfiguration.inMemory(Launcher.NAME, Map.of()));
     try {
       launcher = new Launcher(context, Launcher.NAME, this);

@@ -136,6 +136,11 @@ final class EmbeddedBroker implements AutoCloseable {
     return address;
   }
 
+  /** Whether the name is one of a service of this process or of a process that this one started. */
+  boolean isOfVehicle(String serviceName) {
+    return filter.broker().sources().isOfVehicle(bus.systemId(), serviceName);
+  }
+
   long dropped() {
     return copies.dropped() + filter.broker().dropped() + notTaken.get();
   }

@@ -104,6 +104,11 @@ public final class SourceNames {
     return may;
   }
 
+  /** Whether a service of the vehicle has reported under the name. Thread-safe. */
+  public boolean isOfVehicle(String systemId, String serviceName) {
+    return vehicles.contains(SourceName.key(systemId, "", serviceName));
+  }
+
   private boolean mayUse(SourceName name, Speaker speaker, long nowMicros) {
     if (!speaker.isOfVehicle() && isOfVehicle(name)) {
       return false;
