@@ -18,7 +18,12 @@ import org.u2sa.messages.schema.U2SAData;
  * subscribers, recorders and observers.
  */
 public final class LocalBus implements Transport {
+  /** Memory of a channel's retained messages of other processes. */
+  private static final long MAX_RETAINED_BYTES =
+      Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
+
   private final String systemId;
+  private final long maxRetainedBytes;
   private final Map<String, Route> routes = new ConcurrentHashMap<>();
   private final Set<String> names = ConcurrentHashMap.newKeySet();
   private final AtomicLong connections = new AtomicLong();
@@ -26,6 +31,15 @@ public final class LocalBus implements Transport {
 
   /** Creates a bus for one system. */
   public LocalBus(String systemId) {
+    this(systemId, MAX_RETAINED_BYTES);
+  }
+
+  /**
+   * @param maxRetainedBytes memory of a channel's retained messages of other processes, where it
+   *     has several sources
+   */
+  LocalBus(String systemId, long maxRetainedBytes) {
+    this.maxRetainedBytes = maxRetainedBytes;
     this.systemId = Topic.checkSystemId(systemId);
   }
 
@@ -137,12 +151,8 @@ public final class LocalBus implements Transport {
   }
 
   /** Subscribers and retained messages of a channel. */
-  private static final class Route {
+  private final class Route {
     private static final int MAX_RETAINED = 1_000; // sources, which others may invent
-
-    /** Memory for the retained messages of other processes. */
-    private static final long MAX_RETAINED_BYTES =
-        Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
 
     /** Copy-on-write under this; an array because every message iterates over it. */
     private volatile Subscription[] subscriptions = {};
@@ -200,7 +210,7 @@ public final class LocalBus implements Transport {
       long bytes =
           retainedBytes + message.receivedBytes() - (before == null ? 0 : before.receivedBytes());
       boolean isNew = before == null && retained.size() >= MAX_RETAINED;
-      if (isOwn || source.isEmpty() || !isNew && bytes <= MAX_RETAINED_BYTES) {
+      if (isOwn || source.isEmpty() || !isNew && bytes <= maxRetainedBytes) {
         retained.put(source, message);
         retainedBytes = bytes;
       } else if (before != null) {
