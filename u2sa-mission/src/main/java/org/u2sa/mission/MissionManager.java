@@ -22,6 +22,7 @@ import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
@@ -59,6 +60,7 @@ public final class MissionManager extends PeriodicService {
 
   private final Settings<MissionVariables> settings = settings(MissionVariables.class);
   private final Settings<Defaults> defaults = settings(Defaults.class);
+  private final FirstFailsafe firstFailsafe;
   private final FailsafeMissions failsafes;
   private final MissionFiles files;
   private final MissionOrders orders;
@@ -84,6 +86,7 @@ public final class MissionManager extends PeriodicService {
     resumable =
         new Resumable(
             run, new SavedMission(context, NAME, MissionManager.class.getName()), settings, this);
+    firstFailsafe = new FirstFailsafe(this, context);
     orders = new MissionOrders(run, resumable, context.messageTypes(), this, this::publishGoals);
     registerPublisher(Channels.GOALS);
     registerPublisher(Channels.MISSION);
@@ -222,7 +225,9 @@ public final class MissionManager extends PeriodicService {
   }
 
   private void onFailsafe(FailsafeState failsafe) {
-    react(failsafe.action());
+    if (firstFailsafe.isOfThisRun(failsafe)) {
+      react(failsafe.action());
+    }
     if (files.haveNews()) { // checked at each repetition
       publishGoals();
     }

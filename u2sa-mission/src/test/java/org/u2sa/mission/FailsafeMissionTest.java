@@ -62,6 +62,24 @@ class FailsafeMissionTest {
         .collect(Collectors.toList());
   }
 
+  @Test
+  void failsafe_keptFromAnEarlierRun_isIgnoredUntilOneIsHeardInThisRun() {
+    failsafe(FailsafeAction.RETURN);
+    kit.advance(6.0);
+    kit.start(MissionManager::new);
+    assertThat(goals()).containsExactly("1");
+
+    FailsafeState behind =
+        new FailsafeState().action(FailsafeAction.RETURN).causes(List.of("late"));
+    behind.timestamp(0); // of a Safety Manager whose clock is behind
+    kit.publish(Channels.FAILSAFE, (FailsafeState) behind.copy());
+    assertThat(goals()).as("the same again").containsExactly("1");
+    behind.timestamp(1_000_000);
+    kit.publish(Channels.FAILSAFE, behind);
+
+    assertThat(goals()).doesNotContain("1");
+  }
+
   private void complete(String uid) {
     Waypoint report = new Waypoint().uid(uid).horizontalThreshold(1.0);
     report.completed(true);

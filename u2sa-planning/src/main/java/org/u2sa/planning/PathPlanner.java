@@ -24,6 +24,7 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
@@ -85,7 +86,14 @@ public class PathPlanner extends EventDrivenService {
     subscribe(Channels.OBJECTS, this::onObjects);
     subscribe(Channels.GRID, grid -> avoidance.world().see(grid));
     subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
-    subscribe(Channels.FAILSAFE, state -> react(state.action()));
+    FirstFailsafe first = new FirstFailsafe(this, context);
+    subscribe(
+        Channels.FAILSAFE,
+        state -> {
+          if (first.isOfThisRun(state)) {
+            react(state.action());
+          }
+        });
   }
 
   /**

@@ -22,6 +22,7 @@ import org.u2sa.testkit.ServiceKit;
 class PlannerFailsafeTest {
   private final ServiceKit kit = new ServiceKit();
   private final GoalList goals = new GoalList();
+  private PathPlanner planner;
 
   @AfterEach
   void close() {
@@ -29,7 +30,7 @@ class PlannerFailsafeTest {
   }
 
   private void begin() {
-    kit.start(PathPlanner::new);
+    planner = kit.start(PathPlanner::new);
     Waypoint far =
         new Waypoint()
             .uid("1")
@@ -58,6 +59,39 @@ class PlannerFailsafeTest {
 
   private void failsafe(FailsafeAction action) {
     kit.publish(Channels.FAILSAFE, new FailsafeState().action(action).causes(List.of("a test")));
+  }
+
+  @Test
+  void failsafe_keptFromAnEarlierRun_isIgnoredUntilOneIsHeardInThisRun() {
+    kit.with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    failsafe(FailsafeAction.HOLD);
+    kit.advance(6.0);
+    begin();
+    state(100.0);
+    state(150.0);
+    assertThat(point().y()).isCloseTo(0.0, within(1e-9));
+    assertThat(kit.log("PathPlanner"))
+        .anyMatch(line -> line.contains("ignored failsafe HOLD: told 6 s ago, by an earlier run"));
+
+    failsafe(FailsafeAction.HOLD);
+    state(200.0);
+    state(250.0);
+
+    assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
+  }
+
+  @Test
+  void failsafe_keptWhileThePlannerRestarts_counts() {
+    kit.with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    failsafe(FailsafeAction.HOLD);
+    kit.advance(6.0);
+
+    kit.restart(planner, PathPlanner::new);
+    state(100.0);
+    state(150.0);
+
+    assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
   }
 
   private static GoalList pausing(GoalList goals, boolean pauses) {

@@ -78,6 +78,7 @@ public final class ServiceInbox {
       Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 32);
 
   private final int capacity;
+  private final long maxBytes;
   private final Clock clock;
   private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
   private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
@@ -96,7 +97,15 @@ public final class ServiceInbox {
    * @param clock for the silence of sources
    */
   public ServiceInbox(int capacity, Clock clock) {
+    this(capacity, clock, MAX_BYTES);
+  }
+
+  /**
+   * @param maxBytes memory of the waiting messages from other processes; a single one may be longer
+   */
+  ServiceInbox(int capacity, Clock clock, long maxBytes) {
     this.capacity = capacity;
+    this.maxBytes = maxBytes;
     this.clock = clock;
   }
 
@@ -191,7 +200,7 @@ public final class ServiceInbox {
 
   private boolean isTooMuch(Channel<?> channel, int more) {
     boolean isLimited = !channel.isUrgent() && !channel.reservesRoom();
-    return isLimited && more > 0 && bytes > 0 && bytes + more > MAX_BYTES; // one always fits
+    return isLimited && more > 0 && bytes > 0 && bytes + more > maxBytes; // one always fits
   }
 
   /** Counts a delivery that enters or leaves the queues. */

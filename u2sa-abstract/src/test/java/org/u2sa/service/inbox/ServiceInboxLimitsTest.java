@@ -108,6 +108,17 @@ class ServiceInboxLimitsTest {
   }
 
   @Test
+  void put_messageLongerThanAllMayBe_fitsAlone() throws MalformedMessageException {
+    ServiceInbox small = new ServiceInbox(1_000, clock, 1_000);
+    assertThat(put(small, Channels.IMAGES, received("first", 2_000))).isTrue();
+    assertThat(put(small, Channels.IMAGES, received("second", 10))).isFalse();
+
+    small.poll();
+
+    assertThat(put(small, Channels.IMAGES, received("second", 2_000))).isTrue();
+  }
+
+  @Test
   void put_shortMessagesReplacedByLongOnes_countTheirBytesToo() throws MalformedMessageException {
     ServiceInbox large = new ServiceInbox(1_000, clock);
     for (int i = 0; i < 400; i++) {

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.interfaces.configuration.InferredValue;
 import org.u2sa.interfaces.xml.NearestNames;
 
 /**
@@ -14,7 +15,7 @@ import org.u2sa.interfaces.xml.NearestNames;
  *
  * @param service the simple name of the service's class, or CommunicationManager
  * @param variable the variable's name
- * @param value Boolean, Integer, Double or String, inferred from the text
+ * @param value String, or {@link InferredValue} of a text that is a Boolean, Integer or Double
  */
 public record Setting(String service, String variable, Object value) {
   private static final String MANAGER = "CommunicationManager";
@@ -79,13 +80,13 @@ public record Setting(String service, String variable, Object value) {
 
   private static Object value(String text) {
     if (text.equalsIgnoreCase("true") || text.equalsIgnoreCase("false")) {
-      return Boolean.valueOf(text);
+      return new InferredValue(text, Boolean.valueOf(text));
     }
     if (text.matches("[+-]?\\d{1,9}")) {
-      return Integer.valueOf(text);
+      return new InferredValue(text, Integer.valueOf(text));
     }
     if (text.matches("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?")) {
-      return Double.valueOf(text);
+      return new InferredValue(text, Double.valueOf(text));
     }
     return text;
   }

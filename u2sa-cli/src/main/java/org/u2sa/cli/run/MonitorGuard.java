@@ -89,7 +89,7 @@ final class MonitorGuard implements AutoCloseable {
   private void tryToLook() {
     try {
       look(clock.micros());
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | OutOfMemoryError e) {
       if (Long.bitCount(++failures) == 1) { // log at 1, 2, 4, 8…: checks run at 2 Hz
         console.accept(LogLevelEnum.ERROR + ": supervising the health monitor failed: " + e);
       }

@@ -122,6 +122,12 @@ public final class RunCommand implements Callable<Integer> {
       description = "With --only: the service ran before and resumes where it was.")
   private boolean restart;
 
+  @Option(
+      names = "--beside-manager",
+      hidden = true,
+      description = "With --supervised: the supervisor runs the Communication Manager.")
+  private boolean besideManager;
+
   @Override
   public Integer call() throws InterruptedException {
     SystemFile whole = SystemFile.read(file);
@@ -157,7 +163,7 @@ public final class RunCommand implements Callable<Integer> {
       refuseNamedTwice();
       options.override(MANAGER, "BROKER", "external");
       system = system.only(only);
-      options.oneOfSeveral(supervised).restart(restart);
+      options.oneOfSeveral(supervised).restart(restart).besideManager(besideManager);
     }
     return separate ? runSeparately(system.apart(), options, out) : run(system, options, out);
   }
@@ -302,12 +308,11 @@ public final class RunCommand implements Callable<Integer> {
   private Integer runSeparately(SystemFile file, LaunchOptions options, PrintWriter out)
       throws InterruptedException {
     List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
-    ServiceProcesses.ProcessCommand start =
-        new ServiceProcesses.ProcessCommand(file.file(), logs, seed, settings);
     try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
         TroubleLines troubles = troublesOf(manager, any -> true, out);
         LocalSystems.Announcement announced = announced(file, manager, out);
-        ServiceProcesses processes = new ServiceProcesses(start, entries, out::println);
+        ServiceProcesses processes =
+            new ServiceProcesses(startBeside(file, manager), entries, out::println);
         Supervisor supervisor =
             new Supervisor(file, new KnownNames(options), manager, processes, out::println);
         EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
@@ -323,6 +328,11 @@ public final class RunCommand implements Callable<Integer> {
       }
       return endedWell ? ExitCode.DONE : ExitCode.FAILED;
     }
+  }
+
+  private ServiceProcesses.ProcessCommand startBeside(SystemFile file, RunningSystem manager) {
+    boolean runsManager = manager.communicationManager().address().isPresent();
+    return new ServiceProcesses.ProcessCommand(file.file(), logs, seed, settings, runsManager);
   }
 
   private static TroubleLines troublesOf(

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -24,7 +25,8 @@ import org.u2sa.messages.schema.U2SAData;
  * the running services.
  *
  * <p>Anyone who may answer can pose as a service, so an answer never changes a name or a role that
- * is known: an entry has one name, a name one entry, and the first counts.
+ * is known: an entry has one name, a name one entry, and the first counts of those that are the
+ * run's own.
  */
 final class ServiceNames implements Receiver, AutoCloseable {
   private static final int ASKS_AT_MOST = 20; // per unknown name
@@ -32,6 +34,7 @@ final class ServiceNames implements Receiver, AutoCloseable {
   private static final int MAX_NAMES = 1_000; // unknown names
 
   private final List<SystemFile.Entry> entries;
+  private final Predicate<String> own;
   private final Clock clock;
   private final Consumer<String> trouble;
   private final Map<String, String> entryNames = new ConcurrentHashMap<>(); // by service name
@@ -50,12 +53,17 @@ final class ServiceNames implements Receiver, AutoCloseable {
    */
   record Word(String instance, long atMicros, boolean isLast) {}
 
+  /**
+   * @param own whether a service name is one of the run's processes, as far as that can be known
+   */
   ServiceNames(
       SystemFile file,
       KnownNames known,
+      Predicate<String> own,
       Transport transport,
       Clock clock,
       Consumer<String> trouble) {
+    this.own = own;
     entries = file.services();
     systemId = file.systemId();
     this.clock = clock;
@@ -101,7 +109,8 @@ final class ServiceNames implements Receiver, AutoCloseable {
     String name = response.serviceName();
     for (SystemFile.Entry entry : entries) {
       if (response.className().equals(Optional.of(entry.className()))
-          && (name.equals(entry.simpleName()) || !isEntry(name))) {
+          && (name.equals(entry.simpleName()) || !isEntry(name))
+          && own.test(name)) {
         bind(name, entry.simpleName());
       }
     }

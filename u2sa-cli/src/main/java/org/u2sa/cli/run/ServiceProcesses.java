@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.ObjIntConsumer;
 import org.u2sa.cli.Main;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.interfaces.mqtt.ClientIds;
 import org.u2sa.interfaces.mqtt.MqttClient;
 import org.u2sa.interfaces.time.SystemClock;
 
@@ -110,12 +111,15 @@ final class ServiceProcesses implements AutoCloseable {
   }
 
   /**
-   * Kills the service's process, if alive, and starts a new one.
+   * Ends the service's process, if alive, and starts a new one. One that works is asked to end
+   * (SIGTERM), so that it leaves its outputs neutral and closes its files, and has a few seconds
+   * for that; one that is silent is killed.
    *
+   * @param speaks whether it is known to work
    * @return whether it was started; false during shutdown
    * @throws IOException if the process cannot be started
    */
-  boolean startProcess(String entry) throws IOException, InterruptedException {
+  boolean startProcess(String entry, boolean speaks) throws IOException, InterruptedException {
     Process old;
     synchronized (this) {
       old = processes.remove(entry); // so that its end is not reported
@@ -123,7 +127,11 @@ final class ServiceProcesses implements AutoCloseable {
     }
     try {
       if (old != null && old.isAlive()) {
-        old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS);
+        if (speaks) {
+          old.destroy();
+          old.waitFor(END_WITHIN_S, TimeUnit.SECONDS);
+        }
+        old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS); // no effect if it has ended
       }
       boolean started = start(entry, true);
       if (started) {
@@ -186,8 +194,10 @@ final class ServiceProcesses implements AutoCloseable {
    * @param logs folder of the log files
    * @param seed the run's seed
    * @param settings the {@code --set} options
+   * @param besideManager whether this process runs the Communication Manager
    */
-  record ProcessCommand(Path file, Path logs, long seed, List<String> settings) {
+  record ProcessCommand(
+      Path file, Path logs, long seed, List<String> settings, boolean besideManager) {
     /**
      * Returns the process builder of one service.
      *
@@ -217,11 +227,16 @@ final class ServiceProcesses implements AutoCloseable {
       if (restart) {
         command.add("--restart");
       }
+      if (besideManager) {
+        command.add("--beside-manager");
+      }
       for (String setting : settings) {
         command.add("--set");
         command.add(setting);
       }
-      return new ProcessBuilder(command);
+      ProcessBuilder process = new ProcessBuilder(command);
+      process.environment().put(ClientIds.ENVIRONMENT, ClientIds.run());
+      return process;
     }
   }
 }

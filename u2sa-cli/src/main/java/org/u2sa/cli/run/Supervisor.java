@@ -19,14 +19,15 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Executes start and restart orders when each service has its own process: kills it (SIGKILL,
- * because it may hang) and starts it again. Actuators go neutral meanwhile, as their commands
- * expire.
+ * Executes start and restart orders when each service has its own process: ends it, by SIGKILL if
+ * it hangs, and starts it again. Actuators go neutral meanwhile, as their commands expire.
  *
  * <p>It reports ended processes on the health channel. It restarts a health monitor's process
  * without an order, because nothing else would give one, and any process while no monitor works.
  */
 final class Supervisor implements ServiceHost, AutoCloseable {
+  private static final long SPOKE_WITHIN_MICROS = 1_000_000; // reports come four times a second
+
   private final ServiceProcesses processes;
   private final ServiceNames names;
   private final Launcher launcher;
@@ -46,7 +47,13 @@ final class Supervisor implements ServiceHost, AutoCloseable {
       Consumer<String> console) {
     this.processes = processes;
     names =
-        new ServiceNames(file, known, system.communicationManager().transport(), clock, console);
+        new ServiceNames(
+            file,
+            known,
+            system.communicationManager()::isOwn,
+            system.communicationManager().transport(),
+            clock,
+            console);
     ServiceContext context = system.contextFor(XmlConfiguration.inMemory(Launcher.NAME, Map.of()));
     try {
       launcher = new Launcher(context, Launcher.NAME, this);
@@ -126,13 +133,24 @@ final class Supervisor implements ServiceHost, AutoCloseable {
 
   private Optional<String> startProcess(String entry) {
     try {
-      return processes.startProcess(entry) ? Optional.empty() : Optional.of("the system is ending");
+      return processes.startProcess(entry, speaks(entry))
+          ? Optional.empty()
+          : Optional.of("the system is ending");
     } catch (IOException e) {
       return Optional.of("the process cannot be started: " + e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return Optional.of("interrupted");
     }
+  }
+
+  private boolean speaks(String entry) {
+    long sinceMicros = clock.micros() - SPOKE_WITHIN_MICROS;
+    return names
+        .nameOf(entry)
+        .flatMap(names::lastWord)
+        .filter(word -> word.atMicros() > sinceMicros)
+        .isPresent();
   }
 
   @Override

@@ -50,7 +50,9 @@ class MonitorGuardTest {
                 SafetyManager.class.getName(),
                 HealthMonitor.class.getName()));
     KnownNames known = new KnownNames(new LaunchOptions());
-    names = new ServiceNames(SystemFile.read(file), known, kit.bus(), kit.clock(), said::add);
+    names =
+        new ServiceNames(
+            SystemFile.read(file), known, any -> true, kit.bus(), kit.clock(), said::add);
     guard =
         new MonitorGuard(
             names,

@@ -6,6 +6,8 @@ import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -29,6 +31,7 @@ import org.u2sa.testkit.FreePort;
 @Timeout(240)
 class SeparateProcessesTest {
   @TempDir private Path folder;
+  private String broker;
 
   private ProcessBuilder run(Path system, String... options) {
     List<String> command =
@@ -51,10 +54,12 @@ class SeparateProcessesTest {
   }
 
   private Path system(Class<?>... services) throws IOException {
+    int port = FreePort.find();
+    broker = "127.0.0.1:" + port;
     Files.writeString(
         folder.resolve("Manager.xml"),
         "<configuration><variable name=\"COMMUNICATION MANAGER PORT\" type=\"int\" value=\""
-            + FreePort.find()
+            + port
             + "\"/></configuration>");
     StringBuilder text =
         new StringBuilder("<system id=\"boat\"><communication configuration=\"Manager.xml\"/>");
@@ -136,6 +141,25 @@ class SeparateProcessesTest {
             }
             return !restarted.isEmpty() && line.startsWith("System boat runs: Lidar");
           });
+    } finally {
+      supervisor.destroy(); // ends its services first
+      supervisor.waitFor();
+    }
+  }
+
+  @Test
+  void restart_serviceThatWorks_isReleasedBeforeItEnds() throws Exception {
+    Path system = system(Winch.class);
+    Process supervisor = run(system).start();
+    StringWriter said = new StringWriter();
+    try {
+      awaitLine(supervisor, "System boat runs: Winch");
+
+      PrintWriter out = new PrintWriter(said);
+      int exitCode = Main.run(out, out, "restart", "Winch", "--broker", broker, "--timeout", "60");
+
+      assertThat(exitCode).as(said.toString()).isEqualTo(ExitCode.DONE);
+      assertThat(folder.resolve("logs").resolve(Winch.RELEASED)).hasContent("released");
     } finally {
       supervisor.destroy(); // ends its services first
       supervisor.waitFor();

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -28,6 +29,8 @@ class ServiceNamesTest {
   @TempDir Path folder;
   private final ServiceKit kit = new ServiceKit();
   private final List<String> said = new ArrayList<>();
+  private final Set<String> own =
+      Set.of("SafetyManager", "HealthMonitor", "PathPlanner", "Way", "Control", "x");
   private ServiceNames names;
 
   @AfterEach
@@ -51,7 +54,9 @@ class ServiceNamesTest {
                     SafetyManager.class.getName(),
                     HealthMonitor.class.getName()));
     KnownNames known = new KnownNames(options);
-    names = new ServiceNames(SystemFile.read(file), known, kit.bus(), kit.clock(), said::add);
+    names =
+        new ServiceNames(
+            SystemFile.read(file), known, own::contains, kit.bus(), kit.clock(), said::add);
   }
 
   private void answer(String name, Class<?> service) {
@@ -85,6 +90,17 @@ class ServiceNamesTest {
 
     assertThat(names.nameOf("HealthMonitor")).contains("Doctor");
     assertThat(names.monitors()).containsExactly("HealthMonitor");
+  }
+
+  @Test
+  void learn_nameOfAnotherProcess_isIgnoredThoughItAnswersFirst() throws IOException {
+    names(new LaunchOptions());
+
+    answer("foreign", CessnaControl.class);
+    answer("Control", CessnaControl.class);
+
+    assertThat(names.nameOf("CessnaControl")).contains("Control");
+    assertThat(names.entryOf("foreign")).isEmpty();
   }
 
   @Test

@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.core.communication.access.Authenticator;
 import org.u2sa.core.communication.access.Refusals;
+import org.u2sa.core.communication.access.SourceNames;
 import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.core.communication.limit.BrokerLimits;
@@ -47,6 +48,7 @@ final class BrokerState implements AutoCloseable {
   private final CostlyTime costlyTime; // touched by the network's thread only
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final MessageRouter router;
+  private final SourceNames sources;
   private volatile boolean ending;
 
   /**
@@ -66,6 +68,7 @@ final class BrokerState implements AutoCloseable {
     clients = new ClientTable(limits, users != null);
     retained = new RetainedTable(limits);
     router = new MessageRouter(subscriptions, retained, clients);
+    sources = new SourceNames(codec);
     questions = new Allowance.PerUser(limits.clientQuestionsPerSecond());
     double totalPerS = limits.totalMessagesPerSecond();
     beyondShares = new Allowance(totalPerS, TOTAL_BURST_S * totalPerS, clock.micros());
@@ -112,6 +115,11 @@ final class BrokerState implements AutoCloseable {
   /** The message router. */
   MessageRouter router() {
     return router;
+  }
+
+  /** Who may publish under which source name. */
+  SourceNames sources() {
+    return sources;
   }
 
   /** Per-user allowances for queries. */

@@ -96,6 +96,11 @@ final class BrokerSupervisor implements AutoCloseable {
     return address;
   }
 
+  /** As {@link EmbeddedBroker#isOfVehicle}; false while there is no broker. */
+  synchronized boolean isOfVehicle(String serviceName) {
+    return broker != null && broker.isOfVehicle(serviceName);
+  }
+
   /** Number of messages dropped because clients or the broker were too slow, since the start. */
   synchronized long dropped() {
     return droppedBefore + (broker == null ? 0 : broker.dropped());

@@ -20,11 +20,13 @@ import org.u2sa.core.communication.access.ConnectRequest;
 import org.u2sa.core.communication.access.LocalAccount;
 import org.u2sa.core.communication.access.LoginApplication;
 import org.u2sa.core.communication.access.Refusals;
+import org.u2sa.core.communication.access.SourceNames;
 import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.core.communication.routing.Publication;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.User;
+import org.u2sa.interfaces.mqtt.ClientIds;
 
 /**
  * One client's session: authenticates the client, then filters each of its packets before Moquette
@@ -204,7 +206,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     return "user "
         + Refusals.shown(name)
         + ", client "
-        + Refusals.shown(clientId)
+        + Refusals.shown(ClientIds.shown(clientId))
         + ", from "
         + from.getHostAddress();
   }
@@ -371,6 +373,10 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     if (last == null || broker.isEnding()) {
       return;
     }
+    if (!rules.mayName(last)) {
+      willRefused(SourceNames.TAKEN);
+      return;
+    }
     if (last.isRetained()) {
       rules.retain(last).ifPresent(this::willRefused); // present subscribers receive it regardless
     }
@@ -403,6 +409,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     broker.pending().remove(this);
     broker.unsent().set(this, 0);
     broker.leave(clientId, this);
+    if (rules != null) {
+      rules.leave();
+    }
   }
 
   @Override

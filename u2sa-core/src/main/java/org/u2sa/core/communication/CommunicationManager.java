@@ -192,6 +192,14 @@ public final class CommunicationManager implements AutoCloseable {
     return Optional.ofNullable(broker).map(BrokerSupervisor::address);
   }
 
+  /**
+   * Whether what arrives under a service's name is from this process, or one that it started, as
+   * the embedded broker knows; true with another broker, which does not know.
+   */
+  public boolean isOwn(String serviceName) {
+    return broker == null || broker.isOfVehicle(serviceName);
+  }
+
   /** Number of copies dropped because remote subscribers or the broker were too slow. */
   public long dropped() {
     return broker == null ? 0 : broker.dropped();

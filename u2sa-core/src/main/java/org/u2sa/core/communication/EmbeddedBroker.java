@@ -86,6 +86,7 @@ final class EmbeddedBroker implements AutoCloseable {
       throw cannotListen(address, e);
     }
     filter.broker().router().join(broker.incoming);
+    filter.broker().sources().join(bus);
     broker.copies.start();
     bus.attach(broker.copies);
     return broker;
@@ -133,6 +134,11 @@ final class EmbeddedBroker implements AutoCloseable {
 
   InetSocketAddress address() {
     return address;
+  }
+
+  /** Whether the name is one of a service of this process or of a process that this one started. */
+  boolean isOfVehicle(String serviceName) {
+    return filter.broker().sources().isOfVehicle(bus.systemId(), serviceName);
   }
 
   long dropped() {

@@ -14,6 +14,7 @@ import org.u2sa.core.communication.access.Refusals;
 import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.core.communication.routing.Publication;
 import org.u2sa.core.security.User;
+import org.u2sa.interfaces.mqtt.ClientIds;
 
 /**
  * Outgoing messages of one client: filters by the systems it may listen to and bounds its backlog.
@@ -66,7 +67,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   void admitted(User whom, String clientId) {
     user = whom;
     idleSince = broker.nowMicros();
-    client = clientId;
+    client = ClientIds.shown(clientId);
   }
 
   /** Handles Moquette's writes, which are answers. */

@@ -60,6 +60,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   @Override
   public void forward(Channel<?> channel, U2SAData message) {
+    broker.sources().hearLocal(channel, message);
     if (channel.isRetained()) { // also for late subscribers
       String topic = Topic.of(systemId, channel, message).toString();
       number(numbers.on(topic), channel, topic, message, true);

@@ -10,6 +10,7 @@ import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
 import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
 import java.util.Optional;
 import org.u2sa.core.communication.access.Refusals;
+import org.u2sa.core.communication.access.SourceNames;
 
 /** Filters the packets of an admitted client. Confined to its connection's thread. */
 final class PacketFilter {
@@ -92,7 +93,11 @@ final class PacketFilter {
     boolean eachMatters = qos == MqttQoS.AT_LEAST_ONCE;
     if (refused.isPresent()) {
       String topic = Refusals.shown(publish.variableHeader().topicName());
-      broker.refusals().add("message refused, " + refused.get(), who + ", topic " + topic);
+      String source =
+          refused.get().equals(SourceNames.TAKEN)
+              ? ", name " + Refusals.shown(rules.sourceOf(publish))
+              : "";
+      broker.refusals().add("message refused, " + refused.get(), who + ", topic " + topic + source);
     } else {
       if (eachMatters) {
         broker.keep(publish.content().readableBytes());

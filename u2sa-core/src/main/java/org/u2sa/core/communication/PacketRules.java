@@ -1,10 +1,15 @@
 package org.u2sa.core.communication;
 
+import io.netty.buffer.ByteBuf;
 import io.netty.buffer.ByteBufUtil;
+import io.netty.buffer.Unpooled;
 import io.netty.handler.codec.mqtt.MqttPublishMessage;
 import io.netty.handler.codec.mqtt.MqttQoS;
 import java.util.Optional;
 import org.u2sa.core.communication.access.ConnectRequest;
+import org.u2sa.core.communication.access.SourceName;
+import org.u2sa.core.communication.access.SourceNames;
+import org.u2sa.core.communication.access.Speaker;
 import org.u2sa.core.communication.access.TopicPermissions;
 import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.core.communication.limit.BrokerLimits;
@@ -25,6 +30,7 @@ final class PacketRules {
   private final String owner; // owner of its retained messages
   private final TopicPermissions judge;
   private final Allowance orders;
+  private final Speaker speaker;
 
   PacketRules(BrokerState broker, User user, String clientId) {
     this.broker = broker;
@@ -32,6 +38,7 @@ final class PacketRules {
     owner = user == null ? "client " + clientId : "user " + user.name();
     judge = new TopicPermissions(broker.codec().types(), user);
     orders = new Allowance(broker.limits().clientOrdersPerSecond(), broker.nowMicros());
+    speaker = new Speaker(user == null ? "" : user.name(), clientId);
   }
 
   /** Whether every service answers a message on the topic. */
@@ -61,6 +68,9 @@ final class PacketRules {
     if (verdict.is(AccessRule.Kind.ORDER) && !mayOrder(bytes)) {
       return Optional.of("too many orders of one client");
     }
+    if (!mayName(verdict, publish.content())) {
+      return Optional.of(SourceNames.TAKEN);
+    }
     boolean retained = publish.fixedHeader().isRetain();
     boolean stop = isEmergencyStop(verdict);
     if (!retained && !stop) {
@@ -78,6 +88,27 @@ final class PacketRules {
       }
     }
     return refusal;
+  }
+
+  private boolean mayName(TopicPermissions.Verdict verdict, ByteBuf payload) {
+    return broker
+        .sources()
+        .mayPublish(verdict.topic(), verdict.rule(), payload, speaker, broker.nowMicros());
+  }
+
+  /** The source in whose name a message is; empty if none. */
+  String sourceOf(MqttPublishMessage publish) {
+    TopicPermissions.Verdict verdict = judge.judge(publish.variableHeader().topicName());
+    return broker
+        .sources()
+        .nameOf(verdict.topic(), verdict.rule(), publish.content())
+        .map(SourceName::name)
+        .orElse("");
+  }
+
+  /** Frees the names under which the client has published. */
+  void leave() {
+    broker.sources().leave(speaker);
   }
 
   /** Cost of an order; a long one counts as several. */
@@ -127,6 +158,13 @@ final class PacketRules {
               : Optional.of("it is to be retained and has QoS 0");
     }
     return refusal;
+  }
+
+  /**
+   * Whether an accepted will is, at the end of its connection, in a name that its sender may use.
+   */
+  boolean mayName(ConnectRequest.Will will) {
+    return mayName(judge.judge(will.topic()), Unpooled.wrappedBuffer(will.payload()));
   }
 
   /** Retains an accepted will. Returns the reason if there is no room, or empty. */

@@ -28,6 +28,7 @@ public final class LaunchOptions {
   private boolean oneOfSeveral;
   private boolean supervised;
   private boolean restart;
+  private boolean besideManager;
   private boolean throughBroker;
   private DeviceSource devices = DeviceSource.NONE;
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
@@ -181,6 +182,20 @@ public final class LaunchOptions {
   public LaunchOptions restart(boolean value) {
     restart = value;
     return this;
+  }
+
+  /**
+   * Sets whether the process that started this one runs the Communication Manager: then this
+   * process has its time, its services have their names whoever else uses them, and nobody needs to
+   * be asked.
+   */
+  public LaunchOptions besideManager(boolean value) {
+    besideManager = value;
+    return this;
+  }
+
+  boolean isBesideManager() {
+    return besideManager;
   }
 
   boolean restart() {

@@ -98,6 +98,9 @@ public final class RunningSystem implements AutoCloseable {
     if (!manager.isExternal() || file.services().isEmpty()) {
       return transport; // no other process can run yet
     }
+    if (options.isBesideManager()) {
+      return transport; // answers to discovery could be anyone's
+    }
     Clock clock = options.clock();
     boolean real = clock instanceof SystemClock;
     Clock stopwatch = real ? clock : new SystemClock();

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Isolates a watch's exceptions from other watches: one that throws reports its own hazard until it
@@ -35,6 +36,16 @@ final class GuardedWatch implements Watch {
     } catch (RuntimeException e) {
       fault = Optional.of(failed(e));
     }
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    watch.handOver(state);
+  }
+
+  @Override
+  public void takeOver(HandOver state, long nowMicros) {
+    watch.takeOver(state, nowMicros);
   }
 
   @Override

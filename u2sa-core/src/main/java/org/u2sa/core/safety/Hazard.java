@@ -25,6 +25,8 @@ final class Hazard {
       new Hazard("low battery", "ON LOW BATTERY", FailsafeAction.RETURN);
   static final Hazard CRITICAL_BATTERY =
       new Hazard("critical battery", "ON CRITICAL BATTERY", FailsafeAction.RETURN);
+  static final Hazard BATTERY_SENSOR =
+      new Hazard("battery sensor", "ON BATTERY SENSOR LOSS", FailsafeAction.RETURN);
   static final Hazard FENCE = new Hazard("geofence", "ON FENCE", FailsafeAction.RETURN);
 
   /** The hazards of every vehicle, in the order in which equal causes are reported. */
@@ -39,6 +41,7 @@ final class Hazard {
           SERVICE,
           LOW_BATTERY,
           CRITICAL_BATTERY,
+          BATTERY_SENSOR,
           FENCE);
 
   private final String words;

@@ -8,6 +8,7 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /** Checks that a periodic sender is still heard. */
 final class HeartbeatWatch implements Watch {
@@ -68,6 +69,25 @@ final class HeartbeatWatch implements Watch {
   public void see(U2SAData message, long nowMicros) {
     sender
         .apply(message, expected.get())
+        .ifPresent(
+            who -> {
+              heard = who;
+              heardMicros = nowMicros;
+            });
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    if (heardMicros >= 0) {
+      state.text(hazard.words(), heard);
+    }
+  }
+
+  /** Whoever was heard before the restart must be heard again within the deadline. */
+  @Override
+  public void takeOver(HandOver state, long nowMicros) {
+    state
+        .text(hazard.words())
         .ifPresent(
             who -> {
               heard = who;

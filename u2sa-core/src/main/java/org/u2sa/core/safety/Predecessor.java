@@ -1,24 +1,30 @@
 package org.u2sa.core.safety;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
-import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /**
- * Last retained messages of the previous Safety Manager, so that a restart in flight neither
- * disarms the vehicle nor drops a failsafe. Messages older than a restart takes, or that far ahead
- * of this clock, are from another run.
+ * The Safety Manager that this one replaces in the same run, so that a restart in flight neither
+ * disarms the vehicle nor drops a failsafe. What it demanded is known from the state it saved. Its
+ * last retained message only tells that this was not longer ago than a restart takes: others could
+ * have published one.
  */
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent retained messages
   private static final double SPOKE_WITHIN_S = 20.0;
+  private static final String ARMED = "armed";
+  private static final String ACTION = "failsafe";
+  private static final String CAUSES = "causes";
 
   private final long listensUntilMicros;
   private boolean awaited = true;
-  private boolean armed;
+  private boolean saysArmed; // its last message
+  private boolean armed; // its saved state, like the next two
   private FailsafeAction action = FailsafeAction.CONTINUE;
   private List<String> causes = List.of();
 
@@ -26,16 +32,33 @@ final class Predecessor {
     listensUntilMicros = nowMicros + Clock.micros(LISTEN_S);
   }
 
+  /** Saves the state of the present Safety Manager for its successor. */
+  static void handOver(HandOver state, boolean armed, FailsafeAction action, List<String> causes) {
+    state.flag(ARMED, armed).text(ACTION, action.name()).texts(CAUSES, causes);
+  }
+
+  /** Passes its state on to the next one, which starts before this one has begun. */
+  void handOver(HandOver state) {
+    handOver(state, armed, action, causes);
+  }
+
+  /**
+   * Takes over the state saved by {@link #handOver}.
+   *
+   * @throws IllegalArgumentException if it is none
+   */
+  void takeOver(HandOver state) {
+    armed = state.flag(ARMED);
+    action = state.text(ACTION).map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
+    causes = new ArrayList<>(state.texts(CAUSES));
+  }
+
   void see(U2SAData message, long nowMicros) {
     long ageMicros = nowMicros - message.timestamp().orElse(Long.MIN_VALUE / 2);
-    if (!awaited || Math.abs(ageMicros) > Clock.micros(SPOKE_WITHIN_S)) {
-      return;
-    }
-    if (message instanceof ArmingState state) {
-      armed = state.armed();
-    } else if (message instanceof FailsafeState state) {
-      action = state.action();
-      causes = state.causes();
+    if (awaited
+        && message instanceof ArmingState state
+        && Math.abs(ageMicros) <= Clock.micros(SPOKE_WITHIN_S)) {
+      saysArmed = state.armed();
     }
   }
 
@@ -53,12 +76,12 @@ final class Predecessor {
   }
 
   boolean wasArmed() {
-    return armed;
+    return armed && saysArmed;
   }
 
-  /** Last failsafe action it demanded. */
+  /** Last failsafe action it demanded while the vehicle was armed. */
   FailsafeAction action() {
-    return action;
+    return wasArmed() ? action : FailsafeAction.CONTINUE;
   }
 
   /** Causes of the action, most severe first. */

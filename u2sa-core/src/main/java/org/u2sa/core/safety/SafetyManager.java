@@ -23,6 +23,7 @@ import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.actuator.EmergencyLatch;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Decides what the vehicle does when something is wrong, by the failsafe matrix in its
@@ -45,6 +46,7 @@ public final class SafetyManager extends PeriodicService {
   private final Arming arming;
   private final Predecessor predecessor;
   private boolean begun;
+  private String saved = ""; // state saved last, without what changes continually
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
@@ -111,6 +113,33 @@ public final class SafetyManager extends PeriodicService {
     }
   }
 
+  @Override
+  protected void handOver(HandOver state) {
+    if (begun) {
+      Predecessor.handOver(state, arming.isArmed(), action(), decision.causes());
+    } else {
+      predecessor.handOver(state);
+    }
+    watches.forEach(watch -> watch.handOver(state));
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    predecessor.takeOver(state);
+    watches.forEach(watch -> watch.takeOver(state, clock().micros()));
+  }
+
+  /** Saves what a successor must know, if it has changed. */
+  private void save() {
+    HandOver watched = new HandOver("");
+    watches.forEach(watch -> watch.handOver(watched));
+    String state = arming.isArmed() + " " + action() + " " + decision.hazards() + " " + watched;
+    if (begun && !state.equals(saved)) {
+      saved = state;
+      remember();
+    }
+  }
+
   private void beginAfterPredecessor() {
     begun = true;
     if (predecessor.wasArmed() && !emergency.isStopped()) {
@@ -147,6 +176,7 @@ public final class SafetyManager extends PeriodicService {
     } else {
       arming.disarm("by \"" + command.operator() + "\"");
     }
+    save();
     publish(arming.state(now).requestId(command.requestId()));
   }
 
@@ -167,6 +197,7 @@ public final class SafetyManager extends PeriodicService {
       decision.acknowledge();
       publish(Channels.EMERGENCY_STOP, message); // again: a repeated stop may have overtaken it
     }
+    save();
     publish(arming.state(clock().micros()));
   }
 
@@ -188,6 +219,7 @@ public final class SafetyManager extends PeriodicService {
     } else if (!emergency.isStopped()) {
       arming.armAtStart(now);
     }
+    save();
     FailsafeAction action = action();
     if (repeat || action != said || !decision.hazards().equals(saidHazards)) {
       publishFailsafe(action);

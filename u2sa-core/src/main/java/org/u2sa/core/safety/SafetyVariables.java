@@ -86,6 +86,14 @@ record SafetyVariables(
             text = "Time for which a battery must be below a threshold: voltage sags under load.")
         double batteryTime,
     @Variable(
+            unit = "s",
+            min = 0.05,
+            max = 3600,
+            ifAbsent = 10,
+            text =
+                "Time without a message from a battery once heard after which its sensor counts as lost, if a threshold is set.")
+        double batteryDeadline,
+    @Variable(
             ifAbsentText = "",
             text =
                 "Sensor names of the batteries that count, separated by commas, so that an invented one is ignored; empty: all that are heard.")
@@ -167,4 +175,12 @@ record SafetyVariables(
   static final String FENCE = "FENCE";
 
   static final String FENCE_MARGIN = "FENCE MARGIN";
+
+  /** Whether a threshold of a battery is set. */
+  boolean watchesBatteries() {
+    return lowBatteryVoltage > 0.0
+        || lowBatteryRemaining > 0.0
+        || criticalBatteryVoltage > 0.0
+        || criticalBatteryRemaining > 0.0;
+  }
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /** Watches for one hazard, on the Safety Manager's thread. */
 interface Watch {
@@ -33,6 +34,12 @@ interface Watch {
 
   /** Handles a message. */
   default void see(U2SAData message, long nowMicros) {}
+
+  /** Saves what the watch of a restarted Safety Manager must still know. */
+  default void handOver(HandOver state) {}
+
+  /** Takes over what {@link #handOver} has saved. */
+  default void takeOver(HandOver state, long nowMicros) {}
 
   /** Current trouble in words; empty if none. */
   Optional<String> trouble(long nowMicros);

@@ -30,7 +30,8 @@ final class Watches {
             HeartbeatWatch.ofMonitor(settings),
             new ServiceWatch(Hazard.SERVICE, now -> conditions.givenUp()),
             BatteryWatch.low(settings),
-            BatteryWatch.critical(settings))
+            BatteryWatch.critical(settings),
+            new BatterySilenceWatch(settings))
         .map(GuardedWatch::new)
         .collect(Collectors.toList());
   }

@@ -9,10 +9,14 @@ import java.io.IOException;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.messages.contract.FunctionalityResponse;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What the broker and its clients do when something on the way fails. */
 @Timeout(90)
@@ -47,6 +51,33 @@ class BrokerTroubleTest extends TwoClients {
 
       assertThat(other.log).noneMatch(line -> line.contains("connection failed"));
     }
+  }
+
+  @Test
+  void receive_errorOfAReceiver_endsTheSessionNotTheLinkAndIsTold() {
+    RecordingReceiver inbox = new RecordingReceiver();
+    AtomicInteger received = new AtomicInteger();
+    Receiver failing =
+        new Receiver() {
+          @Override
+          public void receive(Channel<?> channel, U2SAData message) {
+            if (received.incrementAndGet() == 1) {
+              throw new NoClassDefFoundError("missing");
+            }
+            inbox.receive(channel, message);
+          }
+
+          @Override
+          public void trouble(String what) {
+            inbox.trouble(what);
+          }
+        };
+    broker.remote("Failing", failing).subscribe(Channels.ACTUATION);
+
+    BrokerTraffic.publishUntilReceived(local, inbox, command(3.0));
+
+    inbox.awaitTrouble("lost: java.lang.NoClassDefFoundError: missing");
+    inbox.awaitTrouble("restored");
   }
 
   @Test

@@ -3,18 +3,26 @@ package org.u2sa.core.safety;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
-import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.service.handover.HandOver;
 
 /** Whose words a Safety Manager that starts takes for those of the one before it. */
 class PredecessorTest {
   private static final long START = 100_000_000; // µs
   private static final long HALF_A_SECOND = 500_000;
   private final Predecessor predecessor = new Predecessor(START);
+
+  @BeforeEach
+  void leaveState() {
+    HandOver state = new HandOver("SafetyManager");
+    Predecessor.handOver(state, true, FailsafeAction.RETURN, List.of("operator link: silent"));
+    predecessor.takeOver(state);
+  }
 
   private static ArmingState armedAt(long micros) {
     ArmingState state = new ArmingState().armed(true);
@@ -44,6 +52,15 @@ class PredecessorTest {
   }
 
   @Test
+  void see_armedWordsWithoutSavedState_doNotCount() {
+    Predecessor none = new Predecessor(START);
+    none.see(armedAt(START), START);
+
+    assertThat(none.wasArmed()).isFalse();
+    assertThat(none.action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
   void isAwaited_forHalfASecond_andNothingCountsAfterwards() {
     assertThat(predecessor.isAwaited(START + HALF_A_SECOND - 1)).isTrue();
     assertThat(predecessor.isAwaited(START + HALF_A_SECOND)).isFalse();
@@ -55,10 +72,8 @@ class PredecessorTest {
 
   @Test
   void end_afterItWasHeard_forgetsWhatItSaid() {
-    FailsafeState failsafe = new FailsafeState().action(FailsafeAction.RETURN);
-    failsafe.causes(List.of("operator link: silent")).timestamp(START);
+    assertThat(predecessor.action()).as("not heard yet").isEqualTo(FailsafeAction.CONTINUE);
     predecessor.see(armedAt(START), START);
-    predecessor.see(failsafe, START);
     assertThat(predecessor.wasArmed()).isTrue();
     assertThat(predecessor.action()).isEqualTo(FailsafeAction.RETURN);
     assertThat(predecessor.causes()).containsExactly("operator link: silent");

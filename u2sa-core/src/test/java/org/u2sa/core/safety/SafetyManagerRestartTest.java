@@ -2,11 +2,13 @@ package org.u2sa.core.safety;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 
 /** What a SafetyManager takes over from the one before it. */
@@ -22,7 +24,7 @@ class SafetyManagerRestartTest extends WatchedVehicle {
     kit.forget();
     live(5.0);
 
-    startManager();
+    restart(before);
     live(3.0);
 
     assertThat(kit.published(Channels.FAILSAFE))
@@ -32,17 +34,19 @@ class SafetyManagerRestartTest extends WatchedVehicle {
         .startsWith("operator link: \"Ann\" silent for ")
         .endsWith("s (over; stays until armed again)");
     assertThat(kit.published(Channels.ARMING_STATE)).isNotEmpty().allMatch(ArmingState::armed);
+    kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));
     arm(true);
     live(0.2);
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
   }
 
   @Test
-  void start_longAfterAnother_isAnotherRun() {
-    startArmedManager().kill();
+  void restart_longAfterItEnded_isDisarmed() {
+    SafetyManager before = startArmedManager();
+    before.kill();
     kit.advance(25.0);
 
-    startManager();
+    restart(before);
 
     assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
   }
@@ -53,9 +57,70 @@ class SafetyManagerRestartTest extends WatchedVehicle {
     arm(false);
     before.kill();
 
+    restart(before);
+    live(3.0);
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
+  }
+
+  @Test
+  void start_besideTheArmedStateOfAnother_isDisarmed() {
+    startArmedManager().kill();
+
     startManager();
     live(3.0);
 
     assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void restart_neverArmedBesideTheArmedStateAndFailsafeOfAnother_isDisarmedAndInNone() {
+    SafetyManager before = start();
+    before.kill();
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
+    kit.publish(
+        Channels.FAILSAFE,
+        new FailsafeState().action(FailsafeAction.RETURN).causes(List.of("operator link: forged")));
+
+    restart(before);
+    live(3.0);
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void restart_twiceAtOnce_staysArmed() {
+    SafetyManager before = startArmedManager();
+    before.kill();
+    SafetyManager second = kit.restart(before, SafetyManager::new);
+    second.kill(); // before it has begun
+
+    restart(second);
+    live(3.0);
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isTrue();
+  }
+
+  @Test
+  void restart_afterTheLinkToTheOperatorWasLost_noticesThat() {
+    SafetyManager before = startArmedManager();
+    kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));
+    live(1.0);
+    before.kill(); // and with it goes the operator
+
+    restart(before);
+    live(4.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+    live(2.0);
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+    assertThat(failsafe().causes().get(0)).startsWith("operator link: \"Ann\" silent for ");
+  }
+
+  private void restart(SafetyManager before) {
+    kit.restart(before, SafetyManager::new);
+    kit.advance(0.6);
   }
 }

@@ -62,8 +62,11 @@ class SafetyManagerStateTest extends WatchedVehicle {
   }
 
   @Test
-  void start_predecessorIsHeardLate_staysArmedAndSaysSo() {
-    kit.start(SafetyManager::new);
+  void restart_predecessorIsHeardLate_staysArmedAndSaysSo() {
+    SafetyManager before = startArmedManager();
+    before.kill();
+    kit.advance(25.0); // what it said is old; a broker that was away brings what it said last
+    kit.restart(before, SafetyManager::new);
     kit.advance(0.3);
     predecessorWasArmed();
     kit.advance(0.3);

@@ -31,6 +31,7 @@ abstract class WatchedVehicle {
   @BeforeEach
   void configure() {
     kit.with("ACTUATOR SERVICES", "Motor, Rudder").with("LOW BATTERY VOLTAGE", 11.0);
+    kit.with("BATTERY DEADLINE", 3_600.0); // the battery speaks once
     kit.with("CRITICAL BATTERY REMAINING", 10.0).with("ON CRITICAL BATTERY", "STOP");
   }
 

@@ -1,7 +1,6 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,7 +18,12 @@ import org.u2sa.messages.schema.U2SAData;
  * subscribers, recorders and observers.
  */
 public final class LocalBus implements Transport {
+  /** Memory of a channel's retained messages of other processes. */
+  private static final long MAX_RETAINED_BYTES =
+      Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
+
   private final String systemId;
+  private final long maxRetainedBytes;
   private final Map<String, Route> routes = new ConcurrentHashMap<>();
   private final Set<String> names = ConcurrentHashMap.newKeySet();
   private final AtomicLong connections = new AtomicLong();
@@ -27,6 +31,15 @@ public final class LocalBus implements Transport {
 
   /** Creates a bus for one system. */
   public LocalBus(String systemId) {
+    this(systemId, MAX_RETAINED_BYTES);
+  }
+
+  /**
+   * @param maxRetainedBytes memory of a channel's retained messages of other processes, where it
+   *     has several sources
+   */
+  LocalBus(String systemId, long maxRetainedBytes) {
+    this.maxRetainedBytes = maxRetainedBytes;
     this.systemId = Topic.checkSystemId(systemId);
   }
 
@@ -73,6 +86,13 @@ public final class LocalBus implements Transport {
   public boolean isHeard(String channelName) {
     Route route = routes.get(channelName);
     return route != null && route.subscriptions.length > 0;
+  }
+
+  /** Whether a connected local service was the latest to publish for this source of a channel. */
+  public boolean isLocal(String channelName, String source) {
+    Route route = routes.get(channelName);
+    LocalConnection publisher = route == null ? null : route.publishers.get(source);
+    return publisher != null && !publisher.closed;
   }
 
   /**
@@ -131,12 +151,8 @@ public final class LocalBus implements Transport {
   }
 
   /** Subscribers and retained messages of a channel. */
-  private static final class Route {
+  private final class Route {
     private static final int MAX_RETAINED = 1_000; // sources, which others may invent
-
-    /** Memory for the retained messages of other processes. */
-    private static final long MAX_RETAINED_BYTES =
-        Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
 
     /** Copy-on-write under this; an array because every message iterates over it. */
     private volatile Subscription[] subscriptions = {};
@@ -144,7 +160,7 @@ public final class LocalBus implements Transport {
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
     private long retainedBytes; // of other processes' messages
     private final Map<String, LocalConnection> publishers =
-        new HashMap<>(); // latest publishers, by source
+        new ConcurrentHashMap<>(); // latest publishers, by source
     private Channel<?> channel; // channel of the retained messages
 
     /**
@@ -163,7 +179,7 @@ public final class LocalBus implements Transport {
           retain(source, message, publisher != null);
           hand(message, carrier);
           if (publisher != null) {
-            publishers.put(source, publisher);
+            remember(source, publisher);
             publisher.cross(on, message, Bridge::forward);
           } else if (publishers.containsKey(source)) {
             publishers.get(source).cross(on, message, Bridge::restate);
@@ -172,8 +188,15 @@ public final class LocalBus implements Transport {
       } else {
         hand(message, carrier);
         if (publisher != null) {
+          remember(on.sourceOf(message), publisher);
           publisher.cross(on, message, Bridge::forward);
         }
+      }
+    }
+
+    private void remember(String source, LocalConnection publisher) {
+      if (publishers.get(source) != publisher) { // a read is cheaper
+        publishers.put(source, publisher);
       }
     }
 
@@ -187,7 +210,7 @@ public final class LocalBus implements Transport {
       long bytes =
           retainedBytes + message.receivedBytes() - (before == null ? 0 : before.receivedBytes());
       boolean isNew = before == null && retained.size() >= MAX_RETAINED;
-      if (isOwn || source.isEmpty() || !isNew && bytes <= MAX_RETAINED_BYTES) {
+      if (isOwn || source.isEmpty() || !isNew && bytes <= maxRetainedBytes) {
         retained.put(source, message);
         retainedBytes = bytes;
       } else if (before != null) {

@@ -3,6 +3,7 @@ package org.u2sa.interfaces.configuration;
 import java.util.AbstractMap.SimpleImmutableEntry;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -23,6 +24,7 @@ final class ConfigurationValues {
   private final boolean typed; // files state types, which must match; programs may pass 1 for 1.0
   private final Map<String, FileVariable> stated;
   private final Set<String> overridden = new LinkedHashSet<>();
+  private final Map<String, String> texts = new HashMap<>(); // of inferred values, as written
   private final Set<String> tolerated = new HashSet<>();
   private final Set<String> readByName = new HashSet<>(); // read by name without a declaration
   private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
@@ -43,6 +45,11 @@ final class ConfigurationValues {
 
   void override(String name, Object value) {
     FileVariable statement = FileVariable.inMemory(origin, name, value);
+    if (value instanceof InferredValue inferred) {
+      texts.put(name, inferred.text());
+    } else {
+      texts.remove(name);
+    }
     overridden.add(name);
     stated.put(name, statement);
     values.put(name, statement.value());
@@ -93,6 +100,9 @@ final class ConfigurationValues {
       FileVariable statement = stated.get(name);
       if (statement != null && (!typed || overridden.contains(name))) {
         statement = statement.withType(variable.type());
+        if (variable.type() == VariableType.STRING && texts.containsKey(name)) {
+          statement = FileVariable.inMemory(origin, name, texts.get(name));
+        }
       }
       BoundVariable bound =
           new BoundVariable(origin, name, Optional.of(variable), Optional.ofNullable(statement));
@@ -175,6 +185,7 @@ final class ConfigurationValues {
   ConfigurationValues copy() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
     copy.overridden.addAll(overridden);
+    copy.texts.putAll(texts);
     copy.tolerated.addAll(tolerated);
     copy.readByName.addAll(readByName);
     copy.declared.putAll(declared);
@@ -188,6 +199,7 @@ final class ConfigurationValues {
   ConfigurationValues forSuccessor() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
     copy.overridden.addAll(overridden);
+    copy.texts.putAll(texts);
     copy.tolerate(tolerated());
     return copy;
   }

@@ -65,8 +65,9 @@ record FileVariable(
 
   /** Creates a variable without a file. */
   static FileVariable inMemory(String origin, String name, Object value) {
+    Object typed = value instanceof InferredValue inferred ? inferred.value() : value;
     VariableType type =
-        VariableType.of(value)
+        VariableType.of(typed)
             .orElseThrow(
                 () ->
                     new IllegalArgumentException(
@@ -74,7 +75,7 @@ record FileVariable(
                             "%s, variable \"%s\": %s is neither Integer, Double, Boolean nor String",
                             origin, name, value)));
     return new FileVariable(
-        origin, name, type, String.valueOf(value), value, Optional.empty(), Range.any(), "");
+        origin, name, type, String.valueOf(value), typed, Optional.empty(), Range.any(), "");
   }
 
   /** Copy with another value of its type. */

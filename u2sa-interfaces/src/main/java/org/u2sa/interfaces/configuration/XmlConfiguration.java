@@ -102,7 +102,7 @@ public final class XmlConfiguration implements Configurator {
    * Overrides a variable for the lifetime of this object without changing the file. Call before the
    * variable is declared.
    *
-   * @param value Integer, Double, Boolean or String, in the declared unit
+   * @param value Integer, Double, Boolean, String or {@link InferredValue}, in the declared unit
    * @throws IllegalArgumentException if the value is of another class
    */
   public void override(String variableName, Object value) {

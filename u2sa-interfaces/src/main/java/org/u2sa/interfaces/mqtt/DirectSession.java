@@ -339,7 +339,7 @@ final class DirectSession implements MqttSession {
       why = e.getMessage();
     } catch (MqttException e) {
       why = MqttSession.reason(e);
-    } catch (RuntimeException e) { // a new session may recover
+    } catch (RuntimeException | Error e) { // a new session may recover, from lack of memory too
       why = e.toString();
     }
     broke(why);

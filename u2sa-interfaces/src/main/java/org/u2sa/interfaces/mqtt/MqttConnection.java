@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
-import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
@@ -15,7 +14,6 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.interfaces.communication.TopicLevel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -66,12 +64,7 @@ final class MqttConnection implements Connection, MqttSession.Owner {
     // its predecessor's, while a reconnection must reuse its own. Nor may the ID be derivable from
     // published data such as the instance: a broker that lets any user take any ID, such as
     // Mosquitto, would let a reader disconnect the service.
-    link = new MqttLink(address, clientId(systemId, serviceName), this, client);
-  }
-
-  private static String clientId(String systemId, String serviceName) {
-    return String.join(
-        "/", TopicLevel.of(systemId), TopicLevel.of(serviceName), UUID.randomUUID().toString());
+    link = new MqttLink(address, ClientIds.of(systemId, serviceName), this, client);
   }
 
   /**

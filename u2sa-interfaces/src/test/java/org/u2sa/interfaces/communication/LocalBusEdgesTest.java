@@ -68,9 +68,12 @@ class LocalBusEdgesTest {
   }
 
   private static PlannedPath received(PlannedPath sent) throws MalformedMessageException {
-    return (PlannedPath)
-        frozen(
-            new MessageCodec(StandardTypes.registry()).decode(sent.typeChain(), sent.serialize()));
+    return (PlannedPath) decoded(sent);
+  }
+
+  private static U2SAData decoded(U2SAData sent) throws MalformedMessageException {
+    return frozen(
+        new MessageCodec(StandardTypes.registry()).decode(sent.typeChain(), sent.serialize()));
   }
 
   private List<String> retainedPlans() {
@@ -110,6 +113,38 @@ class LocalBusEdgesTest {
     bus.deliver(Channels.PLANS, received(plan("real", 30_000)));
 
     assertThat(retainedPlans()).hasSize(all).doesNotContain("real");
+  }
+
+  @Test
+  void deliver_messageOfAnOnlyWriterBeyondTheBudget_isRetainedAndAnInventedSourcesNot()
+      throws MalformedMessageException {
+    LocalBus small = new LocalBus("cessna", 1);
+    GoalList sent = (GoalList) decoded(new GoalList());
+    small.deliver(Channels.GOALS, sent);
+    small.deliver(Channels.PLANS, received(plan("invented", 1)));
+
+    Connection late = small.connect("late", receiver);
+    late.subscribe(Channels.GOALS);
+    late.subscribe(Channels.PLANS);
+
+    assertThat(sent.receivedBytes()).isGreaterThan(1);
+    assertThat(received).containsExactly(sent);
+  }
+
+  @Test
+  void isLocal_untilItsConnectionIsClosed() {
+    StateInformation state = frozen(new StateInformation().sensorName("gps"));
+    Connection gps = bus.connect("Gps", receiver);
+    assertThat(bus.isLocal("sensed-state", "gps")).isFalse();
+
+    gps.publish(Channels.SENSED_STATE, state);
+    bus.deliver(Channels.SENSED_STATE, frozen(new StateInformation().sensorName("imu")));
+
+    assertThat(bus.isLocal("sensed-state", "gps")).isTrue();
+    assertThat(bus.isLocal("state", "gps")).isFalse();
+    assertThat(bus.isLocal("sensed-state", "imu")).as("of another process").isFalse();
+    gps.close();
+    assertThat(bus.isLocal("sensed-state", "gps")).isFalse();
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.u2sa.messages.schema;
 
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.messages.cbor.CborInput;
 import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.cbor.MalformedMessageException;
@@ -67,5 +68,15 @@ public final class MessageCodec {
           "expected at most " + Limits.PAYLOAD_BYTES + " bytes, not " + bytes.length);
     }
     return CborMessageReader.message(types, typeChain, new CborInput(bytes, texts));
+  }
+
+  /**
+   * Reads one text of an encoded message without decoding the rest, such as the name of its source.
+   *
+   * @param field name of the field
+   * @return empty if the field is absent, or readers reject the message before they get there
+   */
+  public Optional<String> peek(byte[] bytes, String field) {
+    return TextPeek.of(new CborInput(bytes, texts), field);
   }
 }

@@ -90,7 +90,8 @@ enum Trouble {
     @Override
     LaunchOptions configure(LaunchOptions options, FailsafeAction action) {
       return super.configure(options, action)
-          .override("SafetyManager", "LOW BATTERY VOLTAGE", 22.0);
+          .override("SafetyManager", "LOW BATTERY VOLTAGE", 22.0)
+          .override("SafetyManager", "BATTERY DEADLINE", 3_600.0); // said once
     }
 
     @Override

@@ -121,7 +121,7 @@ public final class Authenticator implements AutoCloseable {
   private void tryToJudge(LoginApplication application) {
     try {
       judge(application);
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | OutOfMemoryError e) {
       trouble.accept(Refusals.shown(application.name()) + ": " + e);
     }
   }

@@ -1,0 +1,100 @@
+package org.u2sa.core.communication.access;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.ByteBufUtil;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.core.security.AccessRule;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.MessageCodec;
+
+/**
+ * The source in whose name a message is published: a service on the channels of the contract, a
+ * sensor, an actuator or a subsystem where a field names it, or the only writer of a channel.
+ *
+ * @param key unique per system
+ * @param systemId the vehicle
+ * @param channel name of the channel
+ * @param name the service's or the source's; empty for a channel's only writer
+ * @param isService whether it is a service's name, which is the same on all channels
+ */
+public record SourceName(
+    String key, String systemId, String channel, String name, boolean isService) {
+  private static final String SERVICE_NAME = "serviceName";
+
+  /** Channels on which services report or answer under their own names. */
+  private static final Set<Channel<?>> OF_SERVICES =
+      Set.of(
+          Channels.HEALTH,
+          Channels.DISCOVERY,
+          Channels.FUNCTIONALITY,
+          Channels.CONFIGURATION,
+          Channels.MISSION);
+
+  /** Fields that name the sources of other channels; empty where there is one writer. */
+  private static final Map<String, String> FIELDS = fields();
+
+  private static Map<String, String> fields() {
+    Map<String, String> fields = new HashMap<>();
+    OF_SERVICES.forEach(channel -> fields.put(channel.name(), SERVICE_NAME));
+    Set.of(
+            Channels.SENSED_STATE,
+            Channels.STATE,
+            Channels.LOCAL_STATE,
+            Channels.SENSED_OBJECTS,
+            Channels.SCANS,
+            Channels.IMAGES,
+            Channels.POWER)
+        .forEach(channel -> fields.put(channel.name(), "sensorName"));
+    fields.put(Channels.ACTUATORS.name(), "actuatorName");
+    fields.put(Channels.CONDITIONS.name(), SERVICE_NAME);
+    fields.put(Channels.NAVIGATION.name(), "subsystem");
+    fields.put(Channels.PLANS.name(), "subsystem");
+    Set.of(
+            Channels.GOALS,
+            Channels.OBJECTS,
+            Channels.GRID,
+            Channels.FAILSAFE,
+            Channels.ARMING_STATE)
+        .forEach(channel -> fields.put(channel.name(), ""));
+    return fields;
+  }
+
+  /**
+   * Source of a message; empty if anyone with the right may publish it, as questions and orders.
+   */
+  public static Optional<SourceName> of(
+      Topic topic, AccessRule rule, ByteBuf payload, MessageCodec codec) {
+    boolean isReport =
+        rule != null
+            && (rule.kind() == AccessRule.Kind.REPORT || rule.kind() == AccessRule.Kind.URGENT);
+    String field = isReport ? FIELDS.get(topic.channel()) : null;
+    if (field == null) {
+      return Optional.empty();
+    }
+    String name =
+        field.isEmpty()
+            ? ""
+            : codec.peek(ByteBufUtil.getBytes(payload), field).orElse(topic.source());
+    boolean isService = OF_SERVICES.contains(rule.channel());
+    String kind = isService ? "" : topic.channel(); // never empty
+    String key = key(topic.systemId(), kind, name);
+    return Optional.of(new SourceName(key, topic.systemId(), topic.channel(), name, isService));
+  }
+
+  /**
+   * @param kind name of the channel; empty for a service's name
+   */
+  static String key(String systemId, String kind, String name) {
+    return systemId + "/" + kind + "/" + name;
+  }
+
+  /** Whether it is a service's, as its health reports have it. */
+  boolean isOfHealth() {
+    return channel.equals(Channels.HEALTH.name());
+  }
+}

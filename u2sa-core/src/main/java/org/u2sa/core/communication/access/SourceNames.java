@@ -1,0 +1,159 @@
+package org.u2sa.core.communication.access;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.ByteBufUtil;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.u2sa.core.security.AccessRule;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.LocalBus;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * Which connection may publish under which source name: the first that does, until it leaves, or
+ * another of the same sender. A reconnecting or restarted service is therefore never locked out by
+ * its own half-open connection, and that of another sender loses its names when it is silent.
+ *
+ * <p>The vehicle, i.e. the broker's process and the processes that it started, takes any name from
+ * others. A name under which one of its services has reported health stays the vehicle's until that
+ * service says that it has stopped, so that nobody can report in place of one that failed. Arming
+ * state and failsafe stay its own for good: what is published while its Safety Manager restarts
+ * would be believed by actuators.
+ *
+ * <p>For the network's thread only, except where stated otherwise.
+ */
+public final class SourceNames {
+  /** The kind of refusal. */
+  public static final String TAKEN = "its source name is another connection's";
+
+  /** A live service reports its health four times a second. */
+  private static final long SILENT_MICROS = 5_000_000;
+
+  private static final int MAX_HELD = 4_096; // of one connection; names beyond are nobody's
+
+  private final MessageCodec codec;
+  private final Map<String, Speaker> speakers = new HashMap<>(); // by key
+  private final Set<String> vehicles = ConcurrentHashMap.newKeySet(); // keys kept for the vehicle
+  private volatile LocalBus bus; // null until joined
+
+  /**
+   * @param codec reads the names
+   */
+  public SourceNames(MessageCodec codec) {
+    this.codec = codec;
+  }
+
+  /** Sets the bus of the services of the broker's process, whose sources are theirs. */
+  public void join(LocalBus services) {
+    bus = services;
+  }
+
+  /** Notes a message of a service of the broker's process. Thread-safe. */
+  public void hearLocal(Channel<?> channel, U2SAData message) {
+    LocalBus services = bus;
+    if (services == null) {
+      return;
+    }
+    if (message instanceof ArmingState || message instanceof FailsafeState) {
+      keep(SourceName.key(services.systemId(), channel.name(), ""), false);
+    } else if (message instanceof HealthReport report
+        && !(message instanceof ConnectionLost)) { // which reports on others
+      keep(
+          SourceName.key(services.systemId(), "", report.serviceName()),
+          report.status() == ServiceStatus.STOPPED);
+    }
+  }
+
+  private void keep(String key, boolean isLast) {
+    if (isLast) {
+      vehicles.remove(key);
+    } else if (!vehicles.contains(key)) { // a read is cheaper
+      vehicles.add(key);
+    }
+  }
+
+  /** Source of a message; empty if anyone with the right to publish it may. */
+  public Optional<SourceName> nameOf(Topic topic, AccessRule rule, ByteBuf payload) {
+    return SourceName.of(topic, rule, payload, codec);
+  }
+
+  /** Whether a connection may publish a message, whose source's name it then holds. */
+  public boolean mayPublish(
+      Topic topic, AccessRule rule, ByteBuf payload, Speaker speaker, long nowMicros) {
+    Optional<SourceName> source = nameOf(topic, rule, payload);
+    if (source.isEmpty()) {
+      return true;
+    }
+    boolean may = mayUse(source.get(), speaker, nowMicros);
+    if (may && speaker.isOfVehicle() && rule.kind() == AccessRule.Kind.URGENT) {
+      keep(source.get().key(), false);
+    } else if (may && speaker.isOfVehicle() && source.get().isOfHealth()) {
+      Optional<String> status = codec.peek(ByteBufUtil.getBytes(payload), "status");
+      keep(source.get().key(), status.equals(Optional.of(ServiceStatus.STOPPED.name())));
+    }
+    return may;
+  }
+
+  /** Whether a service of the vehicle has reported under the name. Thread-safe. */
+  public boolean isOfVehicle(String systemId, String serviceName) {
+    return vehicles.contains(SourceName.key(systemId, "", serviceName));
+  }
+
+  private boolean mayUse(SourceName name, Speaker speaker, long nowMicros) {
+    if (!speaker.isOfVehicle() && isOfVehicle(name)) {
+      return false;
+    }
+    Speaker holder = speakers.get(name.key());
+    if (holder != speaker && !mayTake(holder, speaker, nowMicros)) {
+      return false;
+    }
+    speaker.spoke(nowMicros);
+    if (holder != speaker) {
+      hold(name.key(), holder, speaker);
+    }
+    return true;
+  }
+
+  private boolean isOfVehicle(SourceName name) {
+    LocalBus services = bus;
+    return vehicles.contains(name.key())
+        || !name.isService()
+            && services != null
+            && services.systemId().equals(name.systemId())
+            && services.isLocal(name.channel(), name.name());
+  }
+
+  private static boolean mayTake(Speaker holder, Speaker speaker, long nowMicros) {
+    return holder == null
+        || speaker.isOfVehicle()
+        || speaker.isSameAs(holder)
+        || nowMicros - holder.spokeMicros() > SILENT_MICROS;
+  }
+
+  private void hold(String key, Speaker before, Speaker speaker) {
+    if (before != null) {
+      before.held().remove(key);
+      speakers.remove(key);
+    }
+    if (speaker.held().size() < MAX_HELD) {
+      speaker.held().add(key);
+      speakers.put(key, speaker);
+    }
+  }
+
+  /** Frees the names of a connection that has ended. */
+  public void leave(Speaker speaker) {
+    speaker.held().forEach(key -> speakers.remove(key, speaker));
+    speaker.held().clear();
+  }
+}

@@ -1,0 +1,73 @@
+package org.u2sa.core.safety;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
+
+/**
+ * Checks that every battery that was heard is still heard, where a threshold is set: a battery
+ * whose sensor is silent may be empty.
+ */
+final class BatterySilenceWatch implements Watch {
+  private static final int MAX_BATTERIES = 256; // so that invented ones do not fill the memory
+  private static final String HEARD = "batteries";
+
+  private final Supplier<SafetyVariables> settings;
+  private final Map<String, Long> heardMicros = new TreeMap<>(); // by sensor name; local clock
+
+  BatterySilenceWatch(Supplier<SafetyVariables> settings) {
+    this.settings = settings;
+  }
+
+  @Override
+  public Hazard hazard() {
+    return Hazard.BATTERY_SENSOR;
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    if (message instanceof BatteryState battery) {
+      hear(battery.sensorName(), nowMicros);
+    }
+  }
+
+  private void hear(String name, long nowMicros) {
+    if (heardMicros.size() < MAX_BATTERIES || heardMicros.containsKey(name)) {
+      heardMicros.put(name, nowMicros);
+    }
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    state.texts(HEARD, heardMicros.keySet());
+  }
+
+  @Override
+  public void takeOver(HandOver state, long nowMicros) {
+    state.texts(HEARD).forEach(name -> hear(name, nowMicros));
+  }
+
+  @Override
+  public Optional<String> trouble(long nowMicros) {
+    SafetyVariables now = settings.get();
+    List<String> chosen = CauseText.names(now.batteries());
+    if (!now.watchesBatteries()) {
+      return Optional.empty();
+    }
+    return heardMicros.entrySet().stream()
+        .filter(each -> chosen.isEmpty() || chosen.contains(each.getKey()))
+        .filter(each -> Clock.seconds(nowMicros - each.getValue()) > now.batteryDeadline())
+        .map(
+            each ->
+                each.getKey()
+                    + " silent for "
+                    + CauseText.seconds(Clock.seconds(nowMicros - each.getValue())))
+        .findFirst();
+  }
+}
