@@ -100,8 +100,25 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
       ActuatorDescription.addThrust(announcement, place, push, ahead, astern)
           .exponent(THRUST_EXPONENT)
           .commandTypes(List.of("ForceCommand"));
+      addTorque(announcement, push, astern / ahead);
     }
     return List.of(announcement);
+  }
+
+  /** Adds the torque of the propeller, which grows as its thrust does. */
+  private void addTorque(ActuatorAnnouncement announcement, Point push, double reverseShare) {
+    double torque = variables.fullTorque();
+    announcement
+        .moment()
+        .ifPresent(moment -> announcement.moment(moment.plus(along(push, torque))));
+    announcement
+        .reverseMoment()
+        .ifPresent(
+            moment -> announcement.reverseMoment(moment.minus(along(push, torque * reverseShare))));
+  }
+
+  private static Point along(Point direction, double length) {
+    return Point.of(length * direction.x(), length * direction.y(), length * direction.z());
   }
 
   /** Converts BODY (forward, left, down) to the announcement's forward, right, down. */

@@ -49,6 +49,14 @@ record ThrusterVariables(
             text = "Reverse thrust at -100 %, for the announcement; 0: as FULL THRUST.")
         double reverseThrust,
     @Variable(
+            unit = "N m",
+            min = -1.0e6,
+            max = 1.0e6,
+            ifAbsent = 0,
+            text =
+                "Torque on the vehicle about the direction of thrust at FULL THRUST, for the announcement: above 0 for a rotor that turns anticlockwise, seen from where the thrust points.")
+        double fullTorque,
+    @Variable(
             unit = "s",
             min = 0.05,
             max = 60,

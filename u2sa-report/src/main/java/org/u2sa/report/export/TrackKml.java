@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.RunScore;
 import org.u2sa.report.score.TrackSample;
@@ -33,7 +32,7 @@ public final class TrackKml {
       Writer out, String title, RunPlan plan, RunScore score, List<TrackSample> track)
       throws IOException {
     KmlDocument.begin(out, title, STYLES);
-    boolean flies = plan.domain() == Domain.AIR;
+    boolean flies = plan.domain().flies();
     if (!track.isEmpty()) {
       List<GeoRun.Fix> moved = new ArrayList<>();
       int step = 1 + track.size() / MAX_POINTS;

@@ -29,7 +29,7 @@ record Quantity(
     String plannedName,
     Function<RunPlan.Waypoint, OptionalDouble> planned) {
 
-  private static final double MIN_ALTITUDE_SPAN_M = 100.0;
+  private static final double MAP_PER_ALTITUDE = 5.0; // of their smallest extents
   private static final double MIN_SPEED_SPAN_MPS = 0.5;
   private static final double MIN_OFF_TRACK_M = 0.5;
   private static final double MAX_OFF_TRACK_M = 2.0; // jumps between two legs
@@ -37,7 +37,7 @@ record Quantity(
   /** Quantity that colours the track on the map. */
   static Quantity onMap(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
-      case AIR -> altitude(plan, track);
+      case AIR, SMALL_AIRCRAFT -> altitude(plan, track);
       case GROUND, WATER -> speed(track);
     };
   }
@@ -45,7 +45,7 @@ record Quantity(
   /** Quantity shown over time. */
   static Quantity overTime(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
-      case AIR -> altitude(plan, track);
+      case AIR, SMALL_AIRCRAFT -> altitude(plan, track);
       case GROUND, WATER -> offTrack(track);
     };
   }
@@ -68,7 +68,7 @@ record Quantity(
         "altitude above sea level",
         "m",
         low,
-        Math.max(high, low + MIN_ALTITUDE_SPAN_M),
+        Math.max(high, low + plan.domain().leastMapM() / MAP_PER_ALTITUDE),
         TrackSample::altitudeM,
         "of the waypoint flown to",
         RunPlan.Waypoint::altitudeM);

@@ -17,7 +17,9 @@ public enum Domain {
    * A boat or submarine, over tens of metres. Without wheels it drifts outwards in turns and needs
    * some lengths of two metres to settle.
    */
-  WATER(10.0, 20.0, "sailed");
+  WATER(10.0, 20.0, "sailed"),
+  /** A multirotor or a small aeroplane, over tens or hundreds of metres. */
+  SMALL_AIRCRAFT(20.0, 30.0, "flown");
 
   private final double settlingDistanceM;
   private final double leastMapM;
@@ -27,6 +29,11 @@ public enum Domain {
     this.settlingDistanceM = settlingDistanceM;
     this.leastMapM = leastMapM;
     this.moved = moved;
+  }
+
+  /** Whether the vehicle is in the air. */
+  public boolean flies() {
+    return this == AIR || this == SMALL_AIRCRAFT;
   }
 
   /** Distance after a waypoint that still counts as turn [m]. */

@@ -28,7 +28,6 @@ import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.file.VehicleDevices;
 import org.u2sa.sim.file.VehicleFile;
-import org.u2sa.sim.file.VehicleModel;
 import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
@@ -116,12 +115,15 @@ final class SimulateCommand implements Callable<Integer>, Demo {
 
   @Override
   public Profile profile() {
-    boolean isAfloat = vehicle.model().medium() == VehicleModel.Medium.WATER;
     return new Profile(
         "simulate",
         "simulate",
         "",
-        isAfloat ? Domain.WATER : Domain.GROUND,
+        switch (vehicle.model().medium()) {
+          case GROUND -> Domain.GROUND;
+          case WATER -> Domain.WATER;
+          case AIR -> Domain.SMALL_AIRCRAFT;
+        },
         READY_WITHIN_S,
         SLOWEST_MPS);
   }

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.sim.flight.Catapult;
 import org.u2sa.sim.flight.ControlSurface;
 import org.u2sa.sim.flight.ElectricPropeller;
 import org.u2sa.sim.flight.MassProperties;
@@ -74,7 +75,7 @@ class SmallAircraftFlightTest {
   void fly_fromTheCatapultAroundFourPoints_passesEach(double windMps, double fromRad, long seed) {
     World world = World.at(new Geodetic(9.0, 54.0, 0.0)).with(Wind.gusty(fromRad, windMps, seed));
     UnmannedAircraft aircraft = aerosonde(world);
-    aircraft.launch(22.0, Math.toRadians(10.0));
+    aircraft.launch(new Catapult(22.0, Math.toRadians(10.0), 1.5));
     try (SmallAircraftFlight flight =
         new SmallAircraftFlight(aircraft, Set.of("RUDDER"), SmallAircraftFlight.aerosonde())) {
       for (Point place : ROUND) {
@@ -145,7 +146,7 @@ class SmallAircraftFlightTest {
   void fly_flyingWingThrownByHand_passesEach(double windMps, double fromRad, long seed) {
     World world = World.at(new Geodetic(9.0, 54.0, 0.0)).with(Wind.gusty(fromRad, windMps, seed));
     UnmannedAircraft aircraft = zagi(world);
-    aircraft.launch(13.0, Math.toRadians(15.0));
+    aircraft.launch(new Catapult(13.0, Math.toRadians(15.0), 1.5));
     try (SmallAircraftFlight flight = new SmallAircraftFlight(aircraft, Set.of(), zagiTuning())) {
       for (Point place : ROUND) {
         assertThat(flight.flyTo(place, 15.2, 90.0)).as("reaches %s", place).isTrue();

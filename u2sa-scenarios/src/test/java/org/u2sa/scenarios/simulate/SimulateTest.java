@@ -60,7 +60,7 @@ class SimulateTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"rover", "boat"})
+  @ValueSource(strings = {"rover", "boat", "copter"})
   void simulate_ownVehicle_completesItsMissionAndRepeatsItToTheByte(String name)
       throws IOException, URISyntaxException {
     project(name);

@@ -83,7 +83,9 @@ public final class VehicleCheck {
 
   /** What the vehicle has and can do, as lines of text. */
   public static List<String> lines(VehicleFile file) {
-    return new VehicleCheck(file).lines();
+    return file.model().medium() == VehicleModel.Medium.AIR
+        ? AircraftCheck.lines(file)
+        : new VehicleCheck(file).lines();
   }
 
   private List<String> lines() {
@@ -94,13 +96,18 @@ public final class VehicleCheck {
       direction(axis, -1.0).ifPresent(lines::add);
     }
     turningCircle().ifPresent(lines::add);
-    lines.add("actuators: " + String.join(", ", actuators));
-    lines.add(
+    lines.addAll(parts(file));
+    return lines;
+  }
+
+  /** Actuators and sensors. */
+  static List<String> parts(VehicleFile file) {
+    return List.of(
+        "actuators: " + String.join(", ", file.model().actuators()),
         "sensors: "
             + file.sensors().stream()
                 .map(each -> each.kind() + each.service().map(name -> " of " + name).orElse(""))
                 .collect(Collectors.joining(", ")));
-    return lines;
   }
 
   private Optional<String> direction(Axis axis, double sign) {

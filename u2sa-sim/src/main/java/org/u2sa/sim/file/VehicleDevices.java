@@ -120,7 +120,7 @@ public final class VehicleDevices implements DeviceSource {
 
   private Thruster thruster(String service, XmlConfiguration variables) {
     String name = stated(variables, ACTUATOR_NAME).orElse(service);
-    if (file.model().medium() != VehicleModel.Medium.WATER
+    if (file.model().medium() == VehicleModel.Medium.GROUND
         || !file.model().actuators().contains(name)) {
       throw none(service, "Thruster \"" + name + "\"");
     }

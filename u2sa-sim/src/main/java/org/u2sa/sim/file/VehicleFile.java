@@ -60,7 +60,9 @@ public final class VehicleFile {
       SimulatedVehicle vehicle = make(emptyWorld(), Point.ORIGIN, 0.0, 1);
       int bits = pattern;
       for (int i = 0; i < model.actuators().size(); i++) {
-        vehicle.command(model.actuators().get(i), (bits >> i % 2 & 1) == 0 ? 1.0 : -1.0);
+        String actuator = model.actuators().get(i);
+        boolean isFull = (bits >> i % 2 & 1) == 0;
+        vehicle.command(actuator, isFull ? 1.0 : model.lowest(actuator));
       }
       double speed = Double.NaN;
       try {

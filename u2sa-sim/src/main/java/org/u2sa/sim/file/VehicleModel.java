@@ -16,7 +16,9 @@ public interface VehicleModel {
     /** On the ground. */
     GROUND,
     /** On or under water. */
-    WATER
+    WATER,
+    /** In the air. */
+    AIR
   }
 
   /**
@@ -37,6 +39,11 @@ public interface VehicleModel {
 
   /** Names of its actuators, as in commands. */
   List<String> actuators();
+
+  /** Lowest command of an actuator: −1, or 0 if it turns one way only. */
+  default double lowest(String actuator) {
+    return -1.0;
+  }
 
   /** Its wheels; empty if it has none to count. */
   default Optional<Wheels> wheels() {

@@ -17,6 +17,8 @@ final class VehicleModels {
     kinds.put("differential", DifferentialModel::read);
     kinds.put("skidSteer", SkidSteerModel::read);
     kinds.put("vessel", VesselModel::read);
+    kinds.put("multirotor", MultirotorModel::read);
+    kinds.put("fixedWing", FixedWingModel::read);
     return kinds;
   }
 

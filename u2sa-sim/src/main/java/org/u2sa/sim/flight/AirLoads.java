@@ -19,6 +19,9 @@ interface AirLoads {
   /** Weakens what an actuator drives: remaining share of its effect, 0…1. */
   void weaken(int actuator, double share);
 
+  /** Whether what drives it forward is commanded to run, as a catapult waits for. */
+  boolean isDriven();
+
   /** Span of what the gusts act on [m]. */
   double spanM();
 

@@ -48,6 +48,11 @@ final class Rotors implements AirLoads {
   }
 
   @Override
+  public boolean isDriven() {
+    return Arrays.stream(target).anyMatch(speed -> speed > 0.0);
+  }
+
+  @Override
   public double spanM() {
     return spanM;
   }

@@ -2,12 +2,12 @@ package org.u2sa.sim.flight;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.atmosphere.WindField;
 import org.u2sa.sim.gear.Wheel;
-import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.motion.BodyAttitude;
 import org.u2sa.sim.motion.RungeKutta;
 import org.u2sa.sim.vehicle.BodyState;
@@ -39,6 +39,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   private final double[] rate;
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
   private boolean crashed;
+  private Optional<Catapult> catapult = Optional.empty(); // that it waits on
 
   private UnmannedAircraft(
       MassProperties mass,
@@ -106,19 +107,25 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   }
 
   /**
-   * Throws the aircraft, as a hand, a bungee or a catapult does.
+   * Holds the aircraft until its motor runs, then throws it: call before the first step.
    *
-   * @param speedMps speed over ground along its heading and this angle [m/s]
-   * @param climbRad angle above the horizon, which is also its pitch [rad]
+   * @param how speed and angle
    */
-  public void launch(double speedMps, double climbRad) {
-    Arguments.requireInside("speed of a launch [m/s]", speedMps, 0.0, 200.0);
-    Arguments.requireInside("angle of a launch [rad]", climbRad, 0.0, StrictMath.PI / 3.0);
-    double heading = truth().headingRad();
-    BodyAttitude.write(state, BodyState.QUATERNION, 0.0, climbRad, heading);
-    state[BodyState.VELOCITY] = speedMps;
-    state[BodyState.VELOCITY + 1] = 0.0;
-    state[BodyState.VELOCITY + 2] = 0.0;
+  public void waitOn(Catapult how) {
+    catapult = Optional.of(how);
+    BodyAttitude.write(state, BodyState.QUATERNION, 0.0, how.angleRad(), truth().headingRad());
+    Arrays.fill(rate, 0.0);
+  }
+
+  /** Throws the aircraft at once. */
+  public void launch(Catapult how) {
+    waitOn(how);
+    release(how);
+  }
+
+  private void release(Catapult how) {
+    catapult = Optional.empty();
+    state[BodyState.VELOCITY] = how.speedMps();
     body.derivatives(state, rate);
   }
 
@@ -157,7 +164,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   }
 
   private void tick() {
-    if (crashed) {
+    if (crashed || isHeld()) {
       return;
     }
     surround();
@@ -174,6 +181,13 @@ public final class UnmannedAircraft implements SimulatedVehicle {
       }
       Arrays.fill(rate, 0.0);
     }
+  }
+
+  private boolean isHeld() {
+    if (catapult.isPresent() && loads.isDriven()) {
+      release(catapult.get());
+    }
+    return catapult.isPresent();
   }
 
   private void surround() {

@@ -47,6 +47,11 @@ final class Wings implements AirLoads {
   }
 
   @Override
+  public boolean isDriven() {
+    return target[surfaces.size()] > Catapult.RUNS_ABOVE;
+  }
+
+  @Override
   public double spanM() {
     return wing.spanM();
   }

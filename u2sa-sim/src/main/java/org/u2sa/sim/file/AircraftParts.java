@@ -1,0 +1,58 @@
+package org.u2sa.sim.file;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.flight.LandingLeg;
+import org.u2sa.sim.flight.MassProperties;
+
+/** What all small aircraft have in vehicle files: a body about its centre of gravity, and legs. */
+final class AircraftParts {
+  private static final double FAR_M = 100.0;
+  private static final int MAX_LEGS = 32;
+
+  private AircraftParts() {}
+
+  /** The body, whose reference point has to be its centre of gravity. */
+  static MassProperties mass(FileElement file, Body body) {
+    if (body.gravityCentre().distance() > 0.0) {
+      throw file.xml()
+          .error(
+              "the body has a gravityCentre of "
+                  + body.gravityCentre()
+                  + " m; expected none: an aircraft's reference point is its centre of gravity");
+    }
+    double product = file.number("productOfInertia", "kg m^2", -1e6, 1e6, 0.0);
+    return file.made(() -> new MassProperties(body.massKg(), body.inertia(), product));
+  }
+
+  static List<LandingLeg> legs(FileElement file) {
+    List<LandingLeg> legs = new ArrayList<>();
+    for (String kind : List.of("skid", "wheel")) {
+      for (FileElement each : file.parts(kind)) {
+        legs.add(new LandingLeg(each.vector("position", "m", -FAR_M, FAR_M), kind.equals("wheel")));
+        each.end();
+      }
+    }
+    if (legs.size() > MAX_LEGS || legs.size() == 1 || legs.size() == 2) {
+      throw file.xml()
+          .error("has " + legs.size() + " <skid> and <wheel>; expected none, or 3…" + MAX_LEGS);
+    }
+    return List.copyOf(legs);
+  }
+
+  /** Height of the centre of gravity above what it stands on [m]; 0 without legs. */
+  static double standsM(List<LandingLeg> legs) {
+    return legs.stream().mapToDouble(leg -> leg.place().z()).max().orElse(0.0);
+  }
+
+  /** A unit vector in a child. */
+  static Point direction(FileElement file, String name, Point ifAbsent) {
+    Point way = file.vector(name, "1", -1e6, 1e6, ifAbsent);
+    double length = way.distance();
+    if (!(length > 1e-6)) {
+      throw file.xml().error(name + ": \"" + way + "\" has no length; expected a vector");
+    }
+    return Point.of(way.x() / length, way.y() / length, way.z() / length);
+  }
+}

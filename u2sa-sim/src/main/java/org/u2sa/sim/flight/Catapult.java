@@ -1,0 +1,24 @@
+package org.u2sa.sim.flight;
+
+import org.u2sa.sim.motion.Arguments;
+
+/**
+ * A catapult, a bungee or a hand that throws an aircraft when its motor runs.
+ *
+ * @param speedMps speed over ground of the aircraft when it leaves [m/s]
+ * @param angleRad above the horizon, which is also its pitch [rad]
+ * @param heightM height of its centre of gravity above ground [m]
+ */
+public record Catapult(double speedMps, double angleRad, double heightM) {
+  /** Throttle above which it throws. */
+  static final double RUNS_ABOVE = 0.5;
+
+  /**
+   * @throws IllegalArgumentException if a value is out of range
+   */
+  public Catapult {
+    Arguments.requireInside("speed of a catapult [m/s]", speedMps, 0.0, 200.0);
+    Arguments.requireInside("angle of a catapult [rad]", angleRad, 0.0, StrictMath.PI / 3.0);
+    Arguments.requireInside("height of a catapult [m]", heightM, 0.0, 1_000.0);
+  }
+}
