@@ -34,6 +34,7 @@ class VehicleFilesPageTest {
     List<String> vehicles = new ArrayList<>();
     EXAMPLE.matcher(page.text()).results().forEach(each -> vehicles.add(each.group(1)));
     vehicles.add(new Page("config/ugv/vehicle.xml").text());
+    vehicles.add(new Page("config/ugv/vehicle-ackermann.xml").text());
     vehicles.add(new Page("config/vehicles/bluerov2.xml").text());
     return vehicles;
   }
@@ -66,7 +67,7 @@ class VehicleFilesPageTest {
 
   @Test
   void examples_ofThePage_areVehicles() throws IOException {
-    assertThat(vehicles()).hasSize(4).allSatisfy(VehicleFilesPageTest::read);
+    assertThat(vehicles()).hasSize(7).allSatisfy(VehicleFilesPageTest::read);
   }
 
   @Test

@@ -175,7 +175,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
                           snapshots.watch(
                               new WatchedCamera(world.camera()), context.configuration())));
           outline.tell(launch);
-          world.sensors().attach(launch);
+          launch.devices(world.devices());
         },
         launch -> {
           launch.making(IoioService.class, context -> new IoioService(context, world.connection()));

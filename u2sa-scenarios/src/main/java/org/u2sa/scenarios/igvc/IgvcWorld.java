@@ -1,40 +1,29 @@
 package org.u2sa.scenarios.igvc;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
-import java.util.SplittableRandom;
 import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.drivers.ioio.BoardConnection;
-import org.u2sa.drivers.ioio.LockstepConnection;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
-import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.scenarios.run.BoardCable;
+import org.u2sa.scenarios.run.HomeFolder;
 import org.u2sa.scenarios.run.LaserOnVehicle;
-import org.u2sa.scenarios.run.SimulatedSensors;
 import org.u2sa.sim.camera.ColourLens;
 import org.u2sa.sim.camera.Light;
 import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.device.SimulatedColourCamera;
 import org.u2sa.sim.device.SimulatedLaser;
-import org.u2sa.sim.ground.BatteryParameters;
-import org.u2sa.sim.ground.DifferentialParameters;
-import org.u2sa.sim.ground.DifferentialVehicle;
-import org.u2sa.sim.ground.GroundStart;
+import org.u2sa.sim.file.VehicleDevices;
+import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.ground.MiniMolle;
-import org.u2sa.sim.ground.MotorParameters;
-import org.u2sa.sim.ground.Payload;
-import org.u2sa.sim.ground.TyreParameters;
-import org.u2sa.sim.ioio.IoioBoard;
 import org.u2sa.sim.ioio.IoioFirmware;
-import org.u2sa.sim.ioio.IoioInProcess;
-import org.u2sa.sim.sensor.CompassParameters;
-import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.NoiseStreams;
-import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ramp;
 import org.u2sa.sim.world.RampedGround;
@@ -44,28 +33,20 @@ import org.u2sa.sim.world.World;
 
 /** Simulated world of one run: a vehicle on a course, with its sensors and IOIO board. */
 final class IgvcWorld {
-  private static final int COMPASS_BAUD = 9600;
-  private static final double YEAR = 2026.4;
-  private static final double MAX_MISMATCH = 0.05;
-  private static final double PAYLOAD_KG = 9.1; // the rules' 20 lb
   private static final double LASER_FORWARD_M = 0.35; // as in LidarSensor.xml
   private static final double LASER_UP_M = 0.4;
   private static final double CAMERA_HZ = 5.0;
+  private static final double HALF_TYRE_M = 0.03;
 
   private static final SimulatedLaser.Optics LASER =
       new SimulatedLaser.Optics(
           10.0, Math.toRadians(-135.0), Math.toRadians(0.5), 541, 0.06, 10.0, 0.03);
 
-  /** DGPS receiver: error of 0.35 m with a correlation time of a minute and a half. */
-  private static final GpsParameters RECEIVER =
-      new GpsParameters(5.0, 0.1, 0.04, 0.35, 90.0, 1.6, 0.05, 0.0, 1.0, 12, 2);
-
   private final Course course;
   private final World world;
+  private final VehicleFile file;
   private final MiniMolle vehicle;
-  private final DifferentialParameters measures;
-  private final IoioInProcess cable;
-  private final IoioFirmware board;
+  private final BoardCable cable;
   private final long seed;
   private final double cameraDiesS;
   private final double lidarDiesS;
@@ -93,23 +74,22 @@ final class IgvcWorld {
     this.course = course;
     this.seed = seed;
     world = ground(World.at(origin), course).with(solids(course));
-    double mismatch = new SplittableRandom(seed).nextDouble() * 2.0 * MAX_MISMATCH - MAX_MISMATCH;
-    measures = measures(outline.trackM(), mismatch);
+    Map<String, String> width =
+        Map.of(
+            "differential/track", "" + outline.trackM(),
+            "body/outline/width", "" + (outline.trackM() + 2.0 * HALF_TYRE_M));
+    file =
+        VehicleFile.load(
+            HomeFolder.holding("config/igvc").resolve("config/igvc/vehicle.xml"), width);
     Course.Start start = course.start();
-    GroundStart at = new GroundStart(start.eastM(), start.northM(), start.headingRad());
-    double declinationRad =
-        MagneticModel.declinationRad(
-            origin.latitudeDeg(), origin.longitudeDeg(), origin.altitudeM(), YEAR);
     vehicle =
-        MiniMolle.in(world)
-            .vehicle(new DifferentialVehicle(measures, at))
-            .gps(RECEIVER, UbloxSettings.factory())
-            .compass(CompassParameters.calibrated(declinationRad), COMPASS_BAUD)
-            .hazards(Hardness.hazards(hardness, course, new NoiseStreams(seed)))
-            .seed(seed)
-            .build();
-    board = new IoioFirmware(IoioBoard.OTG, vehicle);
-    cable = new IoioInProcess(board);
+        file.board(
+            world,
+            Point.of(start.eastM(), start.northM(), 0.0),
+            start.headingRad(),
+            Hardness.hazards(hardness, course, new NoiseStreams(seed)),
+            seed);
+    cable = new BoardCable(vehicle);
   }
 
   private static World ground(World lawn, Course course) {
@@ -128,32 +108,12 @@ final class IgvcWorld {
         .toList();
   }
 
-  /** 30 kg on wheels of 16 in, with the Mini-Molle's motors and its payload in the middle. */
-  private static DifferentialParameters measures(double trackM, double mismatch) {
-    return new DifferentialParameters(
-        30.0,
-        3.1,
-        0.08,
-        0.25,
-        trackM,
-        0.37,
-        0.05,
-        0.20,
-        0.03,
-        mismatch,
-        MotorParameters.pg27(),
-        TyreParameters.wheelbarrow(),
-        BatteryParameters.leadAcid7Ah(),
-        new Payload(PAYLOAD_KG, 0.08, 0.0));
-  }
-
   BoardConnection connection() {
-    return new LockstepConnection(
-        cable::connect, cable::disconnect, cable::input, cable::output, cable::exchange);
+    return cable.connection();
   }
 
   IoioFirmware board() {
-    return board;
+    return cable.board();
   }
 
   /** Latest ground truth. Thread-safe. */
@@ -165,15 +125,8 @@ final class IgvcWorld {
     return world;
   }
 
-  SimulatedSensors sensors() {
-    SimulatedSensors sensors =
-        new SimulatedSensors(
-            seed, world.plane(), () -> new SimulatedSensors.Moment(truth(), Point.ORIGIN));
-    return sensors.wheels(
-        () -> vehicle.state().leftWheelRad(),
-        () -> vehicle.state().rightWheelRad(),
-        measures.wheelRadiusM(),
-        measures.trackM());
+  VehicleDevices devices() {
+    return new VehicleDevices(file, vehicle, seed);
   }
 
   LaserScanner laser() {

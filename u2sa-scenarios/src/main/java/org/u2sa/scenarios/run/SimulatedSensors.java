@@ -3,7 +3,6 @@ package org.u2sa.scenarios.run;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.DoubleSupplier;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.u2sa.core.launch.LaunchOptions;
@@ -15,7 +14,6 @@ import org.u2sa.device.GpsSensor;
 import org.u2sa.device.ImuSensor;
 import org.u2sa.device.PressureAltitude;
 import org.u2sa.device.TrafficSensor;
-import org.u2sa.device.WheelEncoderSensor;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.MagneticModel;
@@ -25,7 +23,6 @@ import org.u2sa.service.U2SAService;
 import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedBarometer;
 import org.u2sa.sim.device.SimulatedCompass;
-import org.u2sa.sim.device.SimulatedEncoder;
 import org.u2sa.sim.device.SimulatedGps;
 import org.u2sa.sim.device.SimulatedImu;
 import org.u2sa.sim.device.SimulatedPitotTube;
@@ -43,14 +40,11 @@ import org.u2sa.sim.world.LocalPlane;
  * SIMULATED} gets that device. Each service has its own random stream.
  */
 public final class SimulatedSensors {
-  private static final double ENCODER_HZ = 50.0;
-  private static final double COUNTS_PER_TURN = 2_000.0;
   private static final double RECEIVER_REACH_M = 20_000.0;
 
   private final long seed;
   private final LocalPlane plane;
   private final Supplier<Moment> now;
-  private Optional<Wheels> wheels = Optional.empty();
   private Supplier<List<SimulatedTraffic.Other>> others = List::of;
   private GpsParameters receiver = GpsParameters.survey();
 
@@ -61,9 +55,6 @@ public final class SimulatedSensors {
    * @param wind velocity of the surrounding air: east, north, up [m/s]
    */
   public record Moment(VehicleTruth vehicle, Point wind) {}
-
-  private record Wheels(
-      DoubleSupplier leftRad, DoubleSupplier rightRad, double radiusM, double trackM) {}
 
   /**
    * @param plane plane of the true positions
@@ -78,18 +69,6 @@ public final class SimulatedSensors {
   /** Sets the grade of GNSS receivers instead of survey grade. */
   public SimulatedSensors receiver(GpsParameters grade) {
     receiver = grade;
-    return this;
-  }
-
-  /**
-   * Adds wheels for encoders.
-   *
-   * @param leftRad current forward rotation of the left wheel since the start [rad]
-   * @param rightRad current forward rotation of the right wheel since the start [rad]
-   */
-  public SimulatedSensors wheels(
-      DoubleSupplier leftRad, DoubleSupplier rightRad, double radiusM, double trackM) {
-    wheels = Optional.of(new Wheels(leftRad, rightRad, radiusM, trackM));
     return this;
   }
 
@@ -127,14 +106,6 @@ public final class SimulatedSensors {
         "RECEIVER",
         TrafficSensor::new,
         c -> new TrafficSensor(c, traffic(c)));
-    wheels.ifPresent(
-        each ->
-            make(
-                launch,
-                WheelEncoderSensor.class,
-                "ENCODERS",
-                WheelEncoderSensor::new,
-                c -> new WheelEncoderSensor(c, encoder(c, each))));
   }
 
   private static <S extends U2SAService> void make(
@@ -227,20 +198,6 @@ public final class SimulatedSensors {
         streams(context, "TrafficSensor"),
         () -> truth().position(),
         others);
-  }
-
-  /** Sets the service's variables to the wheels' dimensions unless its file sets them. */
-  private SimulatedEncoder encoder(ServiceContext context, Wheels each) {
-    unlessStated(context, "COUNTS PER TURN", COUNTS_PER_TURN);
-    unlessStated(context, "WHEEL DIAMETER", 2.0 * each.radiusM());
-    unlessStated(context, "TRACK", each.trackM());
-    return new SimulatedEncoder(
-        ENCODER_HZ,
-        (Double) stated(context, "COUNTS PER TURN").orElseThrow(),
-        0.0,
-        streams(context, "WheelEncoderSensor"),
-        each.leftRad(),
-        each.rightRad());
   }
 
   private static void unlessStated(ServiceContext context, String variable, double value) {

@@ -18,7 +18,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
-import org.u2sa.sim.vehicle.VehicleRun;
+import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
@@ -29,7 +29,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
   private static final double SIGMAS = 3.0;
   private static final double US_PER_S = 1e6;
 
-  private final VehicleRun run;
+  private final RunningVehicle run;
   private final Geodetic origin;
   private final Supplier<Long> nowMicros;
   private final Set<String> unplaced;
@@ -68,7 +68,8 @@ final class EstimateScorer implements TruthObserver.Scorer {
    * @param nowMicros time of the run's clock [µs]
    * @param unplaced names of the goals that are no waypoints of the plan
    */
-  EstimateScorer(VehicleRun run, Geodetic origin, Supplier<Long> nowMicros, Set<String> unplaced) {
+  EstimateScorer(
+      RunningVehicle run, Geodetic origin, Supplier<Long> nowMicros, Set<String> unplaced) {
     this.run = run;
     this.origin = origin;
     this.nowMicros = nowMicros;

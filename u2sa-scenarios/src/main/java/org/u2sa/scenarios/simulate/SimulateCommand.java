@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
@@ -21,6 +22,8 @@ import org.u2sa.mission.MissionManager;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
+import org.u2sa.scenarios.run.BoardCable;
+import org.u2sa.scenarios.run.BoardServer;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.RunPlans;
@@ -28,7 +31,11 @@ import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.file.VehicleDevices;
 import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.ground.Hazards;
+import org.u2sa.sim.ground.MiniMolle;
+import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleRun;
+import org.u2sa.sim.world.EnvironmentElement;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Command;
@@ -106,6 +113,11 @@ final class SimulateCommand implements Callable<Integer>, Demo {
           "--start: expected LONGITUDE,LATITUDE[,HEADING] in degrees, at most 85 degrees north or south");
     }
     vehicle = VehicleFile.load(vehicleFile);
+    if (worldFile != null) {
+      WorldFile.load(worldFile)
+          .ignored()
+          .forEach(words -> frame.terminal().out().println("Not in the world: " + words));
+    }
     return frame.run(this);
   }
 
@@ -189,7 +201,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   @Override
   public RunPlan plan(Mission mission) {
     RunPlan.Start at = start(mission);
-    RunPlan plan = RunPlans.placed(profile().domain(), mission, at, world(at).plane());
+    RunPlan plan = RunPlans.placed(profile().domain(), mission, at, world(at, 0L).plane());
     unplaced = mission.goals().size() - plan.waypoints().size();
     return plan;
   }
@@ -199,17 +211,36 @@ final class SimulateCommand implements Callable<Integer>, Demo {
     return limitS != null ? limitS : Demo.super.limitS(plan) + unplaced * OTHER_GOAL_S;
   }
 
-  private World world(RunPlan.Start at) {
+  /** The world of a run, with the environment of its file. */
+  private World world(RunPlan.Start at, long seed) {
+    World empty = World.at(new Geodetic(at.longitudeDeg(), at.latitudeDeg(), at.altitudeM()));
+    if (worldFile == null) {
+      return vehicle.home(empty);
+    }
+    WorldFile around = WorldFile.load(worldFile);
+    World world = empty.with(around.objects());
+    Path folder = worldFile.toAbsolutePath().getParent();
     return vehicle.home(
-        World.at(new Geodetic(at.longitudeDeg(), at.latitudeDeg(), at.altitudeM()))
-            .with(surroundings().objects()));
+        around
+            .environment()
+            .map(element -> EnvironmentElement.apply(element, world, folder, seed))
+            .orElse(world));
   }
 
   @Override
   public Trial trial(Mission mission, Path directory, long seed) {
     RunPlan.Start at = start(mission);
-    World world = world(at);
-    VehicleRun run = new VehicleRun(vehicle.make(world, Point.ORIGIN, at.headingRad(), seed));
+    World world = world(at, seed);
+    boolean hasBoard = hasService(IoioService.class);
+    Optional<MiniMolle> pins =
+        hasBoard
+            ? Optional.of(vehicle.board(world, Point.ORIGIN, at.headingRad(), Hazards.none(), seed))
+            : Optional.empty();
+    Optional<BoardCable> cable = pins.map(BoardCable::new);
+    RunningVehicle run =
+        pins.isPresent()
+            ? pins.get()
+            : new VehicleRun(vehicle.make(world, Point.ORIGIN, at.headingRad(), seed));
     Set<String> elsewhere = new LinkedHashSet<>();
     mission.goals().forEach(goal -> elsewhere.add(goal.uid()));
     plan(mission).waypoints().forEach(waypoint -> elsewhere.remove(waypoint.name()));
@@ -228,7 +259,25 @@ final class SimulateCommand implements Callable<Integer>, Demo {
             launch
                 .override("SafetyManager", "ARM AT START", true) // the command acts as operator
                 .devices(new VehicleDevices(vehicle, run, seed)),
-        launch -> simulation,
-        launch -> simulation);
+        launch -> {
+          cable.ifPresent(
+              board ->
+                  launch.making(
+                      IoioService.class, context -> new IoioService(context, board.connection())));
+          return simulation;
+        },
+        launch -> {
+          if (cable.isEmpty()) {
+            return simulation;
+          }
+          BoardServer server = new BoardServer(cable.get().board(), vehicle.name());
+          launch.override("IoioService", "CONNECTION", server.address());
+          return server;
+        });
+  }
+
+  private boolean hasService(Class<?> service) {
+    return SystemFile.read(systemFile).services().stream()
+        .anyMatch(entry -> entry.className().equals(service.getName()));
   }
 }

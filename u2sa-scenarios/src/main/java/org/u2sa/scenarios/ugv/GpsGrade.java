@@ -5,12 +5,13 @@ import org.u2sa.sim.sensor.GpsParameters;
 /** Grade of the demo's GPS receiver, in factory settings; the board's service configures it. */
 enum GpsGrade {
   /** Real-time kinematic: 2 cm. */
-  SURVEY("survey-grade GPS", GpsParameters.survey(), 1.0, 0.0, 60.0),
+  SURVEY("survey", "survey-grade GPS", GpsParameters.survey(), 1.0, 0.0, 60.0),
   /** Phone: 3 m drifting error, 1 Hz, with latency. */
-  PHONE("phone-grade GPS", GpsParameters.phone(), 2.5, 1.5, 120.0);
+  PHONE("phone", "phone-grade GPS", GpsParameters.phone(), 2.5, 1.5, 120.0);
 
   private static final double FIRST_MESSAGE_S = 36.0 * 10.0 / 9600.0;
 
+  private final String preset;
   private final String words;
   private final GpsParameters parameters;
   private final double fixTimeoutS;
@@ -18,11 +19,13 @@ enum GpsGrade {
   private final double correlationS;
 
   GpsGrade(
+      String preset,
       String words,
       GpsParameters parameters,
       double fixTimeoutS,
       double leastThresholdM,
       double correlationS) {
+    this.preset = preset;
     this.words = words;
     this.parameters = parameters;
     this.fixTimeoutS = fixTimeoutS;
@@ -35,8 +38,9 @@ enum GpsGrade {
     return words;
   }
 
-  GpsParameters parameters() {
-    return parameters;
+  /** Its name among the presets of vehicle files. */
+  String preset() {
+    return preset;
   }
 
   /** The State Estimator's STALE AFTER; must exceed the fix interval [s]. */

@@ -202,13 +202,13 @@ final class UgvDemo implements Callable<Integer>, Demo {
     UgvWorld world =
         new UgvWorld(
             start(driven), vehicle, receiver, seed, Hazards.none(), conditions, obstacles());
-    String simulator = simulator(conditions);
+    String simulator = simulator(world.name(), conditions);
     return new Trial(
         driven,
         TruthObserver.of(world::truth, world.world().plane(), new UnarmedMotion(world)),
         launch -> {
           configure(launch, start(driven));
-          world.sensors(seed).receiver(receiver.parameters()).attach(launch);
+          launch.devices(world.devices(seed));
         },
         launch -> {
           launch.making(IoioService.class, context -> new IoioService(context, world.connection()));
@@ -261,8 +261,8 @@ final class UgvDemo implements Callable<Integer>, Demo {
         .override("SafetyManager", "ARM AT START", true); // the demo acts as operator
   }
 
-  private String simulator(DriveConditions conditions) {
-    return vehicle.words()
+  private String simulator(String name, DriveConditions conditions) {
+    return name
         + " behind an IOIO, "
         + receiver.words()
         + ", "

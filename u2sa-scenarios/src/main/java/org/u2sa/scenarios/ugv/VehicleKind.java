@@ -1,51 +1,27 @@
 package org.u2sa.scenarios.ugv;
 
-import org.u2sa.sim.ground.AckermannParameters;
-import org.u2sa.sim.ground.AckermannVehicle;
-import org.u2sa.sim.ground.DifferentialParameters;
-import org.u2sa.sim.ground.DifferentialVehicle;
-import org.u2sa.sim.ground.GroundStart;
-import org.u2sa.sim.ground.GroundVehicle;
-import org.u2sa.sim.ground.Payload;
-
 /** Vehicle of the demo. */
 enum VehicleKind {
   /** The thesis's Mini-Molle: two driven wheels and a castor. */
-  DIFFERENTIAL("Mini-Molle") {
-    @Override
-    GroundVehicle make(GroundStart start, double mismatch, double payloadKg) {
-      DifferentialParameters empty = DifferentialParameters.miniMolle().withMismatch(mismatch);
-      return new DifferentialVehicle(
-          empty.withPayload(new Payload(payloadKg, empty.cogAheadM(), 0.0)), start);
-    }
-  },
+  DIFFERENTIAL("differential", "vehicle.xml"),
   /** A 1:10 truck with steered front wheels. */
-  ACKERMANN("1:10 truck") {
-    @Override
-    GroundVehicle make(GroundStart start, double mismatch, double payloadKg) {
-      AckermannParameters empty = AckermannParameters.truck();
-      return new AckermannVehicle(
-          empty.withPayload(new Payload(payloadKg, empty.cogAheadM(), 0.0)), start);
-    }
-  };
+  ACKERMANN("ackermann", "vehicle-ackermann.xml");
 
-  private final String words;
+  private final String dynamics;
+  private final String file;
 
-  VehicleKind(String words) {
-    this.words = words;
+  VehicleKind(String dynamics, String file) {
+    this.dynamics = dynamics;
+    this.file = file;
   }
 
-  /** Name in reports. */
-  String words() {
-    return words;
+  /** Element of its dynamics in its file. */
+  String dynamics() {
+    return dynamics;
   }
 
-  /**
-   * Creates a vehicle.
-   *
-   * @param mismatch fraction by which the right motor is stronger, because no two motors are
-   *     identical
-   * @param payloadKg payload at the vehicle's centre of gravity [kg]
-   */
-  abstract GroundVehicle make(GroundStart start, double mismatch, double payloadKg);
+  /** Vehicle file in {@code config/ugv}. */
+  String file() {
+    return file;
+  }
 }

@@ -166,4 +166,45 @@ class SimulateTest {
     assertThat(run.exitCode()).isEqualTo(ExitCode.DONE);
     assertThat(run.out()).contains("Trio: mass 30.00 kg").contains("turning right:");
   }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "-ackermann"})
+  void simulate_systemFileOfTheDemo_drivesThroughTheBoardOfTheVehicleFile(String kind)
+      throws IOException {
+    String config = Path.of("../config/ugv").toString();
+    CommandLineRun run =
+        CommandLineRun.of(
+            "simulate",
+            config + "/system" + kind + ".xml",
+            "--vehicle",
+            config + "/vehicle" + kind + ".xml",
+            "--port",
+            "0",
+            "--out",
+            folder.resolve("out").toString());
+
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+    JsonNode summary = summary("out");
+    assertThat(summary.get("waypointsCaptured").asInt()).isEqualTo(6);
+    assertThat(summary.get("fenceBreaches").asInt()).isZero();
+    assertThat(summary.get("stateWithin3Sigma").asDouble()).isGreaterThan(0.98);
+  }
+
+  @Test
+  void simulate_boardServiceOfAVehicleWithoutABoard_isRefused()
+      throws IOException, URISyntaxException {
+    project("rover");
+    CommandLineRun run =
+        CommandLineRun.of(
+            "simulate",
+            "../config/ugv/system.xml",
+            "--vehicle",
+            folder.resolve("vehicle.xml").toString(),
+            "--out",
+            folder.resolve("out").toString());
+
+    assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(run.err())
+        .contains("vehicle.xml: has no IOIO board, which IoioService needs; expected <ioio>");
+  }
 }

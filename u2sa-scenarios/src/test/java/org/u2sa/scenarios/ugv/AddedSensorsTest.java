@@ -47,6 +47,7 @@ class AddedSensorsTest {
             .replace("configuration=\"", "configuration=\"" + ugv + "/"),
         UTF_8);
     Mission mission = Mission.load(Repository.root().resolve("missions/ugv/loop.xml"));
+    System.setProperty("u2sa.home", Repository.root().toString());
     UgvWorld world =
         new UgvWorld(
             RunPlans.start(mission),
@@ -63,7 +64,7 @@ class AddedSensorsTest {
             .override("CommunicationManager", "BROKER", "none")
             .override("SafetyManager", "ARM AT START", true)
             .making(IoioService.class, context -> new IoioService(context, world.connection()));
-    world.sensors(1).attach(options);
+    options.devices(world.devices(1));
     return RunningSystem.start(SystemFile.read(file), options);
   }
 

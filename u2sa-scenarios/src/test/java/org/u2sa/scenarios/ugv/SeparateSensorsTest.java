@@ -78,6 +78,7 @@ class SeparateSensorsTest {
             streams,
             this::truth,
             CompassModel.Disturbance::none);
+    System.setProperty("u2sa.home", Repository.root().toString());
     world =
         new UgvWorld(
             start,

@@ -66,6 +66,7 @@ final class UgvDrive implements AutoCloseable {
    * @param more changes what is launched
    */
   UgvDrive(Path logs, Path system, Scene scene, boolean armAtStart, Consumer<LaunchOptions> more) {
+    System.setProperty("u2sa.home", Repository.root().toString());
     long seed = scene.seed();
     mission = Mission.load(Repository.root().resolve("missions/ugv/loop.xml"));
     world =
@@ -89,7 +90,7 @@ final class UgvDrive implements AutoCloseable {
                 LidarSensor.class,
                 context ->
                     new LidarSensor(context, walkers.seenBy(world.laser(seed), world::truth)));
-    world.sensors(seed).receiver(scene.receiver().parameters()).attach(options);
+    options.devices(world.devices(seed));
     more.accept(options);
     running = RunningSystem.start(SystemFile.read(system), options);
     operator =

@@ -6,18 +6,17 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
 import org.u2sa.sim.ground.GroundStart;
-import org.u2sa.sim.ground.Payload;
-import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /** Two driven wheels and a castor in front; the reference point is between the driven wheels. */
 record DifferentialModel(
-    DifferentialParameters parameters, Footprint footprint, double largestMismatch)
-    implements VehicleModel {
+    DifferentialParameters parameters, Footprint footprint, GroundParts.Mismatch mismatch)
+    implements GroundModel {
 
   static DifferentialModel read(FileElement file, Body body) {
-    double mismatch = file.number("mismatch", "1", 0.0, 0.5, 0.0);
+    GroundParts.Mismatch mismatch = GroundParts.mismatch(file);
     DifferentialParameters parameters =
         new DifferentialParameters(
             body.massKg(),
@@ -33,7 +32,7 @@ record DifferentialModel(
             GroundParts.motor(file.part("motor")),
             GroundParts.tyre(file.part("tyre")),
             GroundParts.battery(file.part("battery")),
-            Payload.none());
+            GroundParts.payload(file, body));
     DifferentialModel model = new DifferentialModel(parameters, body.footprint(), mismatch);
     model.make(Point.ORIGIN, 0.0, 0.0); // refuses what cannot stand
     return model;
@@ -47,11 +46,6 @@ record DifferentialModel(
   }
 
   @Override
-  public Medium medium() {
-    return Medium.GROUND;
-  }
-
-  @Override
   public List<String> actuators() {
     return List.of("LEFT MOTOR", "RIGHT MOTOR");
   }
@@ -62,9 +56,8 @@ record DifferentialModel(
   }
 
   @Override
-  public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
-    DifferentialVehicle vehicle =
-        make(start, headingRad, GroundParts.mismatch(largestMismatch, seed));
+  public GroundVehicle make(World world, Point start, double headingRad, long seed) {
+    DifferentialVehicle vehicle = make(start, headingRad, mismatch.of(seed));
     vehicle.enter(world);
     return vehicle;
   }

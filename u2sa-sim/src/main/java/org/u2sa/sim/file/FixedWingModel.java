@@ -72,14 +72,14 @@ record FixedWingModel(
                 file.number("efficiency", "1", 0.1, 1.5),
                 file.number("stallAngle", "rad", 0.05, 1.5),
                 file.number("stallSharpness", "1", 1.0, 1_000.0, 50.0),
-                longitudinal(file.part("lift")),
+                longitudinal(file.part("liftForce")),
                 file.number("parasiticDrag", "1", 0.0, LARGEST),
                 file.number("dragByPitchRate", "1", -LARGEST, LARGEST, 0.0),
                 file.number("dragByElevator", "1", -LARGEST, LARGEST, 0.0),
-                longitudinal(file.part("pitch")),
-                lateral(file.part("side")),
-                lateral(file.part("roll")),
-                lateral(file.part("yaw"))));
+                longitudinal(file.part("pitchMoment")),
+                lateral(file.part("sideForce")),
+                lateral(file.part("rollMoment")),
+                lateral(file.part("yawMoment"))));
   }
 
   private static double coefficient(FileElement file, String name) {

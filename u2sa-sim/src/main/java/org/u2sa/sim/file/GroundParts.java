@@ -3,6 +3,7 @@ package org.u2sa.sim.file;
 import java.util.SplittableRandom;
 import org.u2sa.sim.ground.BatteryParameters;
 import org.u2sa.sim.ground.MotorParameters;
+import org.u2sa.sim.ground.Payload;
 import org.u2sa.sim.ground.TyreParameters;
 
 /** Parts that ground vehicles have in common. */
@@ -52,12 +53,30 @@ final class GroundParts {
     return made;
   }
 
+  /** A mass above the centre of gravity, in addition to the body's. */
+  static Payload payload(FileElement file, Body body) {
+    double mass = file.number("payload", "kg", 0.0, 1_000.0, 0.0);
+    return new Payload(mass, body.gravityCentre().x(), 0.0);
+  }
+
   /**
-   * The mismatch of a vehicle's motors, uniformly distributed and different for every seed.
+   * How much stronger the right motor is than the left one.
    *
-   * @param largest its maximum, 0…0.5
+   * @param exact its value; NaN: by the seed of the run
+   * @param largest its maximum by the seed, 0…0.5
    */
-  static double mismatch(double largest, long seed) {
-    return new SplittableRandom(seed).nextDouble() * 2.0 * largest - largest;
+  record Mismatch(double exact, double largest) {
+    /** Uniformly distributed over the seeds, unless exact. */
+    double of(long seed) {
+      return Double.isNaN(exact)
+          ? new SplittableRandom(seed).nextDouble() * 2.0 * largest - largest
+          : exact;
+    }
+  }
+
+  static Mismatch mismatch(FileElement file) {
+    return new Mismatch(
+        file.number("exactMismatch", "1", -0.5, 0.5, Double.NaN),
+        file.number("mismatch", "1", 0.0, 0.5, 0.0));
   }
 }

@@ -6,11 +6,11 @@ import java.util.function.DoubleFunction;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.ground.BatteryParameters;
 import org.u2sa.sim.ground.GroundStart;
+import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.ground.MotorParameters;
 import org.u2sa.sim.ground.SkidSteerParameters;
 import org.u2sa.sim.ground.SkidSteerVehicle;
 import org.u2sa.sim.ground.TyreParameters;
-import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.World;
 
 /**
@@ -19,12 +19,12 @@ import org.u2sa.sim.world.World;
  * @param parameters by the mismatch of its motors
  */
 record SkidSteerModel(
-    DoubleFunction<SkidSteerParameters> parameters, Wheels measures, double largestMismatch)
-    implements VehicleModel {
+    DoubleFunction<SkidSteerParameters> parameters, Wheels measures, GroundParts.Mismatch mismatch)
+    implements GroundModel {
   private static final int MAX_AXLES = 20;
 
   static SkidSteerModel read(FileElement file, Body body) {
-    double mismatch = file.number("mismatch", "1", 0.0, 0.5, 0.0);
+    GroundParts.Mismatch mismatch = GroundParts.mismatch(file);
     List<Double> axles = file.numbers("axles", "m", -20.0, 20.0, MAX_AXLES);
     double track = file.number("track", "m", 0.02, 10.0);
     double radius = file.number("wheelRadius", "m", 0.005, 5.0);
@@ -61,11 +61,6 @@ record SkidSteerModel(
   }
 
   @Override
-  public Medium medium() {
-    return Medium.GROUND;
-  }
-
-  @Override
   public List<String> actuators() {
     return List.of("LEFT MOTOR", "RIGHT MOTOR");
   }
@@ -76,8 +71,8 @@ record SkidSteerModel(
   }
 
   @Override
-  public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
-    SkidSteerVehicle vehicle = make(start, headingRad, GroundParts.mismatch(largestMismatch, seed));
+  public GroundVehicle make(World world, Point start, double headingRad, long seed) {
+    SkidSteerVehicle vehicle = make(start, headingRad, mismatch.of(seed));
     vehicle.enter(world);
     return vehicle;
   }

@@ -2,6 +2,7 @@ package org.u2sa.sim.file;
 
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleFunction;
 import org.u2sa.device.PressureAltitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.MagneticModel;
@@ -28,20 +29,23 @@ final class StateSensors {
 
   private StateSensors() {}
 
+  static GpsParameters gpsParameters(FileElement file) {
+    return new GpsParameters(
+        file.number("rate", "Hz", 0.1, 100.0),
+        file.number("delay", "s", 0.0, 5.0),
+        file.number("sigma", "m", 0.0, 100.0),
+        file.number("bias", "m", 0.0, 100.0),
+        file.positive("biasTime", "s", 1e6),
+        file.number("verticalFactor", "1", 0.0, 10.0),
+        file.number("velocitySigma", "m/s", 0.0, 10.0),
+        file.number("betweenDropouts", "s", 0.0, 1e9, 0.0),
+        file.positive("dropoutTime", "s", 1e6),
+        file.count("satellites", 0, 99),
+        file.count("quality", 1, 8));
+  }
+
   static SensorKinds.Reader gps(FileElement file) {
-    GpsParameters parameters =
-        new GpsParameters(
-            file.number("rate", "Hz", 0.1, 100.0),
-            file.number("delay", "s", 0.0, 5.0),
-            file.number("sigma", "m", 0.0, 100.0),
-            file.number("bias", "m", 0.0, 100.0),
-            file.positive("biasTime", "s", 1e6),
-            file.number("verticalFactor", "1", 0.0, 10.0),
-            file.number("velocitySigma", "m/s", 0.0, 10.0),
-            file.number("betweenDropouts", "s", 0.0, 1e9, 0.0),
-            file.positive("dropoutTime", "s", 1e6),
-            file.count("satellites", 0, 99),
-            file.count("quality", 1, 8));
+    GpsParameters parameters = gpsParameters(file);
     Mount mount = Mount.place(file);
     return new SensorKinds.Reader(
         Map.of("DELAY", parameters.latencyS()),
@@ -59,7 +63,8 @@ final class StateSensors {
     return vehicle.world().water().map(water -> water.depthM(upM) > 0.0).orElse(false);
   }
 
-  static SensorKinds.Reader compass(FileElement file) {
+  /** Parameters by the declination [rad]. */
+  static DoubleFunction<CompassParameters> compassParameters(FileElement file) {
     double rate = file.number("rate", "Hz", 0.1, 200.0);
     double field = file.number("field", "uT", 1.0, 60.0);
     List<Double> hard = pair(file, "hardIron", "uT", UT);
@@ -69,21 +74,27 @@ final class StateSensors {
     if (soft.size() != 3) {
       throw file.xml().error("softIron: expected three numbers: forward, right, cross");
     }
+    return declinationRad ->
+        new CompassParameters(
+            rate,
+            declinationRad,
+            field,
+            hard.get(0),
+            hard.get(1),
+            soft.get(0),
+            soft.get(1),
+            soft.get(2),
+            currents.get(0),
+            currents.get(1),
+            sigma);
+  }
+
+  static SensorKinds.Reader compass(FileElement file) {
+    DoubleFunction<CompassParameters> parameters = compassParameters(file);
     return new SensorKinds.Reader(
         vehicle ->
             new SimulatedCompass(
-                new CompassParameters(
-                    rate,
-                    declinationRad(vehicle.world()),
-                    field,
-                    hard.get(0),
-                    hard.get(1),
-                    soft.get(0),
-                    soft.get(1),
-                    soft.get(2),
-                    currents.get(0),
-                    currents.get(1),
-                    sigma),
+                parameters.apply(declinationRad(vehicle.world(), MagneticModel.FIRST_YEAR)),
                 vehicle.streams(),
                 vehicle.truth(),
                 CompassModel.Disturbance::none));
@@ -97,10 +108,10 @@ final class StateSensors {
     return two;
   }
 
-  private static double declinationRad(World world) {
+  static double declinationRad(World world, double year) {
     Geodetic origin = world.plane().origin();
     return MagneticModel.declinationRad(
-        origin.latitudeDeg(), origin.longitudeDeg(), origin.altitudeM(), MagneticModel.FIRST_YEAR);
+        origin.latitudeDeg(), origin.longitudeDeg(), origin.altitudeM(), year);
   }
 
   static SensorKinds.Reader imu(FileElement file) {

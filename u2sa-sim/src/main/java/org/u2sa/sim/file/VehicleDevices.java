@@ -18,6 +18,7 @@ import org.u2sa.sim.device.VehicleThruster;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 /**
@@ -33,14 +34,14 @@ public final class VehicleDevices implements DeviceSource {
   private static final double MOTOR_TIMEOUT_S = 0.5;
 
   private final VehicleFile file;
-  private final VehicleRun run;
+  private final RunningVehicle run;
   private final long seed;
 
   /**
    * @param run the vehicle of the file, in its world
    * @param seed of the run, for the noise
    */
-  public VehicleDevices(VehicleFile file, VehicleRun run, long seed) {
+  public VehicleDevices(VehicleFile file, RunningVehicle run, long seed) {
     this.file = file;
     this.run = run;
     this.seed = seed;
@@ -120,16 +121,20 @@ public final class VehicleDevices implements DeviceSource {
 
   private Thruster thruster(String service, XmlConfiguration variables) {
     String name = stated(variables, ACTUATOR_NAME).orElse(service);
-    if (file.model().medium() == VehicleModel.Medium.GROUND
-        || !file.model().actuators().contains(name)) {
-      throw none(service, "Thruster \"" + name + "\"");
+    if (file.model().medium() != VehicleModel.Medium.GROUND
+        && file.model().actuators().contains(name)
+        && run instanceof VehicleRun commanded) {
+      return new VehicleThruster(commanded, name);
     }
-    return new VehicleThruster(run, name);
+    throw none(service, "Thruster \"" + name + "\"");
   }
 
   private MotorController motors(String name, XmlConfiguration service, Clock clock) {
     VehicleModel.Wheels wheels =
         file.model().wheels().orElseThrow(() -> none(name, "MotorController"));
+    if (!(run instanceof VehicleRun commanded)) {
+      throw none(name, "MotorController beside the IOIO board");
+    }
     unlessStated(service, COUNTS, USUAL_COUNTS);
     unlessStated(service, "WHEEL DIAMETER", 2.0 * wheels.radiusM());
     unlessStated(service, "TRACK", wheels.trackM());
@@ -140,8 +145,8 @@ public final class VehicleDevices implements DeviceSource {
         streams(name),
         wheels(clock),
         (command, now, until) -> {
-          run.command(now, sides.get(0), command.first(), until);
-          run.command(now, sides.get(1), command.second(), until);
+          commanded.command(now, sides.get(0), command.first(), until);
+          commanded.command(now, sides.get(1), command.second(), until);
         });
   }
 }

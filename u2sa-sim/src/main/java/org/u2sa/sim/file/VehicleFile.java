@@ -3,11 +3,15 @@ package org.u2sa.sim.file;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.ground.Hazards;
+import org.u2sa.sim.ground.MiniMolle;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
@@ -23,6 +27,7 @@ public final class VehicleFile {
   private final Body body;
   private final VehicleModel model;
   private final List<SensorEntry> sensors;
+  private final Optional<BoardEntry> board;
 
   private VehicleFile(XmlElement root) {
     FileElement vehicle = new FileElement(root);
@@ -31,8 +36,16 @@ public final class VehicleFile {
     body = Body.read(vehicle.part("body"));
     model = VehicleModels.read(vehicle, body);
     sensors = SensorKinds.read(vehicle, model);
+    board = vehicle.optionalPart("ioio").map(this::board);
     vehicle.end();
     probe(root);
+  }
+
+  private BoardEntry board(FileElement file) {
+    if (!(model instanceof GroundModel)) {
+      throw file.xml().error("is for vehicles on the ground only");
+    }
+    return BoardEntry.read(file);
   }
 
   /**
@@ -42,6 +55,16 @@ public final class VehicleFile {
    */
   public static VehicleFile load(Path file) {
     return new VehicleFile(XmlReader.read(file, ROOT));
+  }
+
+  /**
+   * Reads a vehicle with other values than those of its file.
+   *
+   * @param changes values by their places, such as {@code body/mass} or {@code gps/@preset}
+   * @throws BadInputException as {@link #load(Path)}, also if there is no such place
+   */
+  public static VehicleFile load(Path file, Map<String, String> changes) {
+    return new VehicleFile(VehicleChanges.apply(XmlReader.read(file, ROOT), changes));
   }
 
   /**
@@ -116,8 +139,32 @@ public final class VehicleFile {
     return model;
   }
 
+  Optional<BoardEntry> board() {
+    return board;
+  }
+
   List<SensorEntry> sensors() {
     return sensors;
+  }
+
+  /** Whether it has an IOIO board. */
+  public boolean hasBoard() {
+    return board.isPresent();
+  }
+
+  /**
+   * Creates a vehicle at rest behind its IOIO board, which takes it on.
+   *
+   * @throws BadInputException if it has none
+   */
+  public MiniMolle board(World world, Point start, double headingRad, Hazards hazards, long seed) {
+    BoardEntry entry =
+        board.orElseThrow(
+            () ->
+                new BadInputException(
+                    origin + ": has no IOIO board, which IoioService needs; expected <ioio>"));
+    return entry.make(
+        world, ((GroundModel) model).make(world, start, headingRad, seed), hazards, seed);
   }
 
   /** Creates a vehicle at rest; see {@link VehicleModel#make}. */

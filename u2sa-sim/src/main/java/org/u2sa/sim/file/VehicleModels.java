@@ -16,6 +16,7 @@ final class VehicleModels {
     Map<String, BiFunction<FileElement, Body, VehicleModel>> kinds = new LinkedHashMap<>();
     kinds.put("differential", DifferentialModel::read);
     kinds.put("skidSteer", SkidSteerModel::read);
+    kinds.put("ackermann", AckermannModel::read);
     kinds.put("vessel", VesselModel::read);
     kinds.put("multirotor", MultirotorModel::read);
     kinds.put("fixedWing", FixedWingModel::read);

@@ -36,12 +36,27 @@ public final class AckermannVehicle extends PlanarVehicle {
    * @throws IllegalArgumentException if the payload lifts an axle
    */
   public AckermannVehicle(AckermannParameters p, GroundStart start) {
-    this(p, start, Chassis.of(p.massKg(), p.yawInertiaKgM2(), p.cogAheadM(), p.payload()));
+    this(p, start, usualOutline(p));
   }
 
-  private AckermannVehicle(AckermannParameters p, GroundStart start, Chassis chassis) {
+  /**
+   * As the other constructor, with another collision outline.
+   *
+   * @throws IllegalArgumentException if the payload lifts an axle
+   */
+  public AckermannVehicle(AckermannParameters p, GroundStart start, Footprint footprint) {
+    this(
+        p,
+        start,
+        footprint,
+        Chassis.of(p.massKg(), p.yawInertiaKgM2(), p.cogAheadM(), p.payload()));
+  }
+
+  private AckermannVehicle(
+      AckermannParameters p, GroundStart start, Footprint footprint, Chassis chassis) {
     super(start, SIZE, chassis.centred(), new Battery(p.battery()));
     this.p = p;
+    this.footprint = footprint;
     this.chassis = chassis;
     double weight = chassis.massKg() * Gravity.STANDARD_MPS2;
     double frontN = weight * chassis.cogAheadM() / p.wheelbaseM();
@@ -54,10 +69,12 @@ public final class AckermannVehicle extends PlanarVehicle {
         new DrivenWheel(
             x, 0.0, weight - frontN, p.wheelRadiusM(), p.wheelInertiaKgM2(), p.motor(), p.tyre());
     front = new SteeredWheel(x + p.wheelbaseM(), frontN, p.tyre());
+  }
+
+  private static Footprint usualOutline(AckermannParameters p) {
     double overhang = OVERHANG * p.wheelbaseM();
-    footprint =
-        Footprint.rectangle(
-            p.wheelbaseM() + overhang, overhang, WIDTH * p.wheelbaseM(), 0.0, 2.0 * p.cogHeightM());
+    return Footprint.rectangle(
+        p.wheelbaseM() + overhang, overhang, WIDTH * p.wheelbaseM(), 0.0, 2.0 * p.cogHeightM());
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.u2sa.sim.ground;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Function;
 import org.u2sa.sim.ioio.Pins;
 import org.u2sa.sim.ioio.PulseTrain;
 import org.u2sa.sim.sensor.SpartonDevice;
@@ -9,6 +10,8 @@ import org.u2sa.sim.sensor.UartTransmitter;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.VoltmeterModel;
 import org.u2sa.sim.vehicle.ContactWatch;
+import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
@@ -20,7 +23,7 @@ import org.u2sa.sim.world.World;
  * <p>Time advances by {@link #advance} and starts at its first call. Accessors of the truth are
  * thread-safe.
  */
-public final class MiniMolle implements Pins {
+public final class MiniMolle implements Pins, RunningVehicle {
   private static final long TICK_US = 1_000_000L / GroundVehicle.TICKS_PER_SECOND;
   private static final double TICK_S = 1.0 / GroundVehicle.TICKS_PER_SECOND;
   private static final double US_PER_S = 1e6;
@@ -63,7 +66,7 @@ public final class MiniMolle implements Pins {
   }
 
   @Override
-  public void advance(long nowMicros) {
+  public synchronized void advance(long nowMicros) {
     if (beginUs < 0) {
       beginUs = nowMicros;
       sense(0);
@@ -162,7 +165,23 @@ public final class MiniMolle implements Pins {
     return truth;
   }
 
-  /** All obstacle contacts so far. */
+  /** {@inheritDoc} The board alone takes it on. */
+  @Override
+  public VehicleTruth at(long nowMicros) {
+    return truth;
+  }
+
+  @Override
+  public synchronized <T> T read(long nowMicros, Function<SimulatedVehicle, T> property) {
+    return property.apply(vehicle);
+  }
+
+  @Override
+  public SimulatedVehicle vehicle() {
+    return vehicle;
+  }
+
+  @Override
   public List<ContactWatch.Contact> contacts() {
     return List.copyOf(contacts);
   }

@@ -23,7 +23,7 @@ public final class MiniMolleBuilder {
   private static final double VOLTMETER_NOISE_V = 0.005;
 
   final World world;
-  final MiniMolle.Wiring wiring = MiniMolle.Wiring.standard();
+  MiniMolle.Wiring wiring = MiniMolle.Wiring.standard();
   GroundVehicle vehicle = new DifferentialVehicle(DifferentialParameters.miniMolle());
   Hazards hazards = Hazards.none();
   private GpsParameters gps = GpsParameters.survey();
@@ -40,6 +40,12 @@ public final class MiniMolleBuilder {
   /** Sets the vehicle, which keeps its pose and is placed in the world on build. */
   public MiniMolleBuilder vehicle(GroundVehicle newVehicle) {
     vehicle = Objects.requireNonNull(newVehicle, "vehicle");
+    return this;
+  }
+
+  /** Sets the pins. */
+  public MiniMolleBuilder wiring(MiniMolle.Wiring newWiring) {
+    wiring = Objects.requireNonNull(newWiring, "wiring");
     return this;
   }
 

@@ -14,7 +14,7 @@ import org.u2sa.interfaces.RunFailedException;
  * machine slept, advances it by the longest step only. Thread-safe; deterministic for the same
  * sequence of calls.
  */
-public final class VehicleRun {
+public final class VehicleRun implements RunningVehicle {
   private static final double US_PER_S = 1e6;
 
   private final SimulatedVehicle vehicle;
@@ -33,11 +33,7 @@ public final class VehicleRun {
     truth = vehicle.truth();
   }
 
-  /**
-   * State at a time; the current state if that time has passed.
-   *
-   * @param nowMicros of the run's clock [µs]
-   */
+  @Override
   public synchronized VehicleTruth at(long nowMicros) {
     if (beginMicros < 0) {
       beginMicros = nowMicros;
@@ -50,11 +46,7 @@ public final class VehicleRun {
     return truth;
   }
 
-  /**
-   * A property of the vehicle at a time, read while nobody steps it.
-   *
-   * @param nowMicros of the run's clock [µs]
-   */
+  @Override
   public synchronized <T> T read(long nowMicros, Function<SimulatedVehicle, T> property) {
     at(nowMicros);
     return property.apply(vehicle);
@@ -117,12 +109,12 @@ public final class VehicleRun {
     expiries.put(actuator, untilMicros);
   }
 
-  /** The vehicle, for immutable properties: actuators, footprint and world. */
+  @Override
   public SimulatedVehicle vehicle() {
     return vehicle;
   }
 
-  /** All obstacle contacts so far. */
+  @Override
   public List<ContactWatch.Contact> contacts() {
     return List.copyOf(contacts);
   }

@@ -49,12 +49,12 @@ class AircraftFileTest {
       <fixedWing>
         <catapult><speed>14</speed><angle unit="deg">15</angle><height>1.8</height></catapult>
         <area>0.2589</area><span>1.4224</span><chord>0.3302</chord><efficiency>0.9</efficiency><stallAngle>0.47</stallAngle>
-        <lift><zero>0.09</zero><alpha>3.5</alpha><pitchRate>2.9</pitchRate><elevator>0.27</elevator></lift>
+        <liftForce><zero>0.09</zero><alpha>3.5</alpha><pitchRate>2.9</pitchRate><elevator>0.27</elevator></liftForce>
         <parasiticDrag>0.025</parasiticDrag>
-        <pitch><zero>-0.023</zero><alpha>-0.57</alpha><pitchRate>-1.4</pitchRate><elevator>-0.33</elevator></pitch>
-        <side><beta>-0.07</beta></side>
-        <roll><beta>-0.03</beta><rollRate>-0.32</rollRate><yawRate>0.03</yawRate><aileron>0.17</aileron></roll>
-        <yaw><beta>0.02</beta><rollRate>-0.01</rollRate><yawRate>-0.004</yawRate></yaw>
+        <pitchMoment><zero>-0.023</zero><alpha>-0.57</alpha><pitchRate>-1.4</pitchRate><elevator>-0.33</elevator></pitchMoment>
+        <sideForce><beta>-0.07</beta></sideForce>
+        <rollMoment><beta>-0.03</beta><rollRate>-0.32</rollRate><yawRate>0.03</yawRate><aileron>0.17</aileron></rollMoment>
+        <yawMoment><beta>0.02</beta><rollRate>-0.01</rollRate><yawRate>-0.004</yawRate></yawMoment>
         <surface name="LEFT ELEVON"><travel unit="deg">30</travel><lag>0.05</lag><elevator>0.5</elevator><aileron>0.5</aileron></surface>
         <surface name="RIGHT ELEVON"><travel unit="deg">30</travel><lag>0.05</lag><elevator>0.5</elevator><aileron>-0.5</aileron></surface>
         <propeller name="THROTTLE">
@@ -77,7 +77,8 @@ class AircraftFileTest {
     vehicle.step(2.0);
     double stands = vehicle.truth().position().z();
 
-    assertThat(stands).isCloseTo(0.1, within(0.02)); // springs give 1 cm, and more where two legs carry less
+    assertThat(stands)
+        .isCloseTo(0.1, within(0.02)); // springs give 1 cm, and more where two legs carry less
     double hover = Math.sqrt(2.0 * 9.80665 / 40.0);
     assertThat(VehicleCheck.lines(file))
         .contains(String.format("hovers with all rotors at %.1f %%", 100.0 * hover))

@@ -10,6 +10,8 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
+import org.u2sa.sim.ground.GroundStart;
+import org.u2sa.sim.ground.Payload;
 import org.u2sa.sim.marine.BlueRov2;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.World;
@@ -19,7 +21,7 @@ class VehicleFileTest {
   void load_miniMolle_hasTheParametersOfTheThesisVehicle() {
     VehicleFile file = VehicleFile.load(Vehicles.MINI_MOLLE);
 
-    assertThat(((DifferentialModel) file.model()).parameters())
+    assertThat(((DifferentialModel) file.model()).parameters().withPayload(Payload.none()))
         .isEqualTo(DifferentialParameters.miniMolle());
   }
 
@@ -28,11 +30,11 @@ class VehicleFileTest {
     SimulatedVehicle made =
         VehicleFile.load(Vehicles.MINI_MOLLE)
             .make(VehicleFile.load(Vehicles.MINI_MOLLE).emptyWorld(), Point.ORIGIN, 0.3, 5);
-    double mismatch = GroundParts.mismatch(0.05, 5);
+    double mismatch = new GroundParts.Mismatch(Double.NaN, 0.05).of(5);
     SimulatedVehicle expected =
         new DifferentialVehicle(
             DifferentialParameters.miniMolle().withMismatch(mismatch),
-            new org.u2sa.sim.ground.GroundStart(0.0, 0.0, 0.3));
+            new GroundStart(0.0, 0.0, 0.3));
     for (SimulatedVehicle each : new SimulatedVehicle[] {made, expected}) {
       each.command("LEFT MOTOR", 0.8);
       each.command("RIGHT MOTOR", 0.3);
@@ -78,7 +80,7 @@ class VehicleFileTest {
           <gps preset="survey"/>|<gps preset="survey"/><gps preset="phone"/>|is the second one without a service; expected service="NAME"
           <gps preset="survey"/>|<gps preset="survey"><sigma>-1</sigma></gps>|line 24, <sigma>: -1.0 m: expected 0.0…100.0 m
           <gps preset="survey"/>|<gps/>|line 24, <gps>: lacks <rate>; expected a value in Hz
-          <gps preset="survey"/>|<gsp preset="survey"/>|line 24, <gsp>: unknown element in <vehicle>; expected name, body, differential, skidSteer, vessel
+          <gps preset="survey"/>|<gsp preset="survey"/>|line 24, <gsp>: unknown element in <vehicle>; expected name, body, differential, skidSteer, ackermann, vessel
           <skidSteer>|<skidSteer preset="six">|line 15, <skidSteer>: unknown attribute "preset"
           <name>Six</name>||line 1, <vehicle>: lacks <name>
           <capacity unit="Ah">20</capacity>|<capacity unit="Ah">1e400</capacity>|line 22, <capacity>: "1e400" is too large

@@ -14,6 +14,8 @@ final class Vehicles {
   static final Path BLUEROV2 = Path.of("../config/vehicles/bluerov2.xml");
   static final Path OTTER = Path.of("../config/vehicles/otter.xml");
 
+  static final Path TRUCK = Path.of("../config/ugv/vehicle-ackermann.xml");
+
   private Vehicles() {}
 
   static String sixWheels() {

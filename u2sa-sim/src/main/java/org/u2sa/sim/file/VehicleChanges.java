@@ -1,0 +1,71 @@
+package org.u2sa.sim.file;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.interfaces.xml.XmlElement;
+
+/** Replaces values of a vehicle file, each named by the path of elements to it. */
+final class VehicleChanges {
+  private VehicleChanges() {}
+
+  /**
+   * A copy with other values.
+   *
+   * @param changes values by paths such as {@code body/mass}; an attribute is {@code gps/@preset}
+   * @throws org.u2sa.interfaces.BadInputException if an element on the way is not there; the last
+   *     one may be new
+   */
+  static XmlElement apply(XmlElement root, Map<String, String> changes) {
+    XmlElement changed = root;
+    for (Map.Entry<String, String> change : changes.entrySet()) {
+      changed = set(changed, Arrays.asList(change.getKey().split("/")), change.getValue());
+    }
+    return changed;
+  }
+
+  private static XmlElement set(XmlElement element, List<String> path, String value) {
+    String name = path.get(0);
+    if (name.startsWith("@")) {
+      Map<String, String> attributes = new LinkedHashMap<>(element.attributes());
+      attributes.put(name.substring(1), value);
+      return copy(element, attributes, element.children(), element.text());
+    }
+    List<XmlElement> children = new ArrayList<>();
+    boolean isFound = false;
+    for (XmlElement child : element.children()) {
+      boolean isMeant = !isFound && child.name().equals(name);
+      isFound |= isMeant;
+      children.add(isMeant ? changed(child, path, value) : child);
+    }
+    if (!isFound && path.size() > 1) {
+      throw element.error("has no <" + name + ">, which a change of \"" + path + "\" needs");
+    }
+    if (!isFound) {
+      children.add(
+          new XmlElement(
+              element.origin(), name, element.line(), element.span(), Map.of(), List.of(), value));
+    }
+    return copy(element, element.attributes(), children, element.text());
+  }
+
+  private static XmlElement changed(XmlElement child, List<String> path, String value) {
+    return path.size() > 1
+        ? set(child, path.subList(1, path.size()), value)
+        : copy(child, child.attributes(), child.children(), value);
+  }
+
+  private static XmlElement copy(
+      XmlElement element, Map<String, String> attributes, List<XmlElement> children, String text) {
+    return new XmlElement(
+        element.origin(),
+        element.name(),
+        element.line(),
+        element.span(),
+        attributes,
+        children,
+        text);
+  }
+}
