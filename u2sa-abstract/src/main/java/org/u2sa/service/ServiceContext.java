@@ -25,6 +25,7 @@ public final class ServiceContext {
   private final MessageTypes messageTypes;
   private final long seed;
   private final boolean restart;
+  private final boolean trial;
   private final Execution execution;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
   private volatile ServiceInstance predecessor; // null if none, or already released
@@ -39,6 +40,7 @@ public final class ServiceContext {
     messageTypes = builder.messageTypes != null ? builder.messageTypes : MessageTypes.discovered();
     seed = builder.seed;
     restart = builder.restart;
+    trial = builder.trial;
     predecessor = builder.predecessor;
   }
 
@@ -90,7 +92,8 @@ public final class ServiceContext {
             .logDirectory(logDirectory)
             .messageTypes(messageTypes)
             .seed(seed)
-            .restart(restart);
+            .restart(restart)
+            .trial(trial);
     builder.transport = transport;
     builder.predecessor = predecessor;
     builder.execution = Objects.requireNonNull(kept, "kept");
@@ -125,6 +128,19 @@ public final class ServiceContext {
     return restart;
   }
 
+  /**
+   * Called where a constructor is about to open a device or another resource that only one service
+   * can hold. Before a running service is restarted, its successor is constructed once as a trial,
+   * so that a wrong file leaves the running one alone; the trial ends here.
+   *
+   * @throws TrialEndedException if this is the trial
+   */
+  public void beforeDevice() {
+    if (trial) {
+      throw new TrialEndedException();
+    }
+  }
+
   /** Adds how to close a resource that a service's constructor opened, in case it fails later. */
   public void onAbandon(Runnable closing) {
     closings.push(closing);
@@ -150,6 +166,7 @@ public final class ServiceContext {
     private MessageTypes messageTypes;
     private long seed = 1;
     private boolean restart;
+    private boolean trial;
     private ServiceInstance predecessor;
     private Execution execution = Execution.NONE;
 
@@ -200,6 +217,12 @@ public final class ServiceContext {
     /** Sets whether the service is restarted in this run. */
     public Builder restart(boolean value) {
       restart = value;
+      return this;
+    }
+
+    /** Sets whether the service is only constructed, as a trial that opens no device. */
+    public Builder trial(boolean value) {
+      trial = value;
       return this;
     }
 
