@@ -72,7 +72,9 @@ public final class Devices {
     if (provided.isPresent()) {
       return provided.get();
     }
-    D opened = port.cast(named(name, providers, port, usual.variable).open(name, context));
+    DeviceProvider<?> provider = named(name, providers, port, usual.variable);
+    context.beforeDevice();
+    D opened = port.cast(provider.open(name, context));
     context.onAbandon(opened::close);
     return opened;
   }

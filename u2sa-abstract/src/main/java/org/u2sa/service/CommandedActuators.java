@@ -50,7 +50,16 @@ public final class CommandedActuators {
               ifAbsentText = "false",
               text =
                   "Whether actuators obey only while a Safety Manager says that the vehicle is armed.")
-          boolean requiresArming) {}
+          boolean requiresArming,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 3600,
+              ifAbsent =
+                  10, // the longest restart or outage measured took 7.5 s, and it listens 0.5 s
+              text =
+                  "Time without an arming state after which a vehicle counts as disarmed, where arming is required; 0: never, for a vehicle that would fall.")
+          double armingExpiry) {}
 
   private static final String COMMANDS = "ACTUATOR COMMANDS";
   private static final String ARMED = "ARMED";
@@ -71,6 +80,7 @@ public final class CommandedActuators {
   private double announceEveryS = ANNOUNCE_EVERY_S;
   private double announceDueS = Double.POSITIVE_INFINITY;
   private boolean armed;
+  private long armedMicros; // when that was last heard
   private boolean ignoresArmed; // the last state, for its age
 
   /**
@@ -139,8 +149,12 @@ public final class CommandedActuators {
     announceNow();
   }
 
-  /** Renews the announcement if due; call it in the service's step. */
+  /**
+   * Renews the announcement if due, and disarms if the Safety Manager is silent; call it in the
+   * service's step.
+   */
   public void step(double nowS) {
+    expireArming();
     if (nowS >= announceDueS) {
       announceDueS = nowS + announceEveryS;
       announcements.values().forEach(each -> service.publish(Channels.ACTUATORS, each.copy()));
@@ -267,6 +281,7 @@ public final class CommandedActuators {
     boolean isArmed = state.armed() && !isIgnored;
     boolean changed = isArmed != armed;
     armed = isArmed;
+    armedMicros = service.clock().micros();
     if (changed && !mayMove()) {
       commands.forget();
     }
@@ -282,6 +297,19 @@ public final class CommandedActuators {
               + " s ago, by an earlier run or a clock that is behind");
     }
     ignoresArmed = isIgnored;
+  }
+
+  private void expireArming() {
+    double expiryS = limits.get().armingExpiry();
+    double silentS = Clock.seconds(service.clock().micros() - armedMicros);
+    if (armed && limits.get().requiresArming() && expiryS > 0.0 && silentS > expiryS) {
+      armed = false;
+      commands.forget();
+      stopped.run();
+      service.log(
+          LogLevelEnum.WARN,
+          "no arming state for " + expiryS + " s: disarmed until a Safety Manager says armed");
+    }
   }
 
   /** Whether a state, such as one that a broker retained, is of an earlier run. */
@@ -334,6 +362,7 @@ public final class CommandedActuators {
    */
   public void takeOver(HandOver state) {
     armed = state.flag(ARMED);
+    armedMicros = service.clock().micros();
     emergency.takeOver(state);
     service.heedsEmergencyStops(emergency.identities());
     if (mayMove()) {

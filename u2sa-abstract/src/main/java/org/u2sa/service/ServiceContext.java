@@ -25,6 +25,7 @@ public final class ServiceContext {
   private final MessageTypes messageTypes;
   private final long seed;
   private final boolean restart;
+  private final boolean trial;
   private final Execution execution;
   private final DeviceSource devices;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
@@ -40,6 +41,7 @@ public final class ServiceContext {
     messageTypes = builder.messageTypes != null ? builder.messageTypes : MessageTypes.discovered();
     seed = builder.seed;
     restart = builder.restart;
+    trial = builder.trial;
     predecessor = builder.predecessor;
     devices = builder.devices;
   }
@@ -93,7 +95,8 @@ public final class ServiceContext {
             .messageTypes(messageTypes)
             .seed(seed)
             .restart(restart)
-            .devices(devices);
+            .devices(devices)
+            .trial(trial);
     builder.transport = transport;
     builder.predecessor = predecessor;
     builder.execution = Objects.requireNonNull(kept, "kept");
@@ -133,6 +136,19 @@ public final class ServiceContext {
     return restart;
   }
 
+  /**
+   * Called where a constructor is about to open a device or another resource that only one service
+   * can hold. Before a running service is restarted, its successor is constructed once as a trial,
+   * so that a wrong file leaves the running one alone; the trial ends here.
+   *
+   * @throws TrialEndedException if this is the trial
+   */
+  public void beforeDevice() {
+    if (trial) {
+      throw new TrialEndedException();
+    }
+  }
+
   /** Adds how to close a resource that a service's constructor opened, in case it fails later. */
   public void onAbandon(Runnable closing) {
     closings.push(closing);
@@ -158,6 +174,7 @@ public final class ServiceContext {
     private MessageTypes messageTypes;
     private long seed = 1;
     private boolean restart;
+    private boolean trial;
     private ServiceInstance predecessor;
     private Execution execution = Execution.NONE;
     private DeviceSource devices = DeviceSource.NONE;
@@ -215,6 +232,12 @@ public final class ServiceContext {
     /** Sets whether the service is restarted in this run. */
     public Builder restart(boolean value) {
       restart = value;
+      return this;
+    }
+
+    /** Sets whether the service is only constructed, as a trial that opens no device. */
+    public Builder trial(boolean value) {
+      trial = value;
       return this;
     }
 

@@ -177,6 +177,63 @@ class CommandedActuatorsTest {
     assertThat(log(" armed")).hasSize(2);
   }
 
+  private void stepAfter(Drive drive, double seconds) {
+    kit.advance(seconds);
+    drive.commands.step(kit.nowS());
+  }
+
+  @Test
+  void step_noArmingStateForTheExpiry_stopsOnceUntilArmedAgain() {
+    Drive drive = startUnarmed();
+    arm(true);
+    stepAfter(drive, 10.0);
+    assertThat(drive.commands.mayMove()).isTrue();
+    drive.results.clear();
+
+    stepAfter(drive, 0.001);
+    stepAfter(drive, 1.0);
+    assertThat(drive.commands.mayMove()).isFalse();
+    assertThat(drive.results).containsExactly("stopped");
+    assertThat(log("no arming state for 10.0 s")).hasSize(1);
+    command("LEFT", 50.0);
+    assertThat(drive.commands.refused(CommandRefusal.NOT_ARMED)).isEqualTo(1);
+
+    arm(true);
+    command("LEFT", 50.0);
+    assertThat(drive.commands.percentage("LEFT")).hasValue(50.0);
+  }
+
+  @Test
+  void step_armingStateIsRepeated_neverExpires() {
+    Drive drive = startUnarmed();
+    for (int i = 0; i < 5; i++) {
+      arm(true);
+      stepAfter(drive, 9.0);
+    }
+
+    assertThat(drive.commands.mayMove()).isTrue();
+  }
+
+  @Test
+  void step_expiryIsZero_neverExpires() {
+    kit.with("ARMING EXPIRY", 0.0);
+    Drive drive = startUnarmed();
+    arm(true);
+    stepAfter(drive, 4000.0);
+
+    assertThat(drive.commands.mayMove()).isTrue();
+  }
+
+  @Test
+  void step_armingIsNotRequired_neverExpires() {
+    Drive drive = start();
+    arm(true);
+    stepAfter(drive, 60.0);
+
+    assertThat(drive.commands.mayMove()).isTrue();
+    assertThat(log("no arming state")).isEmpty();
+  }
+
   @Test
   void disarm_whereArmingIsNotRequired_keepsTheCommand() {
     Drive drive = start();

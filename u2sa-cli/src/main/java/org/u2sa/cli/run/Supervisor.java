@@ -28,6 +28,8 @@ import org.u2sa.service.ServiceContext;
 final class Supervisor implements ServiceHost, AutoCloseable {
   private static final long SPOKE_WITHIN_MICROS = 1_000_000; // reports come four times a second
 
+  private final SystemFile file;
+  private final RunningSystem system;
   private final ServiceProcesses processes;
   private final ServiceNames names;
   private final Launcher launcher;
@@ -45,6 +47,8 @@ final class Supervisor implements ServiceHost, AutoCloseable {
       RunningSystem system,
       ServiceProcesses processes,
       Consumer<String> console) {
+    this.file = file;
+    this.system = system;
     this.processes = processes;
     names =
         new ServiceNames(
@@ -132,8 +136,13 @@ final class Supervisor implements ServiceHost, AutoCloseable {
   }
 
   private Optional<String> startProcess(String entry) {
+    boolean speaks = speaks(entry);
+    Optional<String> refusal = speaks ? refusal(entry) : Optional.empty();
+    if (refusal.isPresent()) {
+      return refusal; // the process that works goes on
+    }
     try {
-      return processes.startProcess(entry, speaks(entry))
+      return processes.startProcess(entry, speaks)
           ? Optional.empty()
           : Optional.of("the system is ending");
     } catch (IOException e) {
@@ -142,6 +151,13 @@ final class Supervisor implements ServiceHost, AutoCloseable {
       Thread.currentThread().interrupt();
       return Optional.of("interrupted");
     }
+  }
+
+  private Optional<String> refusal(String entry) {
+    return file.services().stream()
+        .filter(each -> each.simpleName().equals(entry))
+        .findFirst()
+        .flatMap(system::refusalToRestart);
   }
 
   private boolean speaks(String entry) {

@@ -166,6 +166,37 @@ class SeparateProcessesTest {
     }
   }
 
+  @Test
+  void restart_fenceFileBrokenMeanwhile_isRefusedAndTheProcessRunsOn() throws Exception {
+    String corners =
+        "<corner><x>0</x><y>0</y></corner><corner><x>9</x><y>0</y></corner><corner><x>0</x><y>9</y></corner>";
+    Path fence =
+        Files.writeString(
+            folder.resolve("fence.xml"),
+            "<fence><reference>Local ENU</reference><keepIn>" + corners + "</keepIn></fence>");
+    Process supervisor =
+        run(system(SafetyManager.class), "--set", "SafetyManager:FENCE=" + fence).start();
+    StringWriter said = new StringWriter();
+    try {
+      awaitLine(supervisor, "System boat runs: SafetyManager");
+      ProcessHandle before = supervisor.descendants().findFirst().orElseThrow();
+      PrintWriter out = new PrintWriter(said);
+      int works = Main.run(out, out, "services", "--broker", broker, "--timeout", "60");
+      assertThat(works).as(said.toString()).isEqualTo(ExitCode.DONE);
+      Files.writeString(fence, "<fence/>");
+
+      int exitCode =
+          Main.run(out, out, "restart", "SafetyManager", "--broker", broker, "--timeout", "60");
+
+      assertThat(exitCode).as(said.toString()).isNotEqualTo(ExitCode.DONE);
+      assertThat(said.toString()).contains("fence.xml");
+      assertThat(supervisor.descendants()).containsExactly(before);
+    } finally {
+      supervisor.destroy(); // ends its services first
+      supervisor.waitFor();
+    }
+  }
+
   private static void awaitLine(Process process, String begin) throws Exception {
     awaitLine(process, line -> line.startsWith(begin));
   }

@@ -23,7 +23,8 @@ import org.u2sa.service.ServiceRole;
 /**
  * Monitors the services and orders restarts of failed ones (thesis 3.5.3). In: health, including
  * the wills of broken connections; stop; service-orders (results); conditions (of a previous
- * monitor). Out: conditions, at each change; service-orders.
+ * monitor); arming-state and failsafe of the Safety Manager. Out: conditions, at each change;
+ * service-orders; failsafe, while the Safety Manager of an armed vehicle is lost.
  *
  * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. Each service
  * has its own policy. The monitor itself is watched by its process's {@code HealthWatch} or its
@@ -41,6 +42,8 @@ public final class HealthMonitor extends PeriodicService {
   private MonitorVariables settings;
   private final ReceptionCheck reception;
   private final ClockOffsets clocks = new ClockOffsets();
+  private final SafetyManagerLoss safetyManager;
+  private boolean demands; // a failsafe in place of the Safety Manager
   private double lookedS = Double.NaN;
   private long orders;
 
@@ -51,6 +54,10 @@ public final class HealthMonitor extends PeriodicService {
     reception = new ReceptionCheck(nowS());
     registerPublisher(Channels.CONDITIONS);
     registerPublisher(Channels.SERVICE_ORDERS);
+    registerPublisher(Channels.FAILSAFE);
+    safetyManager = new SafetyManagerLoss(context.isRestart() || context.isSwap());
+    subscribe(Channels.ARMING_STATE, state -> safetyManager.hear(state, clock().micros()));
+    subscribe(Channels.FAILSAFE, safetyManager::hear);
     subscribe(Channels.CONDITIONS, this::remember);
     subscribe(Channels.HEALTH, this::hear);
     subscribe(
@@ -119,6 +126,8 @@ public final class HealthMonitor extends PeriodicService {
       }
     } else if (result.accepted()) {
       service.get().startedByOthers();
+    } else {
+      service.get().notStarted(result.reason());
     }
   }
 
@@ -151,11 +160,27 @@ public final class HealthMonitor extends PeriodicService {
           LogLevelEnum.WARN,
           "no check for " + (nowS - lookedS) + " s: not judging services by their silence");
       services.values().forEach(service -> service.excuse(nowS));
+      safetyManager.excuse(nowS);
     }
     lookedS = nowS;
     if (hears(nowS)) {
       services.values().forEach(this::look);
+      replaceSafetyManager(nowS);
     }
+  }
+
+  private void replaceSafetyManager(double nowS) {
+    boolean isLost = safetyManager.isLost(limits.get(), nowS);
+    if (isLost != demands) {
+      demands = isLost;
+      log(
+          isLost ? LogLevelEnum.ERROR : LogLevelEnum.INFO,
+          isLost
+              ? "the Safety Manager of an armed vehicle is silent: failsafe "
+                  + limits.get().onSafetyManagerLoss()
+              : "the Safety Manager is heard again");
+    }
+    safetyManager.due(limits.get(), nowS).ifPresent(this::publish);
   }
 
   private boolean hears(double nowS) {
@@ -170,6 +195,7 @@ public final class HealthMonitor extends PeriodicService {
       case RESTORED:
         log(LogLevelEnum.WARN, "hears reports again");
         services.values().forEach(service -> service.excuse(ReceptionCheck.excusedUntilS(nowS)));
+        safetyManager.excuse(ReceptionCheck.excusedUntilS(nowS));
         return true;
       default:
         return true;

@@ -79,6 +79,20 @@ final class MonitorVariables {
               text = "Time without data after which a service counts as stalled; 0: never.")
           double dataTimeout,
       @Variable(
+              oneOf = {"CONTINUE", "HOLD", "RETURN", "LAND"},
+              ifAbsentText = "HOLD",
+              text =
+                  "Failsafe that the monitor itself demands when the Safety Manager of an armed vehicle is lost.")
+          String onSafetyManagerLoss,
+      @Variable(
+              unit = "s",
+              min = 1.5,
+              max = 3600,
+              ifAbsent = 10, // as ARMING EXPIRY
+              text =
+                  "Time without an arming state after which the Safety Manager of an armed vehicle counts as lost.")
+          double safetyManagerDeadline,
+      @Variable(
               unit = "s",
               min = 0.01,
               max = 60,

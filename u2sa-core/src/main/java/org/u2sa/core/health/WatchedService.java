@@ -35,6 +35,7 @@ final class WatchedService {
   private String givenUpWords = "";
   private double orderedS = Double.NaN; // time of the pending restart order; NaN if none
   private String orderedInstance = ""; // instance it is to replace
+  private String notStarted = ""; // why the last restart failed; empty if it did not
   private String said = ""; // last published condition
 
   WatchedService(String name, double nowS) {
@@ -91,7 +92,13 @@ final class WatchedService {
     } else {
       orderedS = Double.NaN;
       action = "restart failed: " + reason;
+      notStarted(reason);
     }
+  }
+
+  /** Called when a restart failed, which may have left no instance. */
+  void notStarted(String reason) {
+    notStarted = reason;
   }
 
   void excuse(double untilS) {
@@ -108,6 +115,13 @@ final class WatchedService {
         observation.judge(settings.limits(), settings.dataTimeoutS(name), nowS);
     if (toldToStop && found.condition() == Condition.LOST) {
       found = new HealthObservation.Finding(Condition.STOPPED, "it was told to", false);
+    }
+    if (found.condition() == Condition.ALIVE) {
+      notStarted = "";
+    } else if (found.condition() == Condition.STOPPED && !toldToStop && !notStarted.isEmpty()) {
+      found = // it ended to be replaced
+          new HealthObservation.Finding(
+              Condition.FAILED, "its restart failed: " + notStarted, false);
     }
     if (isPending()) {
       boolean shown = found.condition() == Condition.ALIVE;

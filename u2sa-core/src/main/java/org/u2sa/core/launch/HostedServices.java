@@ -17,8 +17,9 @@ import org.u2sa.service.U2SAService;
  * ending and making services takes time and happens outside its lock.
  *
  * <p>A restart ends the current instance (its {@code release} leaves actuators neutral), and makes
- * and starts a new one of the same class, name and configuration file. A thread that hangs cannot
- * be ended in Java: it is disconnected and abandoned.
+ * and starts a new one of the same class, name and configuration file, unless a trial shows before
+ * that it cannot be made. A thread that hangs cannot be ended in Java: it is disconnected and
+ * abandoned.
  *
  * <p>A swap replaces a running service by another class ({@link ServiceSwap}) with the same
  * configuration. A restart after it starts the class that ran last; the next run of the system uses
@@ -143,14 +144,13 @@ final class HostedServices implements ServiceHost {
 
   private Optional<String> startInPlaceOf(Hosted old) {
     try {
-      XmlConfiguration configuration = maker.configuration(old.entry());
-      if (!old.className().equals(old.entry().className())) { // was swapped
-        configuration.override("SERVICE NAME", old.service().getServiceName());
-        configuration.tolerate(old.configuration().tolerated());
-      }
+      XmlConfiguration configuration = configurationInPlaceOf(old);
       // An invalid file rejects the order before the running service is ended.
       old.configuration().declared().forEach(configuration::getVariable);
       configuration.refuseUndeclared();
+      if (old.service().isRunning()) {
+        maker.trial().require(old.className(), configurationInPlaceOf(old));
+      }
       end(old.service());
       Hosted successor =
           new Hosted(
@@ -167,6 +167,15 @@ final class HostedServices implements ServiceHost {
     } catch (RuntimeException e) { // invalid file, missing device, no Communication Manager
       return Optional.of(String.valueOf(e.getMessage()));
     }
+  }
+
+  private XmlConfiguration configurationInPlaceOf(Hosted old) {
+    XmlConfiguration configuration = maker.configuration(old.entry());
+    if (!old.className().equals(old.entry().className())) { // was swapped
+      configuration.override("SERVICE NAME", old.service().getServiceName());
+      configuration.tolerate(old.configuration().tolerated());
+    }
+    return configuration;
   }
 
   /** Ends a service if possible; returns within a few seconds in any case. */

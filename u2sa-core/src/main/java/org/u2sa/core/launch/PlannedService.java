@@ -1,15 +1,11 @@
 package org.u2sa.core.launch;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -54,9 +50,8 @@ public record PlannedService(
    * @throws IOException if their log files cannot be created
    */
   public static List<PlannedService> of(SystemFile system) throws IOException {
-    Path logs = Files.createTempDirectory("u2sa-describe");
-    try {
-      LaunchOptions options = new LaunchOptions().logDirectory(logs);
+    try (TemporaryFolder logs = TemporaryFolder.create("u2sa-describe")) {
+      LaunchOptions options = new LaunchOptions().logDirectory(logs.path());
       ServiceMaker maker =
           new ServiceMaker(
               system.systemId(),
@@ -66,8 +61,6 @@ public record PlannedService(
       return system.services().stream()
           .map(entry -> planned(maker, entry))
           .collect(Collectors.toList());
-    } finally {
-      delete(logs);
     }
   }
 
@@ -99,16 +92,6 @@ public record PlannedService(
           Collections.emptyList(),
           Collections.emptyList(),
           Optional.of(String.valueOf(e.getMessage())));
-    }
-  }
-
-  private static void delete(Path folder) throws IOException {
-    List<Path> files;
-    try (Stream<Path> all = Files.walk(folder)) {
-      files = all.sorted(Comparator.reverseOrder()).collect(Collectors.toList());
-    }
-    for (Path file : files) {
-      Files.deleteIfExists(file);
     }
   }
 }

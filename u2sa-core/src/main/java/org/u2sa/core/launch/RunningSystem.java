@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.interfaces.BadInputException;
@@ -177,6 +178,19 @@ public final class RunningSystem implements AutoCloseable {
   /** The context for an additional service of this system, such as a screen or a recorder. */
   public ServiceContext contextFor(XmlConfiguration configuration) {
     return maker.context(configuration);
+  }
+
+  /**
+   * Why a service that runs in another process could not be started again; empty if nothing
+   * prevents it as far as this process can tell without opening its devices.
+   */
+  public Optional<String> refusalToRestart(SystemFile.Entry entry) {
+    try {
+      maker.trial().require(entry.className(), maker.configuration(entry));
+      return Optional.empty();
+    } catch (RuntimeException | LinkageError e) {
+      return Optional.of(String.valueOf(e.getMessage()));
+    }
   }
 
   /** Whether any service still runs. */

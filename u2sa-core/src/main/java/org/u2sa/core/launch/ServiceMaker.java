@@ -72,6 +72,11 @@ final class ServiceMaker {
     return make(kept(className, context), made(className));
   }
 
+  /** Trials of services of this system. */
+  ServiceTrial trial() {
+    return new ServiceTrial(systemId, options, types);
+  }
+
   /**
    * Creates a replacement for a running service, without connecting it.
    *

@@ -1,5 +1,6 @@
 package org.u2sa.core.safety;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -9,6 +10,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Checks that actuators obey, by the counts of obeyed and refused commands in their services'
@@ -18,6 +20,9 @@ import org.u2sa.messages.schema.U2SAData;
 final class ActuationWatch implements Watch {
   private static final int MAX_SERVICES = 500; // beyond it, silent ones are forgotten
   private static final long FORGOTTEN_MICROS = 60 * Clock.MICROS_PER_SECOND;
+
+  private static final String ARMED = "actuators armed";
+  private static final String REFUSING = "actuators refusing";
 
   /** Last report of a service. */
   private static final class Heard {
@@ -85,6 +90,43 @@ final class ActuationWatch implements Watch {
     service.instance = instance;
     service.obeyed = obeyed;
     service.refused = refused;
+  }
+
+  @Override
+  public void handOver(HandOver state, long nowMicros) {
+    List<String> values = new ArrayList<>();
+    services.forEach(
+        (name, service) -> {
+          if (service.sinceMicros != Clock.NEVER) {
+            values.addAll(
+                List.of(
+                    name,
+                    service.instance,
+                    Long.toString(service.obeyed),
+                    Long.toString(service.refused),
+                    Long.toString(service.refusedBefore),
+                    Silence.seconds(nowMicros - service.sinceMicros)));
+          }
+        });
+    state.flag(ARMED, armed).texts(REFUSING, values);
+  }
+
+  /** A service that refused everything does so until it obeys, or refuses no more. */
+  @Override
+  public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
+    armed = state.flag(ARMED);
+    List<String> values = state.texts(REFUSING);
+    for (int i = 0; i + 5 < values.size(); i += 6) {
+      Heard service = new Heard();
+      service.instance = values.get(i + 1);
+      service.obeyed = Long.parseLong(values.get(i + 2));
+      service.refused = Long.parseLong(values.get(i + 3));
+      service.refusedBefore = Long.parseLong(values.get(i + 4));
+      service.sinceMicros = nowMicros - Clock.micros(Double.parseDouble(values.get(i + 5)));
+      service.refusedMicros = nowMicros;
+      service.heardMicros = nowMicros;
+      services.put(values.get(i), service);
+    }
   }
 
   @Override

@@ -5,12 +5,15 @@ import java.util.List;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Arming state: the vehicle may move once all checks have passed and an operator, or ARM AT START,
  * has armed it.
  */
 final class Arming {
+  private static final String WAITS = "waits to arm";
+
   private final SafetyManager manager;
   private final ArmingChecks checks;
   private boolean armed;
@@ -48,6 +51,24 @@ final class Arming {
       manager.log("armed");
     } else {
       manager.log(LogLevelEnum.WARN, "not armed: " + String.join("; ", reasons));
+    }
+  }
+
+  /** Writes whether it still waits for the checks. */
+  void handOver(HandOver state) {
+    state.flag(WAITS, waits);
+  }
+
+  /** Goes on waiting like the Safety Manager that it replaces at a swap. */
+  void takeOver(HandOver state) {
+    waits = state.flag(WAITS);
+  }
+
+  /** ARM AT START counts only for the first Safety Manager of a run. */
+  void startsLater(String why) {
+    if (waits) {
+      waits = false;
+      manager.log(LogLevelEnum.WARN, "does not arm at start: " + why);
     }
   }
 

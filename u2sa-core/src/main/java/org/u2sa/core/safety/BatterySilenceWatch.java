@@ -16,7 +16,6 @@ import org.u2sa.service.handover.HandOver;
  */
 final class BatterySilenceWatch implements Watch {
   private static final int MAX_BATTERIES = 256; // so that invented ones do not fill the memory
-  private static final String HEARD = "batteries";
 
   private final Supplier<SafetyVariables> settings;
   private final Map<String, Long> heardMicros = new TreeMap<>(); // by sensor name; local clock
@@ -44,13 +43,19 @@ final class BatterySilenceWatch implements Watch {
   }
 
   @Override
-  public void handOver(HandOver state) {
-    state.texts(HEARD, heardMicros.keySet());
+  public void handOver(HandOver state, long nowMicros) {
+    Silence.handOver(state, hazard().words(), heardMicros, nowMicros);
   }
 
   @Override
-  public void takeOver(HandOver state, long nowMicros) {
-    state.texts(HEARD).forEach(name -> hear(name, nowMicros));
+  public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
+    double deadlineS = upToDate ? 0.0 : settings.get().batteryDeadline();
+    Silence.takeOver(state, hazard().words(), nowMicros, deadlineS).forEach(this::hear);
+  }
+
+  @Override
+  public String saved() {
+    return heardMicros.keySet().toString();
   }
 
   @Override

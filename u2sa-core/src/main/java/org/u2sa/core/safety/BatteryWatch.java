@@ -1,5 +1,6 @@
 package org.u2sa.core.safety;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,6 +13,7 @@ import java.util.function.ToDoubleFunction;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /** Checks whether a battery has been below a voltage or charge threshold for BATTERY TIME. */
 final class BatteryWatch implements Watch {
@@ -84,6 +86,31 @@ final class BatteryWatch implements Watch {
       long since = before == null ? nowMicros : before.sinceMicros();
       low.put(battery.sensorName(), new Low(since, battery.sensorName() + words));
     }
+  }
+
+  @Override
+  public void handOver(HandOver state, long nowMicros) {
+    List<String> values = new ArrayList<>();
+    low.forEach(
+        (name, each) ->
+            values.addAll(
+                List.of(name, Silence.seconds(nowMicros - each.sinceMicros()), each.words())));
+    state.texts(hazard.words(), values);
+  }
+
+  /** A battery is low until it says otherwise. */
+  @Override
+  public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
+    List<String> values = state.texts(hazard.words());
+    for (int i = 0; i + 2 < values.size(); i += 3) {
+      long since = nowMicros - Clock.micros(Double.parseDouble(values.get(i + 1)));
+      low.put(values.get(i), new Low(since, values.get(i + 2)));
+    }
+  }
+
+  @Override
+  public String saved() {
+    return low.keySet().toString();
   }
 
   private List<String> chosen() {

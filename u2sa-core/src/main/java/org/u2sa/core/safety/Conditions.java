@@ -7,8 +7,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.service.handover.HandOver;
 
 /** Condition of each service, as published by the health monitor. */
 final class Conditions {
@@ -18,6 +20,8 @@ final class Conditions {
   /** Prefix of the health monitor's action for services it gives up. */
   private static final String GIVEN_UP = "failsafe";
 
+  private static final String FAILED = "failed services";
+
   private final Map<String, ServiceCondition> newest = new TreeMap<>();
 
   void see(ServiceCondition condition) {
@@ -26,6 +30,27 @@ final class Conditions {
     } else {
       newest.put(condition.serviceName(), condition);
     }
+  }
+
+  /** Writes which services have failed. */
+  void handOver(HandOver state) {
+    state.messages(FAILED, failed());
+  }
+
+  /** Takes over the failed services: each has failed until a newer condition says otherwise. */
+  void takeOver(HandOver state) {
+    state.messages(FAILED, ServiceCondition.class).forEach(this::see);
+  }
+
+  /** The part of it that must be saved as soon as it changes. */
+  String saved() {
+    return failed().stream().map(Conditions::words).collect(Collectors.joining());
+  }
+
+  private List<ServiceCondition> failed() {
+    return newest.values().stream()
+        .filter(condition -> !WORKING.contains(condition.condition()))
+        .collect(Collectors.toList());
   }
 
   /**
@@ -44,9 +69,8 @@ final class Conditions {
 
   /** A service the health monitor has given up, by policy or after its restarts. */
   Optional<String> givenUp() {
-    return newest.values().stream()
+    return failed().stream()
         .filter(condition -> condition.action().startsWith(GIVEN_UP))
-        .filter(condition -> !WORKING.contains(condition.condition()))
         .findFirst()
         .map(Conditions::words);
   }

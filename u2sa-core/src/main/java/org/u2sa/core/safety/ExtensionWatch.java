@@ -11,6 +11,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /** Watch that delegates to an extension's {@link SafetyCheck}. */
 final class ExtensionWatch implements Watch {
@@ -18,6 +19,8 @@ final class ExtensionWatch implements Watch {
 
   private final SafetyCheck check;
   private final Hazard hazard;
+  private Optional<String> reported = Optional.empty(); // trouble
+  private Optional<String> inherited = Optional.empty(); // trouble, until a message arrives
 
   private ExtensionWatch(SafetyCheck check) {
     this.check = check;
@@ -75,11 +78,29 @@ final class ExtensionWatch implements Watch {
   @Override
   public void see(U2SAData message, long nowMicros) {
     check.see(message, nowMicros);
+    inherited = Optional.empty();
+  }
+
+  @Override
+  public void handOver(HandOver state, long nowMicros) {
+    reported.ifPresent(words -> state.text(key(), words));
+  }
+
+  /** What the predecessor's check reported counts until this one has heard something. */
+  @Override
+  public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
+    inherited = check.channels().isEmpty() ? Optional.empty() : state.text(key());
+  }
+
+  private String key() {
+    return "check " + hazard.words();
   }
 
   @Override
   public Optional<String> trouble(long nowMicros) {
-    return check.trouble(nowMicros);
+    Optional<String> trouble = check.trouble(nowMicros);
+    reported = trouble.isPresent() ? trouble : inherited;
+    return reported;
   }
 
   @Override

@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Selects the failsafe action: the most severe one in the matrix of the active hazards. A cause
@@ -21,6 +22,8 @@ final class FailsafeDecision {
   /** An active hazard. */
   private record Cause(Hazard hazard, FailsafeAction action, String words, long seenMicros) {}
 
+  private static final String CAUSES = "causes";
+  private static final String KEPT = "kept cause";
   private static final String OVER = " (over; stays until armed again)";
 
   private final Configurator matrix;
@@ -68,16 +71,44 @@ final class FailsafeDecision {
                 cause.seenMicros() < nowMicros && nowMicros - cause.seenMicros() >= clearMicros);
   }
 
-  /** Takes over an action of the previous Safety Manager if it latches. */
-  void adopt(FailsafeAction action, List<String> words) {
-    for (Hazard hazard : hazards) {
-      String prefix = hazard.words() + ": ";
-      if (!words.isEmpty() && words.get(0).startsWith(prefix)) {
-        String cause = words.get(0).substring(prefix.length()).replace(OVER, "");
-        Cause adopted = new Cause(hazard, action, cause, 0);
-        kept = stays(adopted) ? adopted : kept;
+  /** Writes all causes for a successor. */
+  void handOver(HandOver state) {
+    List<String> values = new ArrayList<>();
+    causes.values().forEach(cause -> values.addAll(texts(cause)));
+    state.texts(CAUSES, values).texts(KEPT, kept == null ? List.of() : texts(kept));
+  }
+
+  private static List<String> texts(Cause cause) {
+    return List.of(cause.hazard().words(), cause.action().name(), cause.words());
+  }
+
+  /** Takes over all causes of the previous Safety Manager, as if they were present now. */
+  void takeOver(HandOver state, long nowMicros) {
+    for (Cause cause : read(state.texts(CAUSES), nowMicros)) {
+      causes.put(cause.hazard(), cause);
+    }
+    for (Cause cause : read(state.texts(KEPT), nowMicros)) {
+      kept = cause;
+    }
+  }
+
+  /** The causes written by {@link #texts} whose hazards exist here. */
+  private List<Cause> read(List<String> values, long nowMicros) {
+    List<Cause> read = new ArrayList<>();
+    for (int i = 0; i + 2 < values.size(); i += 3) {
+      FailsafeAction action = FailsafeAction.valueOf(values.get(i + 1));
+      for (Hazard hazard : hazards) {
+        if (hazard.words().equals(values.get(i))) {
+          read.add(new Cause(hazard, action, values.get(i + 2), nowMicros));
+        }
       }
     }
+    return read;
+  }
+
+  /** What must be saved as soon as it changes. */
+  String saved() {
+    return causes.keySet() + (kept == null ? "" : " " + kept.hazard() + " " + kept.action());
   }
 
   /** Clears all causes; only those present from now on count. */

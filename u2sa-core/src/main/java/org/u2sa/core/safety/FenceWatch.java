@@ -8,6 +8,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Checks that the vehicle can still stop or turn round inside the fence, if any. The floor applies
@@ -16,6 +17,7 @@ import org.u2sa.messages.schema.U2SAData;
  */
 final class FenceWatch implements Watch {
   private static final double ROUNDING_M = 1e-3;
+  private static final String ABOVE_FLOOR = "above floor";
   private static final String NO_ALTITUDE = "no altitude";
 
   private final Configurator matrix;
@@ -69,6 +71,21 @@ final class FenceWatch implements Watch {
   @Override
   public void see(U2SAData message, long nowMicros) {
     aboveFloor &= !(message instanceof ArmingState state) || state.armed();
+  }
+
+  @Override
+  public void handOver(HandOver state, long nowMicros) {
+    state.flag(ABOVE_FLOOR, aboveFloor);
+  }
+
+  @Override
+  public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
+    aboveFloor = state.flag(ABOVE_FLOOR);
+  }
+
+  @Override
+  public String saved() {
+    return String.valueOf(aboveFloor);
   }
 
   @Override

@@ -39,13 +39,24 @@ final class GuardedWatch implements Watch {
   }
 
   @Override
-  public void handOver(HandOver state) {
-    watch.handOver(state);
+  public void handOver(HandOver state, long nowMicros) {
+    watch.handOver(state, nowMicros);
+    fault.ifPresent(words -> state.text(key(), words));
   }
 
   @Override
-  public void takeOver(HandOver state, long nowMicros) {
-    watch.takeOver(state, nowMicros);
+  public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
+    watch.takeOver(state, nowMicros, upToDate);
+    fault = state.text(key());
+  }
+
+  private String key() {
+    return "fault of " + hazard().words();
+  }
+
+  @Override
+  public String saved() {
+    return watch.saved();
   }
 
   @Override

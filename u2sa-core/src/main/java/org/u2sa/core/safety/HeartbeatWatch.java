@@ -1,5 +1,6 @@
 package org.u2sa.core.safety;
 
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
@@ -77,22 +78,27 @@ final class HeartbeatWatch implements Watch {
   }
 
   @Override
-  public void handOver(HandOver state) {
+  public void handOver(HandOver state, long nowMicros) {
     if (heardMicros >= 0) {
-      state.text(hazard.words(), heard);
+      Silence.handOver(state, hazard.words(), Map.of(heard, heardMicros), nowMicros);
     }
   }
 
-  /** Whoever was heard before the restart must be heard again within the deadline. */
+  /** Whoever was heard before must be heard again within the deadline. */
   @Override
-  public void takeOver(HandOver state, long nowMicros) {
-    state
-        .text(hazard.words())
-        .ifPresent(
-            who -> {
+  public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
+    double deadlineS = upToDate ? 0.0 : expected.get().deadlineS();
+    Silence.takeOver(state, hazard.words(), nowMicros, deadlineS)
+        .forEach(
+            (who, when) -> {
               heard = who;
-              heardMicros = nowMicros;
+              heardMicros = when;
             });
+  }
+
+  @Override
+  public String saved() {
+    return heardMicros >= 0 ? "heard" : "";
   }
 
   @Override

@@ -5,6 +5,7 @@ import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.inbox.MessageAge;
 
 /**
@@ -12,6 +13,9 @@ import org.u2sa.service.inbox.MessageAge;
  * uncertain.
  */
 final class PositionWatch implements Watch {
+  private static final String NEWEST = "state";
+  private static final String AGE = "state heard before";
+
   private final Supplier<SafetyVariables> settings;
   private StateInformation newest; // null until the first
   private long heardMicros; // arrival of the newest
@@ -30,6 +34,22 @@ final class PositionWatch implements Watch {
     if (message instanceof StateInformation state && state.timestamp().isPresent()) {
       newest = state;
       heardMicros = nowMicros;
+    }
+  }
+
+  @Override
+  public void handOver(HandOver state, long nowMicros) {
+    if (newest != null) {
+      state.message(NEWEST, newest).number(AGE, Clock.seconds(nowMicros - heardMicros));
+    }
+  }
+
+  /** After a restart the vehicle is elsewhere: only states that arrive then count. */
+  @Override
+  public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
+    if (upToDate) {
+      newest = state.message(NEWEST, StateInformation.class).orElse(null);
+      heardMicros = nowMicros - Clock.micros(state.number(AGE).orElse(0.0));
     }
   }
 

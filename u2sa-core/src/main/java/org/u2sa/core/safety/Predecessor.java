@@ -1,10 +1,7 @@
 package org.u2sa.core.safety;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.ArmingState;
-import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 
@@ -18,28 +15,25 @@ final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent retained messages
   private static final double SPOKE_WITHIN_S = 20.0;
   private static final String ARMED = "armed";
-  private static final String ACTION = "failsafe";
-  private static final String CAUSES = "causes";
 
   private final long listensUntilMicros;
   private boolean awaited = true;
+  private boolean heard; // a message of it
   private boolean saysArmed; // its last message
-  private boolean armed; // its saved state, like the next two
-  private FailsafeAction action = FailsafeAction.CONTINUE;
-  private List<String> causes = List.of();
+  private boolean armed; // its saved state
 
   Predecessor(long nowMicros) {
     listensUntilMicros = nowMicros + Clock.micros(LISTEN_S);
   }
 
   /** Saves the state of the present Safety Manager for its successor. */
-  static void handOver(HandOver state, boolean armed, FailsafeAction action, List<String> causes) {
-    state.flag(ARMED, armed).text(ACTION, action.name()).texts(CAUSES, causes);
+  static void handOver(HandOver state, boolean armed) {
+    state.flag(ARMED, armed);
   }
 
   /** Passes its state on to the next one, which starts before this one has begun. */
   void handOver(HandOver state) {
-    handOver(state, armed, action, causes);
+    handOver(state, armed);
   }
 
   /**
@@ -49,8 +43,6 @@ final class Predecessor {
    */
   void takeOver(HandOver state) {
     armed = state.flag(ARMED);
-    action = state.text(ACTION).map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
-    causes = new ArrayList<>(state.texts(CAUSES));
   }
 
   void see(U2SAData message, long nowMicros) {
@@ -58,6 +50,7 @@ final class Predecessor {
     if (awaited
         && message instanceof ArmingState state
         && Math.abs(ageMicros) <= Clock.micros(SPOKE_WITHIN_S)) {
+      heard = true;
       saysArmed = state.armed();
     }
   }
@@ -72,20 +65,14 @@ final class Predecessor {
   void end() {
     awaited = false;
     armed = false;
-    action = FailsafeAction.CONTINUE;
+  }
+
+  /** Whether a Safety Manager spoke shortly before. */
+  boolean wasHeard() {
+    return heard;
   }
 
   boolean wasArmed() {
     return armed && saysArmed;
-  }
-
-  /** Last failsafe action it demanded while the vehicle was armed. */
-  FailsafeAction action() {
-    return wasArmed() ? action : FailsafeAction.CONTINUE;
-  }
-
-  /** Causes of the action, most severe first. */
-  List<String> causes() {
-    return causes;
   }
 }

@@ -45,8 +45,10 @@ public final class SafetyManager extends PeriodicService {
   private final FailsafeDecision decision;
   private final Arming arming;
   private final Predecessor predecessor;
+  private final boolean isRestart;
+  private final boolean isSwap;
   private boolean begun;
-  private String saved = ""; // state saved last, without what changes continually
+  private String saved = ""; // part of the state that was saved last
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
@@ -71,6 +73,8 @@ public final class SafetyManager extends PeriodicService {
     ArmingChecks checks = new ArmingChecks(this, settings, watches, conditions, emergency);
     arming = new Arming(this, checks, settings.get().armAtStart());
     predecessor = new Predecessor(clock().micros());
+    isRestart = context.isRestart();
+    isSwap = context.isSwap();
     registerPublisher(Channels.FAILSAFE);
     registerPublisher(Channels.ARMING_STATE);
     registerPublisher(Channels.EMERGENCY_STOP);
@@ -115,25 +119,37 @@ public final class SafetyManager extends PeriodicService {
 
   @Override
   protected void handOver(HandOver state) {
+    long now = clock().micros();
     if (begun) {
-      Predecessor.handOver(state, arming.isArmed(), action(), decision.causes());
+      Predecessor.handOver(state, arming.isArmed());
     } else {
       predecessor.handOver(state);
     }
-    watches.forEach(watch -> watch.handOver(state));
+    arming.handOver(state);
+    decision.handOver(state);
+    conditions.handOver(state);
+    watches.forEach(watch -> watch.handOver(state, now));
   }
 
   @Override
   protected void takeOver(HandOver state) {
+    long now = clock().micros();
     predecessor.takeOver(state);
-    watches.forEach(watch -> watch.takeOver(state, clock().micros()));
+    if (isSwap) {
+      arming.takeOver(state);
+    }
+    decision.takeOver(state, now);
+    conditions.takeOver(state);
+    watches.forEach(watch -> watch.takeOver(state, now, isSwap));
   }
 
   /** Saves what a successor must know, if it has changed. */
   private void save() {
-    HandOver watched = new HandOver("");
-    watches.forEach(watch -> watch.handOver(watched));
-    String state = arming.isArmed() + " " + action() + " " + decision.hazards() + " " + watched;
+    String state =
+        watches.stream()
+            .map(Watch::saved)
+            .collect(
+                Collectors.joining(" ", arming.isArmed() + decision.saved(), conditions.saved()));
     if (begun && !state.equals(saved)) {
       saved = state;
       remember();
@@ -144,9 +160,14 @@ public final class SafetyManager extends PeriodicService {
     begun = true;
     if (predecessor.wasArmed() && !emergency.isStopped()) {
       arming.stayArmed();
+    } else {
+      decision.acknowledge(); // causes count while armed; an emergency stop persists by itself
     }
-    if (predecessor.action() != FailsafeAction.STOP) { // the emergency stop persists by itself
-      decision.adopt(predecessor.action(), predecessor.causes());
+    if (!isSwap && (isRestart || predecessor.wasHeard())) {
+      arming.startsLater(
+          isRestart
+              ? "it was restarted"
+              : "another Safety Manager of this system spoke shortly before");
     }
   }
 

@@ -110,7 +110,9 @@ record SafetyVariables(
             text =
                 "Whether RETURN and LAND end with their causes, except the fence; otherwise they last until an operator arms again.")
         boolean resume,
-    @Variable(ifAbsentText = "false", text = "Whether to arm once, as soon as all checks pass.")
+    @Variable(
+            ifAbsentText = "false",
+            text = "Whether to arm once in a run, as soon as all checks pass.")
         boolean armAtStart,
     @Variable(ifAbsentText = "true", text = "Whether arming requires a goal.")
         boolean missionRequired,

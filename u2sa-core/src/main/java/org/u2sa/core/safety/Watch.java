@@ -35,11 +35,21 @@ interface Watch {
   /** Handles a message. */
   default void see(U2SAData message, long nowMicros) {}
 
-  /** Saves what the watch of a restarted Safety Manager must still know. */
-  default void handOver(HandOver state) {}
+  /** Writes what a successor's watch must know, so that it sees the same trouble. */
+  default void handOver(HandOver state, long nowMicros) {}
 
-  /** Takes over what {@link #handOver} has saved. */
-  default void takeOver(HandOver state, long nowMicros) {}
+  /**
+   * Takes over what {@link #handOver} has written.
+   *
+   * @param upToDate whether it was written just now, at a swap; at a restart it is as old as the
+   *     last change
+   */
+  default void takeOver(HandOver state, long nowMicros, boolean upToDate) {}
+
+  /** The part of it that must be saved as soon as it changes. */
+  default String saved() {
+    return "";
+  }
 
   /** Current trouble in words; empty if none. */
   Optional<String> trouble(long nowMicros);

@@ -94,7 +94,7 @@ public final class AccessTable {
           // account that can stop a vehicle in the air is one more to guard, and the Safety
           // Manager repeats it.
           row(Channels.EMERGENCY_STOP, URGENT, Set.of(SAFETY, OPERATOR)).asWill(),
-          row(Channels.FAILSAFE, URGENT, Set.of(SAFETY)),
+          row(Channels.FAILSAFE, URGENT, Set.of(MONITOR, SAFETY)),
           row(Channels.OPERATOR, REPORT, Set.of(OPERATOR)),
           row(Channels.ARMING, URGENT, Set.of(OPERATOR)),
           row(Channels.ARMING_STATE, URGENT, Set.of(SAFETY)),

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /** What the monitor does about what it concluded, and remembers when it is itself restarted. */
@@ -36,6 +37,35 @@ class RestartOrderTest extends WatchedWorker {
     assertThat(condition().condition()).isEqualTo(Condition.FAILED);
     assertThat(condition().action()).isEqualTo("failsafe, given up after 3 restarts");
     assertThat(condition().restarts()).isEqualTo(3);
+  }
+
+  @Test
+  void restartByAPerson_oldInstanceEndedAndNoNewOneStarts_isAFailureThatIsRestarted() {
+    monitor();
+    live("a", 1.0);
+    say(report("a").status(ServiceStatus.STOPPED));
+    kit.advance(0.5);
+    assertThat(condition().condition()).isEqualTo(Condition.STOPPED);
+
+    answer(new ServiceOrder().requestId("Ann 1"), false);
+    kit.advance(1.0);
+
+    assertThat(condition().condition()).isEqualTo(Condition.FAILED);
+    assertThat(condition().reason()).isEqualTo("its restart failed: no device");
+    assertThat(orders()).hasSize(1);
+  }
+
+  @Test
+  void restartByAPerson_refusedWhileItRuns_laterStopIsAStop() {
+    monitor();
+    live("a", 1.0);
+    answer(new ServiceOrder().requestId("Ann 1"), false);
+    live("a", 1.0);
+    say(report("a").status(ServiceStatus.STOPPED));
+    kit.advance(1.0);
+
+    assertThat(condition().condition()).isEqualTo(Condition.STOPPED);
+    assertThat(orders()).isEmpty();
   }
 
   @Test

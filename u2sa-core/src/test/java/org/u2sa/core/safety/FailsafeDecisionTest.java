@@ -9,6 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.service.handover.HandOver;
 
 /** Which of several causes decides, how long a cause counts, and what stays though it is gone. */
 class FailsafeDecisionTest {
@@ -128,25 +129,46 @@ class FailsafeDecisionTest {
     assertThat(decision.action()).isEqualTo(FailsafeAction.RETURN);
   }
 
-  @Test
-  void adopt_causeThatStays_goesOnWithItAndSaysOverOnce() {
-    FailsafeDecision decision = decision(Map.of());
-    decision.adopt(
-        FailsafeAction.RETURN, List.of("operator link: silent" + OVER, "position: lost"));
-
-    assertThat(decision.action()).isEqualTo(FailsafeAction.RETURN);
-    assertThat(decision.causes()).containsExactly("operator link: silent" + OVER);
-    assertThat(decision.hazards()).isEmpty();
+  private static FailsafeDecision successor(FailsafeDecision before, long nowMicros) {
+    HandOver state = new HandOver("SafetyManager");
+    before.handOver(state);
+    FailsafeDecision successor = decision(Map.of());
+    successor.takeOver(state, nowMicros);
+    return successor;
   }
 
   @Test
-  void adopt_causeThatDoesNotStayOrNone_continues() {
+  void takeOver_causeThatStaysAndIsGone_goesOnWithItAndSaysOverOnce() {
+    FailsafeDecision before = decision(Map.of());
+    before.present(Hazard.OPERATOR, "silent", 0);
+    before.forgetUntil(60 * SECOND);
+    FailsafeDecision second = successor(successor(before, 60 * SECOND), 61 * SECOND);
+
+    assertThat(second.action()).isEqualTo(FailsafeAction.RETURN);
+    assertThat(second.causes()).containsExactly("operator link: silent" + OVER);
+    assertThat(second.hazards()).isEmpty();
+  }
+
+  @Test
+  void takeOver_severalCauses_allCountFromNowForClearAfter() {
+    FailsafeDecision before = decision(Map.of("RESUME", true));
+    before.present(Hazard.OPERATOR, "silent", 0);
+    before.present(Hazard.POSITION, "lost", 0);
+    FailsafeDecision second = successor(before, 60 * SECOND);
+
+    second.forgetUntil(63 * SECOND - 1);
+    assertThat(second.causes()).containsExactly("operator link: silent", "position: lost");
+    second.forgetUntil(63 * SECOND);
+    assertThat(second.action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void takeOver_causeOfAHazardThatItDoesNotKnow_ignoresIt() {
+    HandOver state = new HandOver("SafetyManager");
+    state.texts("causes", List.of("leak of another version", "RETURN", "2 cm"));
     FailsafeDecision decision = decision(Map.of());
-    decision.adopt(FailsafeAction.CONTINUE, List.of());
-    decision.adopt(FailsafeAction.HOLD, List.of("position: lost"));
-    decision.adopt(FailsafeAction.RETURN, List.of("a hazard of another version: lost"));
+    decision.takeOver(state, 0);
 
     assertThat(decision.action()).isEqualTo(FailsafeAction.CONTINUE);
-    assertThat(decision.causes()).isEmpty();
   }
 }

@@ -18,6 +18,7 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * When a vehicle is too near to a fence of 200 m by 200 m around the origin, from 50 m to 150 m of
@@ -181,6 +182,20 @@ class FenceWatchTest {
     states.see(at(0.0, 0.0).z(49.0), 0);
 
     assertThat(watch.trouble(0)).contains("floor 50 m at 49 m");
+  }
+
+  @Test
+  void takeOver_hasBeenAboveTheFloor_stillCounts() {
+    FenceWatch before = seeing(at(0.0, 0.0).z(50.0));
+    assertThat(before.saved()).isEqualTo("false");
+    assertThat(before.trouble(0)).isEmpty();
+    assertThat(before.saved()).isEqualTo("true");
+    HandOver state = new HandOver("SafetyManager");
+    before.handOver(state, 0);
+    FenceWatch successor = seeing(at(0.0, 0.0).z(49.0));
+    successor.takeOver(state, 0, false);
+
+    assertThat(successor.trouble(0)).contains("floor 50 m at 49 m");
   }
 
   /** As with a position: at once, while the state is fresh. */

@@ -66,7 +66,7 @@ class AccessTableTest {
             "emergency-stop EmergencyStop safety, operator",
             "arming ArmCommand operator",
             "arming-state ArmingState safety",
-            "failsafe FailsafeState safety",
+            "failsafe FailsafeState monitor, safety",
             "conditions ServiceCondition monitor",
             "goal-commands GoalCommand operator",
             "mission MissionOrder operator");

@@ -24,10 +24,9 @@ public final class ByteLinks {
    * @throws BadInputException if the address is invalid
    */
   public static ByteLink of(ServiceContext context) {
-    return open(
-        (String) context.configuration().getVariable("CONNECTION"),
-        context.clock(),
-        path -> context.configuration().resolve(path.toString()));
+    String address = (String) context.configuration().getVariable("CONNECTION");
+    context.beforeDevice();
+    return open(address, context.clock(), path -> context.configuration().resolve(path.toString()));
   }
 
   /**

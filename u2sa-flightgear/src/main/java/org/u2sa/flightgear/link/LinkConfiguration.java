@@ -87,6 +87,7 @@ final class LinkConfiguration {
   AircraftLink open() {
     Variables now = settings.get();
     if (now.link().equals("flightgear")) {
+      context.beforeDevice();
       return new FlightGearLink(
           now.flightgearHost(),
           now.flightgearOutPort(),
@@ -96,7 +97,7 @@ final class LinkConfiguration {
     }
     if (context.isRestart()) {
       throw new BadInputException(
-          "variable \"LINK\": \"embedded\": the aircraft ended with the previous Simulator; restart the whole system");
+          "variable \"LINK\": \"embedded\": the aircraft ends with its Simulator; restart the whole system");
     }
     if (context.isSwap()) {
       throw new BadInputException(
