@@ -15,8 +15,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import org.u2sa.core.security.AccountFile;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.mqtt.AccountFile;
 import org.u2sa.interfaces.mqtt.AccountFolders;
 
 /**

@@ -6,8 +6,8 @@ import java.net.ServerSocket;
 import java.util.EnumSet;
 import java.util.function.Consumer;
 import org.u2sa.core.security.AccessRole;
-import org.u2sa.core.security.AccountFile;
 import org.u2sa.core.security.User;
+import org.u2sa.interfaces.mqtt.AccountFile;
 import org.u2sa.interfaces.mqtt.AccountFolders;
 import org.u2sa.interfaces.mqtt.LocalToken;
 

@@ -1,10 +1,11 @@
-package org.u2sa.core.security;
+package org.u2sa.interfaces.mqtt;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -12,8 +13,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.mqtt.AccountFolders;
+import org.u2sa.interfaces.configuration.WholeFile;
 
 /**
  * A file for the other programs of this account, in each of its {@link AccountFolders}; only the
@@ -71,15 +71,27 @@ public final class AccountFile implements AutoCloseable {
     String failure = "";
     try {
       AccountFolders.prepare(folder);
-      SecretFile.write(folder.resolve(name), content);
+      replace(folder.resolve(name));
     } catch (IOException e) {
       failure = folder + ": " + e;
-    } catch (BadInputException e) {
-      failure = e.getMessage();
     }
     if (!failure.equals(told.put(folder, failure)) && !failure.isEmpty()) {
       failures.accept(failure);
     }
+  }
+
+  /** Writes it whole; it never exists with wider permissions. */
+  private void replace(Path file) throws IOException {
+    Path beside = file.resolveSibling(name + ".new");
+    Files.deleteIfExists(beside);
+    if (file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+      Files.createFile(
+          beside,
+          PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
+    } else {
+      Files.createFile(beside);
+    }
+    WholeFile.fillAndRename(beside, content, file);
   }
 
   /** Removes the file, except where a later program has replaced it. */

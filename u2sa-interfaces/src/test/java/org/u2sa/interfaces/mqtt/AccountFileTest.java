@@ -1,4 +1,4 @@
-package org.u2sa.core.security;
+package org.u2sa.interfaces.mqtt;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -14,7 +14,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.interfaces.mqtt.AccountFolders;
 
 /** Files that stay where programs of every session of the account find them. */
 @DisabledOnOs(OS.WINDOWS)
