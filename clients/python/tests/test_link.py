@@ -1,9 +1,14 @@
 """What a connection does with what the broker refused or did not confirm."""
+import os
+import pathlib
+import tempfile
 import threading
 import types
 import unittest
+from unittest import mock
 
-from u2sa.link import Broker, Link
+from u2sa import link
+from u2sa.link import Broker, Link, local_token, token_folders
 
 
 def sent(topic, retain):
@@ -47,6 +52,53 @@ class LinkTest(unittest.TestCase):
             self.link.subscribe("u2sa/cessna/emergency-stop/#")
             self.link._subscribed(self.client, None, 7, [code])
         self.assertEqual(self.link.refused_channels(), [])
+
+
+@unittest.skipIf(os.name == "nt", "POSIX permissions")
+class TokenTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.runtime = pathlib.Path(scratch.name, "runtime")
+        self.home = pathlib.Path(scratch.name, "home")
+        account = types.SimpleNamespace(pw_dir=str(self.home))
+        for each in (mock.patch.dict(os.environ, {"XDG_RUNTIME_DIR": str(self.runtime)}),
+                     mock.patch.object(link, "pwd", types.SimpleNamespace(getpwuid=lambda _uid: account))):
+            each.start()
+            self.addCleanup(each.stop)
+        for folder in (self.runtime / "u2sa", self.home / ".u2sa" / "run"):
+            folder.mkdir(mode=0o700, parents=True)
+        self.runtime.chmod(0o700)
+
+    def write(self, folder, token, seconds):
+        file = folder / "broker-1883.token"
+        file.write_text(token + "\n", encoding="utf-8")
+        file.chmod(0o600)
+        os.utime(file, (seconds, seconds))
+
+    def test_the_newest_token_of_all_folders_is_used(self):
+        self.assertEqual(local_token("127.0.0.1", 1883)[0], None)
+        self.write(self.home / ".u2sa" / "run", "home", 1000)
+        self.assertEqual(local_token("127.0.0.1", 1883), ("local", "home"))
+        self.write(self.runtime / "u2sa", "runtime", 2000)
+        self.assertEqual(local_token("127.0.0.1", 1883), ("local", "runtime"))
+        self.write(self.home / ".u2sa" / "run", "later", 3000)
+        self.assertEqual(local_token("127.0.0.1", 1883), ("local", "later"))
+
+    def test_a_folder_that_others_may_write_to_is_not_used(self):
+        self.write(self.runtime / "u2sa", "theirs", 2000)
+        self.runtime.chmod(0o777)
+        self.assertNotIn(self.runtime / "u2sa", token_folders())
+        self.assertEqual(local_token("127.0.0.1", 1883), (None, None))
+
+    def test_a_refused_client_takes_the_token_of_the_broker_that_runs_now(self):
+        self.write(self.home / ".u2sa" / "run", "first", 1000)
+        one = Link(Broker(), "cessna", "Motor", lambda *_: None, lambda _: None)
+        self.write(self.home / ".u2sa" / "run", "second", 2000)
+        logins = []
+        client = types.SimpleNamespace(username_pw_set=lambda *login: logins.append(login))
+        one._connected(client, None, None, 4)
+        self.assertEqual(logins, [("local", "second")])
 
 
 if __name__ == "__main__":

@@ -1,10 +1,12 @@
 """The one place that knows paho-mqtt, 1.6 and 2.x alike: a connection that comes back by itself."""
 from __future__ import annotations
 
+import contextlib
 import os
 import pathlib
 import re
 import ssl
+import stat
 import threading
 import uuid
 from dataclasses import dataclass
@@ -17,6 +19,11 @@ from .message import Message
 from .occurrences import Occurrences
 from .retained import Retained
 from .topics import Topic, delivery, encoded
+
+try:
+    import pwd
+except ImportError:  # no POSIX accounts
+    pwd = None  # type: ignore[assignment]
 
 _KEEP_ALIVE_S = 5
 _BACK_OFF_S = (1, 30)
@@ -49,19 +56,44 @@ def loopback(host: str) -> Optional[str]:
     return host if re.fullmatch(r"127(\.[0-9]{1,3}){3}", host) else None
 
 
-def local_token(address: str, port: int) -> Tuple[Optional[str], Optional[str]]:
-    """As whom this account's programs come to a broker that the account started at this loopback address; nobody if there is none."""
+def token_folders() -> List[pathlib.Path]:
+    """Where the account's programs leave tokens for each other: every broker writes to all of them, as sessions of one account differ in the variable."""
     runtime = os.environ.get("XDG_RUNTIME_DIR", "")
-    folder = pathlib.Path(runtime, "u2sa") if runtime and os.path.isdir(runtime) else pathlib.Path.home() / ".u2sa" / "run"
-    suffix = "" if address == "127.0.0.1" else "-" + re.sub("[^0-9A-Za-z.-]", "_", address)
-    file = folder / f"broker-{port}{suffix}.token"
+    homes = [pathlib.Path(os.path.expanduser("~"))]
+    if pwd is not None:
+        with contextlib.suppress(KeyError):  # an account without an entry
+            homes.insert(0, pathlib.Path(pwd.getpwuid(os.getuid()).pw_dir))  # as Java has it, whatever HOME says
+    folders = [pathlib.Path(runtime, "u2sa")] if runtime and _is_private(pathlib.Path(runtime)) else []
+    return list(dict.fromkeys([*folders, *(home / ".u2sa" / "run" for home in homes)]))
+
+
+def _is_private(path: pathlib.Path) -> bool:
+    """Whether it is a folder of this account that nobody else may write to."""
     try:
-        if not file.is_file() or file.stat().st_mode & 0o077:
-            return None, None
-        token = file.read_text(encoding="utf-8").strip()
+        facts = path.lstat()
     except OSError:
-        return None, None  # the broker says what one without it may not do
-    return ("local", token) if token else (None, None)
+        return False
+    return stat.S_ISDIR(facts.st_mode) and (pwd is None or facts.st_uid == os.getuid() and not facts.st_mode & 0o022)
+
+
+def local_token(address: str, port: int) -> Tuple[Optional[str], Optional[str]]:
+    """As whom this account's programs come to a broker that the account started at this loopback address; nobody if there is none.
+
+    Of several tokens the newest is the running broker's: the others were left by killed ones.
+    """
+    suffix = "" if address == "127.0.0.1" else "-" + re.sub("[^0-9A-Za-z.-]", "_", address)
+    found: List[Tuple[float, str]] = []
+    for folder in token_folders():
+        file = folder / f"broker-{port}{suffix}.token"
+        try:
+            if not _is_private(folder) or not file.is_file() or file.stat().st_mode & 0o077:
+                continue
+            token = file.read_text(encoding="utf-8").strip()
+            if token:
+                found.append((file.stat().st_mtime, token))
+        except (OSError, UnicodeDecodeError):
+            continue  # the broker says what one without it may not do
+    return ("local", max(found)[1]) if found else (None, None)
 
 
 class CannotConnect(ConnectionError):
@@ -104,14 +136,13 @@ class Link:
         first: Dict[str, Any] = {"callback_api_version": versions.VERSION2} if versions else {}
         client: Any = mqtt.Client(client_id=client_id, clean_session=True, protocol=mqtt.MQTTv311, **first)
         broker = self._broker
-        user, password = broker.user, broker.password
         local = loopback(broker.host)
-        if user is None and broker.ca_file is None and local is not None:
-            user, password = local_token(local, broker.port)
-            if user is not None:
+        if broker.user is not None:
+            client.username_pw_set(broker.user, broker.password)
+        elif broker.ca_file is None and local is not None:
+            if local_token(local, broker.port)[0] is not None:
                 self._host = local  # at another address of the same name any account of this host may listen
-        if user is not None:
-            client.username_pw_set(user, password)
+            self._take_token(client)
         if broker.ca_file is not None:
             client.tls_set(broker.ca_file, broker.cert_file, broker.key_file, tls_version=ssl.PROTOCOL_TLS_CLIENT)
         client.reconnect_delay_set(*_BACK_OFF_S)
@@ -122,6 +153,14 @@ class Link:
         client.on_message = self._surviving("receiving a message", self._message)
         client.on_subscribe = self._surviving("subscribing", self._subscribed)
         return client
+
+    def _take_token(self, client: Any) -> None:
+        """Has the next connection use the present token: a broker that was started again has another."""
+        local = loopback(self._broker.host)
+        if self._broker.user is None and self._broker.ca_file is None and local is not None and self._host == local:
+            user, password = local_token(local, self._broker.port)
+            if user is not None:
+                client.username_pw_set(user, password)
 
     def _surviving(self, what: str, callback: Callable[..., None]) -> Callable[..., None]:
         """A callback that reports its exceptions: they would end paho's thread, and with it the connection."""
@@ -209,6 +248,7 @@ class Link:
         self._refusal = (str(code) if hasattr(code, "is_failure") else mqtt.connack_string(code)) if failed else None
         if failed:
             self._trouble(f"the broker refused: {self._refusal}")
+            self._take_token(client)
         else:
             with self._lock:
                 self._asked.clear()
@@ -229,6 +269,7 @@ class Link:
         if not self._closing:
             code = details[-2] if len(details) > 1 else details[0]
             self._trouble(f"connection lost: {code}")
+            self._take_token(client)
 
     @staticmethod
     def _discarded(client: Any) -> List[str]:

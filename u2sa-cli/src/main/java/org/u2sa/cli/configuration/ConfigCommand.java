@@ -146,6 +146,9 @@ public final class ConfigCommand implements Runnable {
         transaction.revision(revision);
       }
       return report(configuration.change(transaction), before, format);
+    } catch (RunFailedException e) {
+      remote.explainRefusal();
+      throw e;
     }
   }
 
@@ -178,6 +181,9 @@ public final class ConfigCommand implements Runnable {
       RemoteConfiguration configuration = new RemoteConfiguration(link);
       ConfigurationResponse before = configuration.of(service);
       return report(configuration.undo(service), before, format);
+    } catch (RunFailedException e) {
+      remote.explainRefusal();
+      throw e;
     }
   }
 

@@ -119,6 +119,9 @@ public final class PublishCommand implements Callable<Integer> {
             i == count - 1 ? publishAndListen(link, channel, last) : publish(link, channel, last);
       }
       print(link, channel, last, outcome);
+      if (outcome != Outcome.CAME_THROUGH) {
+        remote.explainRefusal();
+      }
       return outcome == Outcome.CAME_THROUGH ? ExitCode.DONE : ExitCode.FAILED;
     }
   }

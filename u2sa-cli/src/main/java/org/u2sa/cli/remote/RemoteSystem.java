@@ -1,11 +1,14 @@
 package org.u2sa.cli.remote;
 
 import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.stream.Collectors;
 import org.u2sa.core.communication.discovery.BrokerSearch;
 import org.u2sa.core.communication.discovery.FoundBroker;
 import org.u2sa.gcs.remote.BrokerAddress;
@@ -16,6 +19,7 @@ import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.mqtt.BrokerAccess;
+import org.u2sa.interfaces.mqtt.LocalToken;
 import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
@@ -134,13 +138,40 @@ public final class RemoteSystem {
    * first which there are.
    *
    * @throws org.u2sa.interfaces.communication.CommunicationException if no broker answers
-   * @throws BadInputException if this account runs several systems at several brokers
    */
   public RemoteLink connectToAll() throws InterruptedException {
     Clock clock = new SystemClock();
     findBroker(clock);
     String id = isChosen() ? systemId : Topic.ANY_SYSTEM;
     return new RemoteLink(transportTo(id), name(), clock, timeoutS, this::tell);
+  }
+
+  /**
+   * These options for each broker that is meant: the named one, or those at which this account runs
+   * the chosen system, or any where none was chosen. Where it runs none, the default broker.
+   */
+  public List<RemoteSystem> atEachBroker() {
+    if (isNamed) {
+      return List.of(this);
+    }
+    List<RemoteSystem> each =
+        LocalSystems.ofAccount().brokers(Optional.ofNullable(systemId)).stream()
+            .map(this::at)
+            .toList();
+    return each.isEmpty() ? List.of(this) : each;
+  }
+
+  private RemoteSystem at(BrokerAddress address) {
+    RemoteSystem there = new RemoteSystem();
+    there.command = command;
+    there.broker = address;
+    there.isNamed = true;
+    there.systemId = systemId;
+    there.timeoutS = timeoutS;
+    there.user = user;
+    there.passwordFile = passwordFile;
+    there.caFile = caFile;
+    return there;
   }
 
   /** Whether the system was chosen by its ID. */
@@ -220,9 +251,10 @@ public final class RemoteSystem {
 
   /**
    * Returns a hint for a silent system: the other systems at the broker, and the closest match.
-   * Empty if the system was not chosen by name.
+   * Empty if the system was not chosen by name. Tells on standard error if there is no token.
    */
   public Optional<String> otherSystems(RemoteLink link) throws InterruptedException {
+    explainRefusal();
     if (systemId == null) {
       return Optional.empty();
     }
@@ -234,6 +266,23 @@ public final class RemoteSystem {
                 ? "no other system is heard at " + broker
                 : "heard at " + broker + ": " + String.join(", ", heard))
             + NearestNames.didYouMean(systemId, heard));
+  }
+
+  /**
+   * Tells on standard error that this account has no token of the broker, and where it was looked
+   * for: the broker ignores such commands without an answer. For commands that had no effect.
+   */
+  public void explainRefusal() {
+    if (broker == null || !user.isEmpty() || !caFile.isEmpty()) {
+      return;
+    }
+    List<Path> looked = LocalToken.missing(broker.hostInAddress(), broker.port());
+    if (!looked.isEmpty()) {
+      tell(
+          String.format(
+              "this account has no token of the broker at %s, which ignores commands without one unless its LOCAL COMMANDS is everybody; looked for %s",
+              broker, looked.stream().map(Path::toString).collect(Collectors.joining(" and "))));
+    }
   }
 
   /**
@@ -272,6 +321,7 @@ public final class RemoteSystem {
   private void tell(String trouble) {
     PrintWriter err = command.commandLine().getErr();
     err.println("u2sa: " + trouble);
+    err.flush();
   }
 
   /** Returns the broker's address for messages: {@code host:port}. */

@@ -3,8 +3,10 @@ package org.u2sa.cli.run;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import org.u2sa.core.launch.Launcher;
+import org.u2sa.core.launch.ProcessFailure;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.ServiceHost;
 import org.u2sa.core.launch.SystemFile;
@@ -35,6 +37,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
   private final Launcher launcher;
   private final Clock clock = new SystemClock();
   private final MonitorGuard guard;
+  private final Map<String, String> replaced = new ConcurrentHashMap<>(); // instances by entry
 
   /**
    * Connects and starts executing orders.
@@ -86,9 +89,12 @@ final class Supervisor implements ServiceHost, AutoCloseable {
               ConnectionLost word = new ConnectionLost();
               word.serviceName(name)
                   .status(ServiceStatus.FAILED)
-                  .lastError("its process has ended with exit code " + exitCode)
+                  .lastError(ProcessFailure.ended(exitCode))
                   .threadAlive(false);
-              last.ifPresent(said -> word.instance(said.instance()));
+              // Without an instance, a monitor knows that this start has failed.
+              last.map(ServiceNames.Word::instance)
+                  .filter(instance -> !instance.equals(replaced.get(entry)))
+                  .ifPresent(word::instance);
               launcher.publish(Channels.HEALTH, word);
             });
   }
@@ -142,11 +148,15 @@ final class Supervisor implements ServiceHost, AutoCloseable {
       return refusal; // the process that works goes on
     }
     try {
+      names
+          .nameOf(entry)
+          .flatMap(names::lastWord)
+          .ifPresent(said -> replaced.put(entry, said.instance()));
       return processes.startProcess(entry, speaks)
           ? Optional.empty()
           : Optional.of("the system is ending");
     } catch (IOException e) {
-      return Optional.of("the process cannot be started: " + e.getMessage());
+      return Optional.of(ProcessFailure.notStarted(e));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return Optional.of("interrupted");

@@ -6,6 +6,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
@@ -30,8 +34,8 @@ import picocli.CommandLine.Spec;
       "Every actuator goes neutral and refuses all commands, including any that starts later, until estop --clear. An aircraft "
           + "glides, its surfaces neutral and its engine idling.",
       "",
-      "Without --system the stop goes to every system at the broker that the user may command, to each as soon as it is heard. "
-          + "--clear lifts the stops of one system, which --system chooses if several are heard.",
+      "Without --system the stop goes to every system at the broker that the user may command, to each as soon as it is heard; "
+          + "without --broker, to the brokers of all systems that this account runs on this machine. --clear lifts the stops of one system, which --system chooses if several are heard.",
       "",
       "Exit code 0: every service that heeds stops, actuators and Safety Manager, has said that it is stopped (or, with --clear, "
           + "that nothing stops it). Exit code 1: one has not; the output names it."
@@ -63,25 +67,56 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     return clear ? clear() : stop();
   }
 
-  /** Publishes the stop before anything else. */
+  /**
+   * Publishes the stop before anything else, and to all brokers at the same time, so that one which
+   * does not answer delays no other.
+   */
   private int stop() throws InterruptedException {
-    try (RemoteLink link = remote.connectToAll();
+    List<RemoteSystem> brokers = remote.atEachBroker();
+    if (brokers.size() == 1) {
+      return stop(brokers.get(0));
+    }
+    ExecutorService threads = Executors.newFixedThreadPool(brokers.size());
+    try {
+      List<Future<Integer>> codes =
+          brokers.stream().map(each -> threads.submit(() -> stop(each))).toList();
+      int worst = ExitCode.DONE;
+      for (int i = 0; i < brokers.size(); i++) {
+        worst = Math.max(worst, code(brokers.get(i), codes.get(i)));
+      }
+      return worst;
+    } finally {
+      threads.shutdownNow();
+    }
+  }
+
+  private int code(RemoteSystem at, Future<Integer> code) throws InterruptedException {
+    try {
+      return code.get();
+    } catch (ExecutionException e) {
+      out().printf("%s: NOT STOPPED: %s%n", at.brokerAddress(), e.getCause().getMessage());
+      return ExitCode.FAILED;
+    }
+  }
+
+  private int stop(RemoteSystem at) throws InterruptedException {
+    try (RemoteLink link = at.connectToAll();
         Clock.Waiter waiter = link.clock().newWaiter("stops")) {
       StopOrder order = new StopOrder(link, waiter, Operator.name(), reason);
-      remote.known().forEach(order::send);
-      if (!remote.isChosen()) {
+      at.known().forEach(order::send);
+      if (!at.isChosen()) {
         order.sendToAllHeard();
       }
       SortedMap<String, StopConfirmation> vehicles = order.await();
       if (vehicles.isEmpty()) {
-        throw remote.nobodyHeard();
+        throw at.nobodyHeard();
       }
       int worst = ExitCode.DONE;
       for (String system : vehicles.keySet()) {
         String failure = order.failure(system);
         int code =
             failure.isEmpty()
-                ? report(link, system, vehicles.get(system), order.holds())
+                ? report(at, link, system, vehicles.get(system), order.holds())
                 : notSent(system, failure);
         worst = Math.max(worst, code);
       }
@@ -122,27 +157,36 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     link.publish(Channels.EMERGENCY_STOP, message);
     StopConfirmation.Outcome free = List::isEmpty;
     vehicle.await(free);
-    return report(link, link.systemId(), vehicle, free);
+    return report(remote, link, link.systemId(), vehicle, free);
   }
 
   private int report(
-      RemoteLink link, String system, StopConfirmation vehicle, StopConfirmation.Outcome wanted)
+      RemoteSystem at,
+      RemoteLink link,
+      String system,
+      StopConfirmation vehicle,
+      StopConfirmation.Outcome wanted)
       throws InterruptedException {
     String what = clear ? "Emergency stop cleared" : "Emergency stop";
     List<String> missing = vehicle.missing(wanted);
     List<String> by = vehicle.confirmedBy(wanted);
     String confirmed = by.isEmpty() ? "" : "confirmed by " + String.join(", ", shortened(by));
-    PrintWriter out = out();
+    StringBuilder text = new StringBuilder();
     if (missing.isEmpty()) {
-      out.printf("%s: %s, %s%n", system, what, confirmed);
+      text.append(String.format("%s: %s, %s%n", system, what, confirmed));
     } else {
-      out.printf(
-          "%s: %s was sent, but NOT CONFIRMED%s%n",
-          system, what, by.isEmpty() ? "" : " by all; " + confirmed);
-      shortened(missing).forEach(reason -> out.println("  " + reason));
+      text.append(
+          String.format(
+              "%s: %s was sent, but NOT CONFIRMED%s%n",
+              system, what, by.isEmpty() ? "" : " by all; " + confirmed));
+      shortened(missing).forEach(reason -> text.append(String.format("  %s%n", reason)));
     }
+    out().print(text); // at once: reports of several brokers must not mix
+    out().flush();
     if (!vehicle.hearsAnybody()) {
-      remote.otherSystems(link).ifPresent(out::println);
+      at.otherSystems(link).ifPresent(out()::println);
+    } else if (!missing.isEmpty()) {
+      at.explainRefusal();
     }
     return missing.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
   }

@@ -52,6 +52,8 @@ public final class StopServicesCommand implements Callable<Integer> {
       int code = report(told, stopped(link, told), link);
       if (told.isEmpty()) {
         remote.otherSystems(link).ifPresent(command.commandLine().getOut()::println);
+      } else if (code != ExitCode.DONE) {
+        remote.explainRefusal();
       }
       return code;
     }

@@ -2,16 +2,28 @@ package org.u2sa.cli.safety;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.ForeignSystem;
+import org.u2sa.gcs.remote.LocalSystems;
+import org.u2sa.interfaces.mqtt.AccountFolders;
+import org.u2sa.interfaces.mqtt.LocalToken;
+import org.u2sa.testkit.FreePort;
 import picocli.CommandLine;
 
 /** The operator's commands on a system in a process of its own. */
@@ -124,6 +136,50 @@ class SafetyCommandsTest {
       assertThat(out.toString())
           .contains("ship: Emergency stop was sent, but NOT CONFIRMED by all; confirmed by Motor")
           .contains("Winch is not stopped");
+    }
+  }
+
+  @Test
+  void estop_oneOfSeveralBrokersDoesNotAnswer_stopsTheOthersAndFails() {
+    LocalSystems.Announcement hung =
+        LocalSystems.ofAccount()
+            .announce(
+                "boat",
+                Optional.of(new InetSocketAddress("127.0.0.1", FreePort.find())),
+                line -> {});
+    CommandLine line =
+        new CommandLine(new EmergencyStopCommand()).setOut(new PrintWriter(out, true));
+
+    assertThat(line.execute("--system", "boat", "--timeout", "10")).isEqualTo(ExitCode.FAILED);
+
+    assertThat(out.toString())
+        .contains("boat: Emergency stop, confirmed by Motor, SafetyManager")
+        .contains("NOT STOPPED: no Communication Manager at");
+    hung.close();
+    assertThat(run(new EmergencyStopCommand(), "--clear")).isEqualTo(ExitCode.DONE);
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void orders_accountHasNoToken_saySoAndWhereTheyLooked() throws IOException {
+    StringWriter err = new StringWriter();
+    String name = LocalToken.fileName("127.0.0.1", foreign.port());
+    List<Path> tokens =
+        AccountFolders.ofProcess().all().stream().map(folder -> folder.resolve(name)).toList();
+    for (Path token : tokens) { // open to others, so not used, and there, so not written again
+      Files.setPosixFilePermissions(token, PosixFilePermissions.fromString("rw-r--r--"));
+    }
+    try {
+      CommandLine line = new CommandLine(new EmergencyStopCommand());
+      line.setOut(new PrintWriter(out, true)).setErr(new PrintWriter(err, true));
+      assertThat(line.execute("--broker", foreign.broker(), "--timeout", "1"))
+          .isEqualTo(ExitCode.FAILED);
+      assertThat(out.toString()).contains("NOT CONFIRMED");
+      assertThat(err.toString()).contains("no token").contains(tokens.get(0).toString());
+    } finally {
+      for (Path token : tokens) {
+        Files.setPosixFilePermissions(token, PosixFilePermissions.fromString("rw-------"));
+      }
     }
   }
 

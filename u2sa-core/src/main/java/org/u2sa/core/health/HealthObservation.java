@@ -43,11 +43,14 @@ final class HealthObservation {
   /** Handles a report. Returns whether a new instance was heard. */
   boolean hear(HealthReport report, double nowS) {
     String of = report.instance().orElse(instance);
-    if (former.contains(of)) {
+    boolean ofAFormer = former.contains(of);
+    if (report instanceof ConnectionLost) {
+      if (!ofAFormer || isOfAFailedStart(report)) {
+        lose(of, report);
+      }
       return false;
     }
-    if (report instanceof ConnectionLost) {
-      lose(of, report);
+    if (ofAFormer) {
       return false;
     }
     boolean isNew = last == null || !of.equals(instance);
@@ -69,6 +72,13 @@ final class HealthObservation {
     dead |= report.threadAlive().equals(Optional.of(false));
     dead &= !(forItself && report.status() == ServiceStatus.RUNNING); // it reports, so it is alive
     return isNew;
+  }
+
+  /** Whether a process ended before its service reported, so that no instance is known. */
+  static boolean isOfAFailedStart(HealthReport report) {
+    return report instanceof ConnectionLost
+        && report.instance().isEmpty()
+        && report.threadAlive().equals(Optional.of(false));
   }
 
   /**
@@ -100,6 +110,8 @@ final class HealthObservation {
       leave(instance);
       last = null;
       sinceS = nowS;
+      lost = false;
+      processEnd = "";
     }
   }
 
@@ -133,6 +145,9 @@ final class HealthObservation {
 
   /** Current condition of the service. */
   Finding judge(MonitorVariables.Limits limits, double dataTimeoutS, double nowS) {
+    if (last == null && !processEnd.isEmpty()) {
+      return finding(Condition.LOST, processEnd);
+    }
     if (last == null) {
       return nowS - sinceS > limits.startWithin()
           ? finding(Condition.LOST, "not heard for " + seconds(nowS - sinceS))

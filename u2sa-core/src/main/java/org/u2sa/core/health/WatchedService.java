@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
+import org.u2sa.core.launch.ProcessFailure;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.HealthReport;
@@ -23,6 +24,9 @@ final class WatchedService {
 
   private static final String GIVEN_UP = "given up";
 
+  /** Longest time between starts that fail for a lack of resources, which others may soon free. */
+  private static final double MAX_RETRY_S = 2.0;
+
   private final String name;
   private final HealthObservation observation;
   private final RestartCount restarts = new RestartCount();
@@ -33,6 +37,9 @@ final class WatchedService {
   private boolean toldToStop;
   private boolean givenUp;
   private String givenUpWords = "";
+  private boolean hopeless; // its process rejected its input
+  private int shortages; // starts in a row that failed for a lack of resources
+  private double shortSinceS = Double.NaN; // time of the first of them; NaN if none
   private double orderedS = Double.NaN; // time of the pending restart order; NaN if none
   private String orderedInstance = ""; // instance it is to replace
   private String notStarted = ""; // why the last restart failed; empty if it did not
@@ -50,10 +57,34 @@ final class WatchedService {
     if (isPending() && ofReplaced && !(forItself && report.status() == ServiceStatus.RUNNING)) {
       return; // it ends because it is being replaced
     }
+    if (HealthObservation.isOfAFailedStart(report)) {
+      endStart(report.lastError().filter(ProcessFailure::isOfInput), nowS);
+    }
     if (observation.hear(report, nowS)) {
       toldToStop = false;
-      givenUp = false;
+      resume();
     }
+  }
+
+  /**
+   * Ends the waiting for a new instance.
+   *
+   * @param hopelessness why another start would fail, too; empty if it may succeed
+   */
+  private void endStart(Optional<String> hopelessness, double nowS) {
+    if (isPending()) {
+      observation.expectAnother(orderedInstance, nowS); // if its order is not answered yet
+      orderedS = Double.NaN;
+    }
+    hopeless = hopelessness.isPresent();
+  }
+
+  /** Ends what was concluded from earlier starts. */
+  private void resume() {
+    givenUp = false;
+    hopeless = false;
+    shortSinceS = Double.NaN;
+    shortages = 0;
   }
 
   private boolean isPending() {
@@ -82,17 +113,26 @@ final class WatchedService {
   /** Called when somebody else ordered its start or restart. */
   void startedByOthers() {
     toldToStop = false;
-    givenUp = false;
+    resume();
   }
 
   /** Handles the result of the ordered restart. */
   void answered(boolean accepted, String reason, double nowS) {
     if (accepted) {
-      observation.expectAnother(orderedInstance, nowS);
-    } else {
-      orderedS = Double.NaN;
-      action = "restart failed: " + reason;
-      notStarted(reason);
+      shortSinceS = Double.NaN;
+      shortages = 0;
+      if (isPending()) { // otherwise its process has ended meanwhile
+        observation.expectAnother(orderedInstance, nowS);
+      }
+      return;
+    }
+    orderedS = Double.NaN;
+    action = "restart failed: " + reason;
+    notStarted(reason);
+    if (ProcessFailure.isOfResources(reason)) {
+      restarts.takeBack(); // nothing was started
+      shortages++;
+      shortSinceS = Double.isNaN(shortSinceS) ? nowS : shortSinceS;
     }
   }
 
@@ -145,16 +185,19 @@ final class WatchedService {
       action = words(policy);
       return false;
     }
-    if (!givenUp && before >= settings.limits().restartLimit()) {
+    Optional<String> why = givenUp ? Optional.empty() : whyToGiveUp(settings, before, nowS);
+    if (why.isPresent()) {
       givenUp = true;
-      givenUpWords =
-          words(settings.afterRestarts()) + ", " + GIVEN_UP + " after " + before + " restarts";
+      givenUpWords = words(settings.afterRestarts()) + ", " + GIVEN_UP + why.get();
     }
     if (givenUp) {
       action = givenUpWords;
       return false;
     }
     double delayS = settings.delayS(before);
+    if (shortages > 0) {
+      delayS = Math.max(delayS, Math.min(settings.delayS(shortages), MAX_RETRY_S));
+    }
     if (finding.mayPass()) {
       delayS = Math.max(delayS, settings.limits().reconnectWithin());
     }
@@ -166,6 +209,17 @@ final class WatchedService {
     orderedS = nowS;
     orderedInstance = observation.instance();
     return true;
+  }
+
+  private Optional<String> whyToGiveUp(MonitorVariables settings, int before, double nowS) {
+    if (hopeless) {
+      return Optional.of(": its process rejects its input");
+    }
+    if (before >= settings.limits().restartLimit()) {
+      return Optional.of(" after " + before + " restarts");
+    }
+    boolean isShortForLong = nowS - shortSinceS > settings.limits().startWithin();
+    return isShortForLong ? Optional.of(": no process can be started") : Optional.empty();
   }
 
   private static String words(Policy policy) {
@@ -208,6 +262,12 @@ final class WatchedService {
       timesS.add(nowS);
       lastS = nowS;
       total++;
+    }
+
+    /** Withdraws the latest one; the next still waits from its time on. */
+    void takeBack() {
+      timesS.pollLast();
+      total--;
     }
 
     /** Takes over an earlier monitor's count. */

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.mqtt.AccountFolders;
 import org.u2sa.interfaces.mqtt.LocalToken;
 import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.messages.registry.StandardTypes;
@@ -40,7 +41,11 @@ class LocalAccountTest {
   @BeforeEach
   void start() {
     broker = new TestManager(Map.of("LOCAL COMMANDS", "account"));
-    token = LocalToken.file("127.0.0.1", broker.port);
+    token =
+        AccountFolders.ofProcess()
+            .all()
+            .get(0)
+            .resolve(LocalToken.fileName("127.0.0.1", broker.port));
     broker.local("Local", inbox).subscribe(Channels.STOP);
   }
 

@@ -67,12 +67,16 @@ abstract class WatchedWorker {
   }
 
   void answer(ServiceOrder order, boolean accepted) {
+    answer(order, accepted, accepted ? "" : "no device");
+  }
+
+  void answer(ServiceOrder order, boolean accepted, String reason) {
     kit.publish(
         Channels.SERVICE_ORDERS,
         new ServiceOrderResult()
             .requestId(order.requestId())
             .serviceName("Worker")
             .accepted(accepted)
-            .reason(accepted ? "" : "no device"));
+            .reason(reason));
   }
 }

@@ -3,23 +3,26 @@ package org.u2sa.gcs.remote;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
-import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.mqtt.AccountFile;
+import org.u2sa.interfaces.mqtt.AccountFolders;
 
 /**
  * Registry of the systems run by this account on this machine and their broker addresses, so that a
  * command finds the right broker even if another program has the default port. One file per system,
- * named after its process, in a folder writable only by this account.
+ * named after its process, in each of the {@link AccountFolders}.
  */
 public final class LocalSystems {
   /**
@@ -34,27 +37,17 @@ public final class LocalSystems {
     }
   }
 
-  private static final String FOLDER = "u2sa.systems"; // property, for tests
   private static final int MAX_BYTES = 1_000;
 
-  private final Path folder;
+  private final AccountFolders folders;
 
-  LocalSystems(Path folder) {
-    this.folder = folder;
+  LocalSystems(AccountFolders folders) {
+    this.folders = folders;
   }
 
   /** Opens the registry of this account. */
   public static LocalSystems ofAccount() {
-    String chosen = System.getProperty(FOLDER, "");
-    String runtime = System.getenv().getOrDefault("XDG_RUNTIME_DIR", "");
-    if (!chosen.isEmpty()) {
-      return new LocalSystems(Path.of(chosen));
-    }
-    return new LocalSystems(
-        runtime.isEmpty()
-            ? Path.of(
-                System.getProperty("java.io.tmpdir"), "u2sa-" + System.getProperty("user.name"))
-            : Path.of(runtime, "u2sa"));
+    return new LocalSystems(AccountFolders.ofProcess());
   }
 
   /** Withdraws what {@link #announce} announced. */
@@ -79,85 +72,64 @@ public final class LocalSystems {
     boolean isHere = address.isAnyLocalAddress() || address.isLoopbackAddress();
     BrokerAddress reached =
         new BrokerAddress(isHere ? "localhost" : address.getHostAddress(), broker.get().getPort());
-    Path file = folder.resolve(ProcessHandle.current().pid() + "-" + reached.port());
-    try {
-      prepare();
-      Files.writeString(file, systemId + " " + reached);
-    } catch (IOException e) {
-      console.accept("Commands find this system by --broker " + reached + " only: " + e);
-      return () -> {};
-    }
-    return () -> remove(file, console);
-  }
-
-  private void prepare() throws IOException {
-    if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
-      Files.createDirectories(folder.toAbsolutePath().getParent());
-      if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")) {
-        Files.createDirectory(
-            folder,
-            PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
-      } else {
-        Files.createDirectory(folder);
-      }
-    }
-    if (!isOurs()) {
-      throw new IOException(folder + " belongs to another account");
-    }
-  }
-
-  private boolean isOurs() throws IOException {
-    String owner = Files.getOwner(folder, LinkOption.NOFOLLOW_LINKS).getName();
-    return owner.equals(System.getProperty("user.name"));
-  }
-
-  private static void remove(Path file, Consumer<String> console) {
-    try {
-      Files.deleteIfExists(file);
-    } catch (IOException e) {
-      console.accept("cannot remove " + file + ": " + e.getMessage());
-    }
+    long pid = ProcessHandle.current().pid();
+    String start = ProcessIdentity.startOf(pid).orElseThrow();
+    AccountFile file =
+        new AccountFile(
+            folders,
+            pid + "-" + reached.port(),
+            systemId + " " + reached + " " + start,
+            failure ->
+                console.accept(
+                    "Commands that look there find this system by --broker "
+                        + reached
+                        + " only: "
+                        + failure));
+    return file::close;
   }
 
   /** Returns the systems whose processes are running. */
   public List<LocalSystem> running() {
-    List<LocalSystem> running = new ArrayList<>();
-    if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
-      return running;
-    }
-    try {
-      if (!isOurs()) {
-        return running;
-      }
+    Set<LocalSystem> running = new LinkedHashSet<>();
+    for (Path folder : folders.readable()) {
       try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
         for (Path file : files) {
           read(file).ifPresent(running::add);
         }
+      } catch (IOException | DirectoryIteratorException e) {
+        throw new BadInputException(folder + ": " + e + "; --broker names the broker instead", e);
       }
-      return running;
-    } catch (IOException e) {
-      throw new BadInputException(folder + ": " + e + "; --broker names the broker instead", e);
     }
+    return List.copyOf(running);
   }
 
   /**
-   * Returns the system of a file; empty if the process ended without removing it, or if it is
-   * another file.
+   * Returns the system of a file; empty if the process ended without removing it, if another
+   * process has its number now, or if it is another file.
    */
   private static Optional<LocalSystem> read(Path file) throws IOException {
     String name = file.getFileName().toString();
-    if (!name.matches("\\d{1,9}-\\d{1,5}") || Files.size(file) > MAX_BYTES) {
+    if (!name.matches("\\d{1,9}-\\d{1,5}")) {
       return Optional.empty();
     }
-    long pid = Long.parseLong(name.substring(0, name.indexOf('-')));
-    if (ProcessHandle.of(pid).filter(ProcessHandle::isAlive).isEmpty()) {
+    String text;
+    try {
+      text = Files.size(file) > MAX_BYTES ? "" : Files.readString(file);
+    } catch (NoSuchFileException e) {
+      return Optional.empty(); // its process ended just now
+    }
+    String[] words = text.trim().split(" ");
+    Optional<String> start = ProcessIdentity.startOf(Long.parseLong(name.split("-")[0]));
+    if (words.length != 3 || start.filter(words[2]::equals).isEmpty()) {
       Files.deleteIfExists(file);
       return Optional.empty();
     }
-    String[] words = Files.readString(file).trim().split(" ");
-    return words.length == 2
-        ? Optional.of(new LocalSystem(words[0], BrokerAddress.parse(words[1])))
-        : Optional.empty(); // it is being written
+    try {
+      return Optional.of(new LocalSystem(words[0], BrokerAddress.parse(words[1])));
+    } catch (IllegalArgumentException e) {
+      Files.deleteIfExists(file);
+      return Optional.empty();
+    }
   }
 
   /** IDs of the systems at a broker; empty if the registry cannot be read. */
@@ -173,22 +145,35 @@ public final class LocalSystems {
   }
 
   /**
+   * Returns the broker addresses of the running systems, each once.
+   *
+   * @param systemId wanted system; empty for any
+   */
+  public List<BrokerAddress> brokers(Optional<String> systemId) {
+    return meant(systemId).stream().map(LocalSystem::broker).distinct().toList();
+  }
+
+  private List<LocalSystem> meant(Optional<String> systemId) {
+    return running().stream()
+        .filter(each -> systemId.isEmpty() || each.systemId().equals(systemId.get()))
+        .sorted(Comparator.comparing(LocalSystem::toString))
+        .toList();
+  }
+
+  /**
    * Returns the broker address of the only running system; empty if none runs.
    *
    * @param systemId wanted system; empty for any
    * @throws BadInputException if several brokers match
    */
   public Optional<BrokerAddress> theOnly(Optional<String> systemId) {
-    List<LocalSystem> meant =
-        running().stream()
-            .filter(each -> systemId.isEmpty() || each.systemId().equals(systemId.get()))
-            .sorted((a, b) -> a.toString().compareTo(b.toString()))
-            .toList();
-    List<BrokerAddress> brokers = meant.stream().map(LocalSystem::broker).distinct().toList();
+    List<BrokerAddress> brokers = brokers(systemId);
     if (brokers.size() > 1) {
       throw new BadInputException(
           "several systems run on this machine: "
-              + meant.stream().map(LocalSystem::toString).collect(Collectors.joining(", "))
+              + meant(systemId).stream()
+                  .map(LocalSystem::toString)
+                  .collect(Collectors.joining(", "))
               + "; --system or --broker chooses one");
     }
     return brokers.stream().findFirst();

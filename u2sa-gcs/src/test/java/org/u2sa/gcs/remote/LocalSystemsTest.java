@@ -13,13 +13,14 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.mqtt.AccountFolders;
 
 class LocalSystemsTest {
   @TempDir private Path directory;
   private final List<String> told = new ArrayList<>();
 
   private LocalSystems systems() {
-    return new LocalSystems(directory.resolve("systems"));
+    return new LocalSystems(new AccountFolders("", directory.toString()));
   }
 
   private LocalSystems.Announcement announce(String systemId, int port) {
@@ -56,16 +57,43 @@ class LocalSystemsTest {
   @Test
   void running_processThatEndedWithoutAWord_isForgotten() throws IOException {
     announce("boat", 40_001).close();
-    Path left = directory.resolve("systems/999999999-1883"); // above any process's number
-    Files.writeString(left, "ghost localhost:1883");
+    Path left = directory.resolve(".u2sa/run/999999999-1883"); // above any process's number
+    Files.writeString(left, "ghost localhost:1883 long-ago");
 
     assertThat(systems().running()).isEmpty();
     assertThat(left).doesNotExist();
   }
 
   @Test
+  void running_numberOfAnotherProcessNow_isForgotten() throws IOException {
+    announce("boat", 40_001);
+    Path ours = directory.resolve(".u2sa/run/" + ProcessHandle.current().pid() + "-40001");
+    String entry = Files.readString(ours);
+    Path left = ours.resolveSibling(ProcessHandle.current().pid() + "-1883");
+    Files.writeString(left, entry.replace("boat localhost:40001", "ghost localhost:1883") + "9");
+
+    assertThat(systems().theOnly(Optional.empty()))
+        .hasValue(BrokerAddress.parse("localhost:40001"));
+    assertThat(left).doesNotExist();
+    assertThat(ours).exists();
+  }
+
+  @Test
+  void running_announcedWithAnotherRuntimeFolder_isFoundOnceByBoth() throws IOException {
+    Path runtime = Files.createDirectory(directory.resolve("runtime"));
+    LocalSystems session =
+        new LocalSystems(new AccountFolders(runtime.toString(), directory.toString()));
+    session.announce("boat", Optional.of(new InetSocketAddress("127.0.0.1", 40_001)), told::add);
+
+    assertThat(systems().running()).hasSize(1);
+    assertThat(session.running()).hasSize(1);
+    Files.delete(directory.resolve(".u2sa/run/" + ProcessHandle.current().pid() + "-40001"));
+    assertThat(session.running()).hasSize(1);
+  }
+
+  @Test
   void announce_folderCannotBeMade_isToldAndTheSystemRunsOn() throws IOException {
-    Files.writeString(directory.resolve("systems"), "a file");
+    Files.writeString(directory.resolve(".u2sa"), "a file");
 
     announce("boat", 40_001).close();
 

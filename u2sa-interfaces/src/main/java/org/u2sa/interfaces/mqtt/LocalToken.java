@@ -4,7 +4,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
@@ -25,43 +26,75 @@ public final class LocalToken {
   private LocalToken() {}
 
   /**
-   * Token file of a broker: in {@code $XDG_RUNTIME_DIR/u2sa}, or else in {@code ~/.u2sa/run}. Each
-   * loopback address has its own file, because on an address where the broker does not listen
-   * another account could, and would receive the token.
+   * Name of a broker's token file, in each of the {@link AccountFolders}. Each loopback address has
+   * its own file, because on an address where the broker does not listen another account could, and
+   * would receive the token.
    *
    * @param address listening address of the broker
    * @param port listening port of the broker
    */
-  public static Path file(String address, int port) {
-    String runtime = System.getenv("XDG_RUNTIME_DIR");
-    Path folder =
-        runtime != null && !runtime.isEmpty() && Files.isDirectory(Paths.get(runtime))
-            ? Paths.get(runtime, "u2sa")
-            : Paths.get(System.getProperty("user.home", ""), ".u2sa", "run");
+  public static String fileName(String address, int port) {
     String other = loopback(address).orElse(address);
     String suffix = other.equals(USUAL) ? "" : "-" + other.replaceAll("[^0-9A-Za-z.-]", "_");
-    return folder.resolve("broker-" + port + suffix + ".token");
+    return "broker-" + port + suffix + ".token";
   }
 
   /**
    * Token of a local broker; empty if this account has none. A file that others could read or write
-   * is not used.
+   * is not used. Of several, the newest is the running broker's: the others were left by killed
+   * ones.
    */
-  static Optional<char[]> read(String host, int port) {
-    Path file = file(host, port);
-    if (loopback(host).isEmpty() || !Files.isRegularFile(file)) {
+  public static Optional<char[]> read(String host, int port) {
+    return read(AccountFolders.ofProcess(), host, port);
+  }
+
+  static Optional<char[]> read(AccountFolders folders, String host, int port) {
+    if (!loopback(host).isPresent()) {
       return Optional.empty();
     }
-    try {
-      SecretFiles.requireClosed("local token", file);
-      if (Files.size(file) > MAX_BYTES) {
-        return Optional.empty();
+    Optional<char[]> newest = Optional.empty();
+    long newestMs = Long.MIN_VALUE;
+    for (Path folder : folders.readable()) {
+      Path file = folder.resolve(fileName(host, port));
+      try {
+        long writtenMs = Files.getLastModifiedTime(file).toMillis();
+        Optional<char[]> token = writtenMs > newestMs ? read(file) : Optional.empty();
+        if (token.isPresent()) {
+          newest = token;
+          newestMs = writtenMs;
+        }
+      } catch (IOException | BadInputException e) {
+        continue; // absent or open to others; the broker decides what is allowed without it
       }
-      String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8).trim();
-      return text.isEmpty() ? Optional.empty() : Optional.of(text.toCharArray());
-    } catch (IOException | BadInputException e) {
-      return Optional.empty(); // the broker decides what is allowed without it
     }
+    return newest;
+  }
+
+  private static Optional<char[]> read(Path file) throws IOException {
+    SecretFiles.requireClosed("local token", file);
+    if (Files.size(file) > MAX_BYTES) {
+      return Optional.empty();
+    }
+    String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8).trim();
+    return text.isEmpty() ? Optional.empty() : Optional.of(text.toCharArray());
+  }
+
+  /**
+   * Where a token of the broker was looked for, if this account has none; empty if it has one or
+   * the broker is on another host.
+   */
+  public static List<Path> missing(String host, int port) {
+    return missing(AccountFolders.ofProcess(), host, port);
+  }
+
+  static List<Path> missing(AccountFolders folders, String host, int port) {
+    List<Path> looked = new ArrayList<>();
+    if (loopback(host).isPresent() && !read(folders, host, port).isPresent()) {
+      for (Path folder : folders.all()) {
+        looked.add(folder.resolve(fileName(host, port)));
+      }
+    }
+    return looked;
   }
 
   /** Normalised loopback address; empty for other hosts and for host names. */

@@ -1,13 +1,14 @@
 package org.u2sa.interfaces.mqtt;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,30 +19,36 @@ import org.junit.jupiter.params.provider.CsvSource;
 class LocalTokenTest {
   private static final int PORT = 1; // no broker of ours listens there
 
-  private final String home = System.getProperty("user.home");
   @TempDir Path folder;
-  private Path file; // in $XDG_RUNTIME_DIR where a machine has it
+  private Path runtime;
+  private AccountFolders session; // one with XDG_RUNTIME_DIR
+  private AccountFolders bare;
+  private Path file;
 
   @BeforeEach
-  void moveIn() {
-    System.setProperty("user.home", folder.toString());
-    file = LocalToken.file("127.0.0.1", PORT);
+  void moveIn() throws IOException {
+    runtime = Files.createDirectory(folder.resolve("runtime"));
+    session = new AccountFolders(runtime.toString(), folder.toString());
+    bare = new AccountFolders("", folder.toString());
+    file = folder.resolve(".u2sa/run").resolve(LocalToken.fileName("127.0.0.1", PORT));
   }
 
-  @AfterEach
-  void delete() throws IOException {
-    System.setProperty("user.home", home);
-    Files.deleteIfExists(file);
-  }
-
-  private void write(String token) throws IOException {
-    Files.createDirectories(file.getParent());
+  private static void write(Path file, String token) throws IOException {
+    AccountFolders.prepare(file.getParent());
     Files.write(file, token.getBytes(StandardCharsets.UTF_8));
     Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-------"));
   }
 
-  private static String read(String host) {
-    return LocalToken.read(host, PORT).map(String::new).orElse("none");
+  private void write(String token) throws IOException {
+    write(file, token);
+  }
+
+  private String read(String host) {
+    return read(bare, host);
+  }
+
+  private static String read(AccountFolders folders, String host) {
+    return LocalToken.read(folders, host, PORT).map(String::new).orElse("none");
   }
 
   @ParameterizedTest
@@ -55,8 +62,7 @@ class LocalTokenTest {
     "a/../b, broker-1-a_.._b.token"
   })
   void file_eachAddress_isOneFileOfItsOwn(String address, String name) {
-    assertThat(LocalToken.file(address, PORT).getFileName()).hasToString(name);
-    assertThat(LocalToken.file(address, PORT).getParent()).isEqualTo(file.getParent());
+    assertThat(LocalToken.fileName(address, PORT)).isEqualTo(name);
   }
 
   @Test
@@ -76,14 +82,57 @@ class LocalTokenTest {
 
   @Test
   void read_hostThatIsNotThisOne_isNoneThoughAFileIsThere() throws IOException {
-    Path other = LocalToken.file("boat.lan", PORT);
     write("secret");
-    Files.copy(file, other);
-    try {
-      assertThat(read("boat.lan")).isEqualTo("none");
-    } finally {
-      Files.delete(other);
-    }
+    Files.copy(file, file.resolveSibling(LocalToken.fileName("boat.lan", PORT)));
+
+    assertThat(read("boat.lan")).isEqualTo("none");
+    assertThat(LocalToken.missing(bare, "boat.lan", PORT)).isEmpty();
+  }
+
+  @Test
+  void read_tokenInTheOtherFolder_isFoundFromBothSessions() throws IOException {
+    write("secret");
+    assertThat(read(session, "127.0.0.1")).isEqualTo("secret");
+
+    Files.delete(file);
+    assertThat(LocalToken.missing(session, "127.0.0.1", PORT))
+        .containsExactly(runtime.resolve("u2sa").resolve(file.getFileName()), file);
+    write(runtime.resolve("u2sa").resolve(file.getFileName()), "elsewhere");
+    assertThat(read(session, "127.0.0.1")).isEqualTo("elsewhere");
+    assertThat(LocalToken.missing(session, "127.0.0.1", PORT)).isEmpty();
+  }
+
+  @Test
+  void read_twoTokens_isTheNewestInWhicheverFolder() throws IOException {
+    Path other = runtime.resolve("u2sa").resolve(file.getFileName());
+    write("home");
+    write(other, "runtime");
+    Files.setLastModifiedTime(file, FileTime.fromMillis(2_000));
+    Files.setLastModifiedTime(other, FileTime.fromMillis(1_000));
+    assertThat(read(session, "127.0.0.1")).isEqualTo("home");
+
+    Files.setLastModifiedTime(other, FileTime.fromMillis(3_000));
+    assertThat(read(session, "127.0.0.1")).isEqualTo("runtime");
+  }
+
+  @Test
+  void read_folderThatOthersMayWriteTo_isNotUsed() throws IOException {
+    write(runtime.resolve("u2sa").resolve(file.getFileName()), "theirs");
+    Files.setPosixFilePermissions(runtime, PosixFilePermissions.fromString("rwxrwxrwx"));
+    assertThat(read(session, "127.0.0.1")).isEqualTo("none");
+    assertThat(session.all()).containsExactly(file.getParent());
+
+    write("secret");
+    Files.setPosixFilePermissions(file.getParent(), PosixFilePermissions.fromString("rwxrwx---"));
+    assertThat(read(session, "127.0.0.1")).isEqualTo("none");
+  }
+
+  @Test
+  void prepare_linkInPlaceOfTheFolder_isRefused() throws IOException {
+    Path elsewhere = Files.createDirectory(folder.resolve("elsewhere"));
+    Path link = Files.createSymbolicLink(folder.resolve("run"), elsewhere);
+
+    assertThatThrownBy(() -> AccountFolders.prepare(link)).isInstanceOf(IOException.class);
   }
 
   @Test

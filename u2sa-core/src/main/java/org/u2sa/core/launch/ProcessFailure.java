@@ -1,0 +1,42 @@
+package org.u2sa.core.launch;
+
+import java.io.IOException;
+import java.util.regex.Pattern;
+
+/**
+ * What a supervisor of processes says of one that ended or could not be started, and what a monitor
+ * concludes from it. The words are for people as well: they stand in reports and in logs.
+ */
+public final class ProcessFailure {
+  private static final String ENDED = "its process has ended with exit code ";
+  private static final int BAD_INPUT = 2; // of the command line: nothing was started
+  private static final String SHORT_OF_RESOURCES = "too little memory, processes or open files";
+
+  /** Errors of Linux as Java tells them: EAGAIN, ENOMEM, ENFILE and EMFILE. */
+  private static final Pattern NO_RESOURCES = Pattern.compile("error=(11|12|23|24)\\b");
+
+  private ProcessFailure() {}
+
+  /** Words for a process that has ended. */
+  public static String ended(int exitCode) {
+    return ENDED + exitCode;
+  }
+
+  /** Whether the ended process would reject its input again if it were started again. */
+  public static boolean isOfInput(String words) {
+    return words.equals(ended(BAD_INPUT));
+  }
+
+  /** Words for a process that could not be started. */
+  public static String notStarted(IOException cause) {
+    boolean isShort = NO_RESOURCES.matcher("" + cause.getMessage()).find();
+    return "the process cannot be started: "
+        + (isShort ? SHORT_OF_RESOURCES + ": " : "")
+        + cause.getMessage();
+  }
+
+  /** Whether the start failed for a lack of resources, which may pass. */
+  public static boolean isOfResources(String words) {
+    return words.contains(SHORT_OF_RESOURCES);
+  }
+}

@@ -1,0 +1,39 @@
+package org.u2sa.gcs.remote;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.Optional;
+
+/**
+ * Tells a process from a later one with the same number, by when it started.
+ *
+ * <p>On Linux the start is counted from the machine's boot, which the boot's ID names: the time of
+ * day, and with it the start that Java tells, moves when the clock is set.
+ */
+final class ProcessIdentity {
+  private static final Path BOOT = Path.of("/proc/sys/kernel/random/boot_id");
+  private static final int START_FIELD = 22; // of /proc/PID/stat: proc(5)
+  private static final int STATE_FIELD = 3; // the first one after the program's name
+
+  private ProcessIdentity() {}
+
+  /** When the process started, as a word without spaces; empty if no such process runs. */
+  static Optional<String> startOf(long pid) {
+    Optional<ProcessHandle> process = ProcessHandle.of(pid).filter(ProcessHandle::isAlive);
+    if (process.isEmpty()) {
+      return Optional.empty();
+    }
+    try {
+      String stat = Files.readString(Path.of("/proc", String.valueOf(pid), "stat"));
+      // The program's name is in parentheses, and may contain spaces and parentheses itself.
+      String[] fields = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
+      return Optional.of(Files.readString(BOOT).trim() + "/" + fields[START_FIELD - STATE_FIELD]);
+    } catch (IOException e) { // no Linux, or ended just now
+      return process
+          .filter(ProcessHandle::isAlive)
+          .map(alive -> alive.info().startInstant().map(Instant::toString).orElse("unknown"));
+    }
+  }
+}

@@ -1,0 +1,125 @@
+package org.u2sa.interfaces.mqtt;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Folders in which programs of one account leave files for each other: {@code
+ * $XDG_RUNTIME_DIR/u2sa} and {@code ~/.u2sa/run}. Every file is written to and looked for in both,
+ * because sessions of one account differ in the variable, and its folder is removed with the
+ * account's last session.
+ */
+public final class AccountFolders {
+  private static final String UNKNOWN = "?"; // the JVM's name of an account without an entry
+  private static final Path SELF = Paths.get("/proc/self");
+
+  private final String runtime;
+  private final String home;
+
+  /**
+   * @param runtime value of {@code XDG_RUNTIME_DIR}; empty if unset
+   * @param home home folder of the account
+   */
+  public AccountFolders(String runtime, String home) {
+    this.runtime = runtime;
+    this.home = home;
+  }
+
+  /** Folders of the account of this process. */
+  public static AccountFolders ofProcess() {
+    String runtime = System.getenv("XDG_RUNTIME_DIR");
+    return new AccountFolders(runtime == null ? "" : runtime, System.getProperty("user.home", ""));
+  }
+
+  /**
+   * The folders, whether they exist yet or not. That in {@code XDG_RUNTIME_DIR} is listed only
+   * while the latter exists and nobody else can replace what is in it.
+   */
+  public List<Path> all() {
+    List<Path> all = new ArrayList<>();
+    if (!runtime.isEmpty() && isPrivate(Paths.get(runtime))) {
+      all.add(Paths.get(runtime, "u2sa"));
+    }
+    all.add(Paths.get(home, ".u2sa", "run"));
+    return all;
+  }
+
+  /** The folders whose files can be trusted: those that exist and that nobody else can write to. */
+  public List<Path> readable() {
+    List<Path> readable = new ArrayList<>();
+    for (Path folder : all()) {
+      if (isPrivate(folder)) {
+        readable.add(folder);
+      }
+    }
+    return readable;
+  }
+
+  /**
+   * Creates the folder if absent, with access for its owner only.
+   *
+   * @throws IOException if that fails, or if it is a link or another account's
+   */
+  public static void prepare(Path folder) throws IOException {
+    if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
+      Files.createDirectories(folder.toAbsolutePath().getParent());
+      if (isPosix(folder)) {
+        Files.createDirectory(
+            folder,
+            PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
+      } else {
+        Files.createDirectory(folder);
+      }
+    }
+    if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+      throw new IOException(folder + " is no folder");
+    }
+    if (!isOurs(folder)) {
+      throw new IOException(folder + " belongs to another account");
+    }
+    if (isPosix(folder)) {
+      Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwx------"));
+    }
+  }
+
+  private static boolean isPrivate(Path folder) {
+    try {
+      if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS) || !isOurs(folder)) {
+        return false;
+      }
+      if (!isPosix(folder)) {
+        return true; // non-POSIX permissions, not visible to Java
+      }
+      Set<PosixFilePermission> others =
+          EnumSet.of(PosixFilePermission.GROUP_WRITE, PosixFilePermission.OTHERS_WRITE);
+      others.retainAll(Files.getPosixFilePermissions(folder, LinkOption.NOFOLLOW_LINKS));
+      return others.isEmpty();
+    } catch (IOException e) {
+      return false; // removed meanwhile, or not ours to look at
+    }
+  }
+
+  private static boolean isOurs(Path folder) throws IOException {
+    if (!isPosix(folder)) {
+      return true; // there, a program may own what it creates as a group
+    }
+    String account = System.getProperty("user.name", UNKNOWN);
+    if (account.equals(UNKNOWN) && Files.exists(SELF)) {
+      account = Files.getOwner(SELF).getName();
+    }
+    return Files.getOwner(folder, LinkOption.NOFOLLOW_LINKS).getName().equals(account);
+  }
+
+  private static boolean isPosix(Path folder) {
+    return folder.getFileSystem().supportedFileAttributeViews().contains("posix");
+  }
+}
