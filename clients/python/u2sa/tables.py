@@ -355,6 +355,7 @@ MESSAGES = [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
         ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
         ('objects', 'messages:ObjectDescription', 'always', (), None, None, (), 1, None, False),
+        ('awaited', 'texts', 'optional', None, None, None, (), 3, None, False),
     ]),
     (('NavigationPoint',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -1210,4 +1211,5 @@ LABELS = (
     'pitch',
     'altitude',
     'airspeed',
+    'awaited',
 )

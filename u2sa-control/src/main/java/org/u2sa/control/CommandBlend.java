@@ -38,6 +38,11 @@ final class CommandBlend {
     }
   }
 
+  /** From now on commands are those of the current law. */
+  void end() {
+    from.clear();
+  }
+
   /** Last command [%]. */
   OptionalDouble last(String actuator) {
     Double percentage = last.get(actuator);

@@ -321,9 +321,10 @@ public abstract class ControlSystem extends EventDrivenService {
     blend.takeOver(state, isOfMyClass(state));
   }
 
-  /** Leaves the actuators neutral; overrides must call super. */
+  /** Leaves the actuators neutral, at once; overrides must call super. */
   @Override
   protected void release() {
+    blend.end();
     neutral().forEach(this::command);
   }
 }

@@ -217,6 +217,19 @@ class ControlSystemTest {
     assertThat(control.points).isEmpty();
   }
 
+  @Test
+  void release_whileBlendingFromAnotherLaw_isNeutralAtOnce() {
+    HandOver memory = new HandOver("AnotherControl");
+    memory.texts("COMMANDED", List.of("THROTTLE")).number("COMMAND THROTTLE", 80.0);
+    control.takeOver(memory);
+    kit.publish(Channels.STATE, state());
+    kit.advance(0.1);
+    control.release();
+
+    PercentageCommand last = (PercentageCommand) kit.latest(Channels.ACTUATION).orElseThrow();
+    assertThat(last.percentage()).isEqualTo(-5.0);
+  }
+
   private static StateInformation state() {
     return new StateInformation().x(8.0).y(50.0).z(100.0).phi(0.0).theta(0.0).psi(0.0);
   }

@@ -12,6 +12,8 @@ public final class ObjectList extends U2SAData {
       Schema.of(ObjectList.class, ObjectList::new, U2SAData.TYPE);
   private static final ValueField<ObjectList, List<ObjectDescription>> OBJECTS =
       SCHEMA.messages("objects", ObjectDescription.TYPE);
+  private static final ValueField<ObjectList, List<String>> AWAITED =
+      SCHEMA.since(3).optionalTexts("awaited");
 
   /** The schema. */
   public static final MessageType<ObjectList> TYPE = SCHEMA.build();
@@ -29,5 +31,19 @@ public final class ObjectList extends U2SAData {
   /** Sets {@link #objects()}. */
   public ObjectList objects(List<? extends ObjectDescription> value) {
     return put(OBJECTS, List.copyOf(value));
+  }
+
+  /**
+   * Sensors whose measurements are missing: while there are any, the objects and the grid may lack
+   * what is around the vehicle now. Empty if none is, and from senders that predate the field.
+   */
+  public List<String> awaited() {
+    List<String> value = get(AWAITED);
+    return value == null ? List.of() : value;
+  }
+
+  /** Sets {@link #awaited()}. */
+  public ObjectList awaited(List<String> value) {
+    return put(AWAITED, List.copyOf(value));
   }
 }

@@ -291,12 +291,13 @@ public final class MissionManager extends PeriodicService {
   }
 
   private void update(GoalInformation goal) {
-    if (!run.progress().pursued().book().hasRoomForUpdate(goal)) {
+    GoalSequence updated = run.progress().knowing(goal.uid());
+    if (!updated.book().hasRoomForUpdate(goal)) {
       ignore(
           "update of goal \"" + goal.uid() + "\" refused: the goals would be too long to publish");
       return;
     }
-    if (run.progress().pursued().update(goal)) {
+    if (updated.update(goal)) {
       log("goal \"" + goal.uid() + "\" updated");
     } else {
       log(

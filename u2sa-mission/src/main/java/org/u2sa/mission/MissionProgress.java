@@ -50,6 +50,11 @@ final class MissionProgress {
     return left == null ? pursued : left;
   }
 
+  /** The goals that know one: the mission's before a failsafe's; if none, the mission's. */
+  GoalSequence knowing(String uid) {
+    return mission().knows(uid) || !pursued.knows(uid) ? mission() : pursued;
+  }
+
   /** Whether a failsafe's own goals are pursued instead of the mission's. */
   boolean isLeft() {
     return left != null;

@@ -19,6 +19,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.testkit.ServiceKit;
@@ -190,5 +191,47 @@ class FailsafeMissionTest {
         missions.get().sequence(FailsafeAction.LAND, Optional.empty()).orElseThrow();
     assertThat(landing.currentNames()).containsExactly("LAND 1");
     assertThat(landing.knows("LAND home")).isTrue();
+  }
+
+  private void update(String uid, double x) {
+    kit.publish(
+        Channels.GOAL_UPDATES, new Waypoint().uid(uid).x(x).y(2.0).horizontalThreshold(1.0));
+  }
+
+  private double x(int goal) {
+    GoalInformation current = kit.latest(Channels.GOALS).orElseThrow().goals().get(goal);
+    return ((Waypoint) current).x().orElseThrow();
+  }
+
+  @Test
+  void updateOfAMissionGoalDuringReturn_countsWhenTheMissionResumes() {
+    kit.start(MissionManager::new);
+    failsafe(FailsafeAction.RETURN);
+    update("1", 3.0);
+    failsafe(FailsafeAction.CONTINUE);
+
+    assertThat(goals()).containsExactly("1");
+    assertThat(x(0)).isEqualTo(3.0);
+  }
+
+  @Test
+  void updateOfANewGoalDuringReturn_isKnownToTheMission() {
+    kit.start(MissionManager::new);
+    failsafe(FailsafeAction.RETURN);
+    update("gate", 3.0);
+    failsafe(FailsafeAction.CONTINUE);
+    kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("gate"));
+
+    assertThat(goals()).containsExactly("gate");
+  }
+
+  @Test
+  void updateOfAFailsafeGoalDuringReturn_countsAtOnce() {
+    kit.start(MissionManager::new);
+    failsafe(FailsafeAction.RETURN);
+    update("RETURN home", 3.0);
+
+    assertThat(goals()).containsExactly("RETURN home");
+    assertThat(x(0)).isEqualTo(3.0);
   }
 }

@@ -39,6 +39,11 @@ final class ObjectGoalState implements PlannerState {
   }
 
   @Override
+  public boolean needsNoState() {
+    return true;
+  }
+
+  @Override
   public void enter(Pursuit pursuit) {
     avoidance.begin();
     unseenSinceMicros = Long.MIN_VALUE;

@@ -11,6 +11,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
@@ -43,6 +44,7 @@ public class PathPlanner extends EventDrivenService {
   private final PlannerStates states;
   private final EndOfMission end;
   private final Avoidance avoidance;
+  private final BlindStand blind;
   private Optional<GoalList> goals = Optional.empty();
   // The list handed over; it arrives again because it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
@@ -72,6 +74,7 @@ public class PathPlanner extends EventDrivenService {
     WaypointGuidance guidance = guide.apply(this);
     Settings<AvoidanceVariables> seeing = settings(AvoidanceVariables.class);
     avoidance = new Avoidance(this, seeing, this::lines, this::say);
+    blind = new BlindStand(this, avoidance, seeing);
     states =
         new PlannerStates(
             List.of(
@@ -84,7 +87,7 @@ public class PathPlanner extends EventDrivenService {
     registerPublisher(Channels.PLANS);
     subscribe(Channels.GOALS, this::onGoals);
     subscribe(Channels.OBJECTS, this::onObjects);
-    subscribe(Channels.GRID, grid -> avoidance.world().see(grid));
+    subscribe(Channels.GRID, grid -> avoidance.world().see(grid, clock().micros()));
     subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
     FirstFailsafe first = new FirstFailsafe(this, context);
     subscribe(
@@ -166,15 +169,20 @@ public class PathPlanner extends EventDrivenService {
 
   /**
    * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own
-   * axes suffice: the vehicle is at their origin (thesis 4.3.2).
+   * axes suffice for a goal that is one of them: the vehicle is at their origin (thesis 4.3.2). Any
+   * other goal, a holding place or a failsafe needs the vehicle's position: without it there are no
+   * navigation points.
    */
   private void onObjects(ObjectList list) {
-    avoidance.world().see(list);
     long now = clock().micros();
+    avoidance.world().see(list, now);
     boolean stateless =
         stateMicros == Long.MIN_VALUE
             || now - stateMicros > Clock.micros(settings.get().staleAfter());
-    if (stateless && list.timestamp().isPresent() && avoidance.world().isSeenFromVehicle()) {
+    if (stateless
+        && needsNoState()
+        && list.timestamp().isPresent()
+        && avoidance.world().isSeenFromVehicle()) {
       StateInformation origin =
           new StateInformation()
               .referenceFrame(ReferenceFrame.LOCAL_NED)
@@ -183,14 +191,25 @@ public class PathPlanner extends EventDrivenService {
               .z(0.0)
               .psi(0.0);
       origin.timestamp(list.timestamp().getAsLong());
-      plan(origin);
+      plan(origin, true);
     }
+  }
+
+  /** Whether some current goal can be pursued without a state, and nothing else is to be done. */
+  private boolean needsNoState() {
+    return failsafe == FailsafeAction.CONTINUE
+        && !isHolding()
+        && goals.stream().flatMap(list -> list.goals().stream()).anyMatch(this::needsNoState);
+  }
+
+  private boolean needsNoState(GoalInformation option) {
+    return states.forGoal(option).filter(PlannerState::needsNoState).isPresent();
   }
 
   private void onState(StateInformation state) {
     stateMicros = clock().micros();
     if (Vehicle.of(state).isPresent()) {
-      plan(state);
+      plan(state, false);
     } else {
       complain(
           "no plan from a state without x, y or psi, or in BODY: " + state, "state incomplete");
@@ -224,29 +243,51 @@ public class PathPlanner extends EventDrivenService {
     end.leave();
   }
 
-  private void plan(StateInformation state) {
+  private void plan(StateInformation state, boolean stateless) {
     if (failsafe == FailsafeAction.STOP) {
       return;
     }
-    if (isHolding()) {
-      publish(end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty()), state);
-      return;
-    }
-    if (goals.isEmpty()) {
+    if (goals.isEmpty() && !isHolding()) {
       return; // no mission yet, so nothing to hold
     }
+    avoidance.world().onlyFromVehicle(stateless);
     try {
-      Optional<GoalInformation> chosen = choose(state);
-      publish(chosen.isPresent() ? pursue(chosen.get(), state) : atEnd(state), state);
+      publish(next(state, stateless), state);
     } catch (IllegalArgumentException e) {
       complain(e.getMessage() + ": no navigation points", e.getMessage());
     }
   }
 
-  private Optional<GoalInformation> choose(StateInformation state) {
+  private List<NavigationPoint> next(StateInformation state, boolean stateless) {
+    if (isHolding()) {
+      return end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty());
+    }
+    boolean stands = blind.stands(failsafe, clock().micros());
+    Optional<GoalInformation> chosen = choose(state, stateless);
+    if (chosen.isEmpty()) {
+      return atEnd(state);
+    }
+    if (stateless && !needsNoState(chosen.get())) {
+      return List.of();
+    }
+    return stands ? standing(state) : pursue(chosen.get(), state, stateless);
+  }
+
+  /** What a vehicle does that does not know its surroundings: brake, or circle if it cannot. */
+  private List<NavigationPoint> standing(StateInformation state) {
+    if (!avoidance.world().age().isKnown()) {
+      return List.of(); // it was never in motion: not to take off either
+    }
+    return blind.brakes()
+        ? List.of(NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).speed(0.0))
+        : end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty());
+  }
+
+  private Optional<GoalInformation> choose(StateInformation state, boolean stateless) {
     String preferred =
         goal.map(GoalInformation::uid).filter(uid -> !isFinished(uid)).orElse(foreseen);
-    return new GoalChoice(goals.get()).goal(preferred, option -> distanceM(option, state));
+    return new GoalChoice(goals.get())
+        .goal(preferred, option -> distanceM(option, state, stateless));
   }
 
   /**
@@ -274,9 +315,10 @@ public class PathPlanner extends EventDrivenService {
     return finished.filter(done -> done.uid().equals(uid)).isPresent();
   }
 
-  private double distanceM(GoalInformation option, StateInformation state) {
+  private double distanceM(GoalInformation option, StateInformation state, boolean stateless) {
     return states
         .forGoal(option)
+        .filter(known -> !stateless || known.needsNoState())
         .map(known -> known.distanceM(option, state))
         .orElse(Double.POSITIVE_INFINITY);
   }
@@ -295,7 +337,8 @@ public class PathPlanner extends EventDrivenService {
     remark("threshold", said);
   }
 
-  private List<NavigationPoint> pursue(GoalInformation choice, StateInformation state) {
+  private List<NavigationPoint> pursue(
+      GoalInformation choice, StateInformation state, boolean stateless) {
     GoalInformation chosen = following(choice, state);
     Optional<PlannerState> planner = states.forGoal(chosen);
     if (planner.isEmpty()) {
@@ -313,7 +356,7 @@ public class PathPlanner extends EventDrivenService {
     holdAt = Optional.empty();
     Optional<GoalInformation> after =
         new GoalChoice(goals.get())
-            .after(choice, foreseen, option -> distanceM(option, state))
+            .after(choice, foreseen, option -> distanceM(option, state, stateless))
             .map(option -> following(option, state));
     boolean begins = goal.filter(current -> current.uid().equals(chosen.uid())).isEmpty();
     Pursuit pursuit =

@@ -16,6 +16,15 @@ public interface PlannerState {
   /** Class of goals, including subclasses unless another state is closer. */
   Class<? extends GoalInformation> goalClass();
 
+  /**
+   * Whether a goal can be pursued without a State Estimator, by objects seen from the vehicle alone
+   * (thesis 4.3.2). {@link #plan} is then called with a state at the origin that faces north, in a
+   * world of the objects in BODY only.
+   */
+  default boolean needsNoState() {
+    return false;
+  }
+
   /** Starts the pursuit of a goal and resets what was remembered of the previous one. */
   void enter(Pursuit pursuit);
 

@@ -52,6 +52,7 @@ final class WaypointState implements PlannerState {
   private double nearestM; // in this attempt, while approaching
   private double nowM; // from the waypoint
   private Optional<StateInformation> last = Optional.empty();
+  private Optional<Place> aimedAt = Optional.empty(); // where the waypoint was at the last state
 
   WaypointState(
       WaypointGuidance guidance,
@@ -84,6 +85,20 @@ final class WaypointState implements PlannerState {
     reached = false;
     nearestM = Double.POSITIVE_INFINITY;
     last = Optional.empty();
+    aimedAt = Optional.empty();
+  }
+
+  /** A waypoint that was moved is reached, passed or missed where it is now. */
+  private void follow(Place target) {
+    if (aimedAt.filter(before -> !before.equals(target)).isPresent()) {
+      guidance.begin(Optional.empty());
+      attempts = 1;
+      armed = true;
+      reached = false;
+      nearestM = Double.POSITIVE_INFINITY;
+      last = Optional.empty();
+    }
+    aimedAt = Optional.of(target);
   }
 
   @Override
@@ -94,6 +109,7 @@ final class WaypointState implements PlannerState {
         .flag("REACHED", reached)
         .number("NEAREST", nearestM);
     last.ifPresent(seen -> state.message("LAST STATE", seen));
+    aimedAt.ifPresent(place -> place.handOver(state, "AIMED AT"));
     guidance.handOver(state);
   }
 
@@ -110,6 +126,7 @@ final class WaypointState implements PlannerState {
     reached = state.flag("REACHED");
     nearestM = state.number("NEAREST").orElse(Double.POSITIVE_INFINITY);
     last = state.message("LAST STATE", StateInformation.class);
+    aimedAt = Place.takenOver(state, "AIMED AT");
     return true;
   }
 
@@ -122,6 +139,7 @@ final class WaypointState implements PlannerState {
   public Plan plan(Pursuit pursuit) {
     Waypoint waypoint = (Waypoint) pursuit.goal();
     Place target = Place.of(waypoint);
+    follow(target);
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
     if (avoidance.isOn() && target.isHorizontal()) {
       return around(waypoint, target, vehicle, pursuit);

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -53,6 +54,7 @@ class AirGoalsTest extends PlannedVehicle {
   /** Flies until the goal is reported, or for so long; answers the report. */
   private GoalInformation fly(double limitS) {
     while (kit.nowS() < limitS && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      kit.publish(Channels.OBJECTS, new ObjectList()); // an empty sky
       kit.publish(Channels.STATE, aircraft.state());
       aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
       kit.advance(0.1);
@@ -95,6 +97,7 @@ class AirGoalsTest extends PlannedVehicle {
     start(planner);
     goals(goal(northM, 0.0).time(timeS));
     for (int i = 0; i < 2; i++) {
+      kit.publish(Channels.OBJECTS, new ObjectList()); // an empty sky
       kit.publish(Channels.STATE, aircraft.state());
       kit.advance(0.1);
     }
@@ -107,6 +110,7 @@ class AirGoalsTest extends PlannedVehicle {
     start("AIR");
     goals(goal(4600.0, 0.0).time(80.0)); // 57.5 m/s over ground
     for (int i = 0; i < 2; i++) {
+      kit.publish(Channels.OBJECTS, new ObjectList()); // an empty sky
       kit.publish(Channels.STATE, aircraft.state().fluidxDot(38.0)); // of 46 m/s over ground
       kit.advance(0.1);
     }
@@ -119,6 +123,7 @@ class AirGoalsTest extends PlannedVehicle {
     start("AIR");
     goals(goal(3000.0, 0.0));
     StateInformation drifting = aircraft.state().psi(Math.toRadians(-20.0));
+    kit.publish(Channels.OBJECTS, new ObjectList()); // an empty sky
     kit.publish(Channels.STATE, drifting);
     kit.advance(0.1);
     PlannedPath path = kit.latest(Channels.PLANS).orElseThrow();
@@ -133,6 +138,7 @@ class AirGoalsTest extends PlannedVehicle {
     double given = Double.NaN;
     for (double t = 0.0; t < 600.0 && Double.isNaN(given); t += 0.5) {
       double angle = t * 46.0 / 400.0;
+      kit.publish(Channels.OBJECTS, new ObjectList());
       kit.publish(
           Channels.STATE,
           new StateInformation()

@@ -34,7 +34,10 @@ class PlannerSeesTest extends PlannedVehicle {
         .y(east);
   }
 
+  private ObjectDescription[] around = {}; // published before each state, as the World Modeler does
+
   private void see(ObjectDescription... objects) {
+    around = objects;
     kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(objects)));
   }
 
@@ -45,6 +48,7 @@ class PlannerSeesTest extends PlannedVehicle {
   private void drive(int steps, double north, double east, double heading) {
     for (int i = 0; i < steps; i++) {
       kit.advance(0.1);
+      see(around);
       kit.publish(Channels.STATE, state(north, east, heading));
     }
   }
@@ -352,6 +356,7 @@ class PlannerSeesTest extends PlannedVehicle {
     goals(waypoint("1", 10, 0).time(5.1));
     drive(1, 0, 0, 0);
     kit.advance(0.001);
+    see();
     kit.publish(Channels.STATE, state(0, 0, 0));
 
     double speed = kit.latest(Channels.NAVIGATION).orElseThrow().speed().orElseThrow();
@@ -375,6 +380,7 @@ class PlannerSeesTest extends PlannedVehicle {
 
   private double speedAfter(double seconds) {
     kit.advance(seconds);
+    see();
     kit.publish(Channels.STATE, state(0, 0, 0));
     return kit.latest(Channels.NAVIGATION).orElseThrow().speed().orElseThrow();
   }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.goal.GoalInformation;
 
 /** Which goal is pursued, when it counts as reached, and what is done without one. */
 class PursuedGoalsTest extends PlannedVehicle {
@@ -20,6 +21,58 @@ class PursuedGoalsTest extends PlannedVehicle {
     assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(2);
     assertThat(kit.published(Channels.GOAL_REPORTS))
         .allMatch(report -> report.completed() && !report.abandoned());
+  }
+
+  /** Within its threshold it comes nearer still, so the waypoint is not reported yet. */
+  private void driveInto(String uid) {
+    kit.with("TURN ACCELERATION", 2.0).start(PathPlanner::new);
+    goals(waypoint(uid, 50, 0).horizontalThreshold(10.0));
+    for (int north = 0; north <= 45; north++) {
+      kit.publish(Channels.STATE, state(north, 0, 0).xDot(10.0).yDot(0.0));
+      kit.advance(0.1);
+    }
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
+  }
+
+  @Test
+  void goals_movedWhileWithinThreshold_isReachedWhereItIsNow() {
+    driveInto("1");
+    goals(waypoint("1", 50, 500).horizontalThreshold(10.0));
+    kit.publish(Channels.STATE, state(46, 0, 0).xDot(10.0).yDot(0.0));
+    kit.advance(0.1);
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
+    assertThat(logged("missed")).isZero();
+
+    for (int east = 450; east <= 510; east++) {
+      kit.publish(Channels.STATE, state(50, east, Math.PI / 2.0).xDot(0.0).yDot(10.0));
+      kit.advance(0.1);
+    }
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isNotEmpty();
+    assertThat(kit.published(Channels.GOAL_REPORTS)).allMatch(GoalInformation::completed);
+  }
+
+  @Test
+  void goals_otherMissionWhoseWaypointHasTheSameName_isReachedWhereItIsNow() {
+    driveInto("1");
+    goals();
+    goals(waypoint("1", 50, 500).horizontalThreshold(10.0));
+    kit.publish(Channels.STATE, state(46, 0, 0).xDot(10.0).yDot(0.0));
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
+  }
+
+  @Test
+  void goals_movedJustBeforeASwap_isReachedWhereItIsNow() {
+    kit.with("TURN ACCELERATION", 2.0);
+    PathPlanner first = kit.start(PathPlanner::new);
+    goals(waypoint("1", 50, 0).horizontalThreshold(10.0));
+    for (int north = 0; north <= 45; north++) {
+      kit.publish(Channels.STATE, state(north, 0, 0).xDot(10.0).yDot(0.0));
+      kit.advance(0.1);
+    }
+    kit.swap(first, PathPlanner::new);
+    goals(waypoint("1", 50, 500).horizontalThreshold(10.0));
+    kit.publish(Channels.STATE, state(46, 0, 0).xDot(10.0).yDot(0.0));
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
   }
 
   @Test

@@ -59,9 +59,7 @@ public final class ReportFile {
    * @throws BadInputException if the file is a recording
    */
   public static void write(Path file, Bytes content) {
-    if (isRecording(file)) {
-      throw new BadInputException(file + " is a recording; expected another file to write to");
-    }
+    refuse(file, isMcap(file));
     Path temporary = file.resolveSibling("." + file.getFileName() + ".part");
     try {
       try (OutputStream out = Files.newOutputStream(temporary)) {
@@ -75,7 +73,19 @@ public final class ReportFile {
     }
   }
 
-  private static boolean isRecording(Path file) {
+  /**
+   * Refuses to write where a recording is.
+   *
+   * @throws BadInputException if the file is a recording
+   */
+  public static void refuse(Path file, boolean isRecording) {
+    if (isRecording) {
+      throw new BadInputException(file + " is a recording; expected another file to write to");
+    }
+  }
+
+  /** Whether there is a file that begins as recordings do, and exports for their viewers. */
+  public static boolean isMcap(Path file) {
     if (!Files.isRegularFile(file)) {
       return false;
     }

@@ -51,6 +51,7 @@ public final class WorldModeler extends PeriodicService {
   private final Arrivals arrivals = new Arrivals();
   private final Relevance relevance = new Relevance();
   private final SightingCount count = new SightingCount();
+  private final AwaitedSensors sensors = new AwaitedSensors();
   private MapFrame frame = MapFrame.BODY;
   private List<ObjectDescription> known;
   private long knownMicros; // start time of the motion of the file's moving objects
@@ -258,6 +259,7 @@ public final class WorldModeler extends PeriodicService {
       return;
     }
     count.used();
+    sensors.sighting(seen.get(0).sensorName(), seen.get(0).timestamp().orElseThrow());
     Sighting placed =
         sighting.orElse(
             new Sighting(seen.get(0).timestamp().orElseThrow(), frame, Optional.empty()));
@@ -278,6 +280,7 @@ public final class WorldModeler extends PeriodicService {
             : poses.at(first + span, settings.get().gapMicros());
     ScanPoses placed = new ScanPoses(sighting.get(), last);
     count.scan();
+    sensors.scan(scan.sensorName(), first);
     modellers.working().values().forEach(modeller -> modeller.scan(scan, placed));
   }
 
@@ -315,6 +318,10 @@ public final class WorldModeler extends PeriodicService {
                 settings.get().relevant() == WorldVariables.Relevant.ALL
                     ? objects
                     : relevance.of(objects));
+    List<String> awaited = awaited(micros);
+    if (!awaited.isEmpty()) {
+      list.awaited(awaited);
+    }
     list.timestamp(micros);
     publish(Channels.OBJECTS, list);
     if (micros >= gridDueMicros) {
@@ -324,7 +331,15 @@ public final class WorldModeler extends PeriodicService {
       }
     }
     remark("PLACED", count + (arrivals.lost() == 0 ? "" : ", " + arrivals.lost() + " lost"));
+    remark("AWAITED", awaited.isEmpty() ? "" : "silent: " + String.join(", ", awaited));
     modellers.working().forEach((name, modeller) -> remark(name, modeller.remark()));
+  }
+
+  private List<String> awaited(long micros) {
+    WorldVariables now = settings.get();
+    boolean needsScans =
+        now.world().isEmpty() && modellers.working().containsKey(ChosenModellers.GRID);
+    return sensors.silent(now.expected(), needsScans, micros - now.silentMicros());
   }
 
   private void publishGrid(OccupancyGrid grid, long micros) {
@@ -340,6 +355,7 @@ public final class WorldModeler extends PeriodicService {
     state.number("WORLD SINCE", Clock.seconds(knownMicros));
     state.messages("KNOWN", known);
     state.texts("WANTED TYPES", relevance.types());
+    state.texts("SCANNERS", sensors.scanners());
     Sighting now = now();
     modellers.working().values().forEach(modeller -> modeller.handOver(state, now));
   }
@@ -349,6 +365,7 @@ public final class WorldModeler extends PeriodicService {
     state.message("STATE", StateInformation.class).ifPresent(poses::add);
     heardStateMicros = clock().micros();
     relevance.want(state.texts("WANTED TYPES"));
+    state.texts("SCANNERS").forEach(scanner -> sensors.scan(scanner, clock().micros()));
     frame = MapFrame.takenOver(state).orElse(frame);
     if (state.text("WORLD").filter(settings.get().world()::equals).isPresent()) {
       knownMicros = Clock.micros(state.number("WORLD SINCE").orElse(Clock.seconds(knownMicros)));

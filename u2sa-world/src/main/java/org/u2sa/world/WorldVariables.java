@@ -1,5 +1,8 @@
 package org.u2sa.world;
 
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
@@ -54,7 +57,19 @@ record WorldVariables(
             max = 3600,
             ifAbsent = 3,
             text = "Time without a state after which the map continues in BODY.")
-        double stateLostAfter) {
+        double stateLostAfter,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Names of sensors that must go on measuring, separated by commas; while one is silent, the Path Planner stands. Empty: every scanner heard so far and, with GRID among MODELLERS and no WORLD, at least one.")
+        String expectedSensors,
+    @Variable(
+            unit = "s",
+            min = 0.05,
+            max = 3600,
+            ifAbsent = 1,
+            text = "Age of an expected sensor's newest measurement from which it counts as silent.")
+        double silentAfter) {
   /** Which objects are published. */
   enum Relevant {
     /** Objects relevant to the current goals. */
@@ -66,6 +81,18 @@ record WorldVariables(
   static final String MODELLERS = "MODELLERS";
   static final String WORLD = "WORLD";
   static final String WORLD_MOVERS = "WORLD MOVERS";
+
+  /** Sensors that must go on measuring; empty: unnamed. */
+  List<String> expected() {
+    return Arrays.stream(expectedSensors.split(","))
+        .map(String::trim)
+        .filter(name -> !name.isEmpty())
+        .collect(Collectors.toList());
+  }
+
+  long silentMicros() {
+    return Clock.micros(silentAfter);
+  }
 
   long waitMicros() {
     return Clock.micros(waitForState);

@@ -3,7 +3,6 @@ package org.u2sa.cli.report;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -143,10 +142,6 @@ public final class ExportCommand implements Callable<Integer> {
 
   private void viewers(RecordedMessages recording, RecordedSpan span) throws IOException {
     Path target = target("-viewer.mcap");
-    if (Files.exists(target) && Files.isSameFile(target, file)) {
-      throw new ParameterException(
-          command.commandLine(), "--out " + out + ": expected another file than the recording");
-    }
     long messages =
         new ViewerRecording(
                 recording, span, recording.channels(channels), channels.isEmpty(), everyS)

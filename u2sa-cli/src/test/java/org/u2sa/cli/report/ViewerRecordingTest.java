@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -127,7 +128,29 @@ class ViewerRecordingTest {
   void mcap_ontoTheRecording_isRefusedAndLeavesIt() throws IOException {
     byte[] before = Files.readAllBytes(recording);
     assertThat(export("--out", recording.toString())).isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("expected another file than the recording");
+    assertThat(err.toString()).contains("is a recording; expected another file");
     assertThat(Files.readAllBytes(recording)).isEqualTo(before);
+  }
+
+  @Test
+  void mcap_ontoAnotherRecording_isRefusedAndLeavesIt() throws IOException {
+    Path other = Files.copy(recording, folder.resolve("other.mcap"));
+    assertThat(export("--out", other.toString())).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("other.mcap is a recording");
+    assertThat(Files.readAllBytes(other)).isEqualTo(Files.readAllBytes(recording));
+  }
+
+  @Test
+  void mcap_ontoARecordingThatWasCutOff_isRefusedAndLeavesIt() throws IOException {
+    byte[] cut = Arrays.copyOf(Files.readAllBytes(recording), 100);
+    Path other = Files.write(folder.resolve("other.mcap"), cut);
+    assertThat(export("--out", other.toString())).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(Files.readAllBytes(other)).isEqualTo(cut);
+  }
+
+  @Test
+  void mcap_ontoAnEarlierExport_replacesIt() {
+    assertThat(export()).isEqualTo(ExitCode.DONE);
+    assertThat(export()).as(err.toString()).isEqualTo(ExitCode.DONE);
   }
 }

@@ -33,6 +33,7 @@ record ScipSensor(
   private static final int SIX_BITS = 0x3F;
   private static final int OFFSET = 0x30;
   private static final int CHARACTERS = 3; // per distance
+  private static final int MAX_NO_ECHO = 1; // highest error code for no echo
   static final double MILLI = 0.001;
 
   /**
@@ -105,8 +106,10 @@ record ScipSensor(
   }
 
   /**
-   * Ranges per step [m]; empty without an echo: below the minimum is an error code, above the
-   * maximum is no echo.
+   * Ranges per step [m]; empty without an echo: above the maximum, or an error code for nothing in
+   * range or too little light (0 and 1 in tables 3 and 4). The other codes, such as of an object
+   * too near or a dazzling reflection, do not tell whether something is there: they stay ranges
+   * below the minimum, which prove neither an obstacle nor free space.
    *
    * @param lines lines after the status: timestamp, and blocks of at most 64 characters with a
    *     checksum character each
@@ -131,8 +134,8 @@ record ScipSensor(
       if (mm < 0) {
         return Optional.empty();
       }
-      boolean isEcho = mm >= nearestMm && mm <= farthestMm;
-      ranges.add(isEcho ? OptionalDouble.of(mm * MILLI) : OptionalDouble.empty());
+      boolean isNothing = mm <= MAX_NO_ECHO || mm > farthestMm;
+      ranges.add(isNothing ? OptionalDouble.empty() : OptionalDouble.of(mm * MILLI));
     }
     return Optional.of(ranges);
   }

@@ -96,6 +96,7 @@ class ScipTest {
     assertThat(ranges).as("none is left out").hasSize(682);
     List<Point> points =
         new RangeScan()
+            .minRange(0.02)
             .maxRange(5.6)
             .beams(sensor.azimuth(sensor.firstStep()), sensor.stepRad(), ranges)
             .points();
@@ -110,6 +111,35 @@ class ScipTest {
         .anySatisfy(
             point -> assertThat(point.distanceTo(Point.of(3.0, 0.0, 0.0))).isLessThan(1.0e-9));
     assertThat(points.get(0).azimuth()).as("it begins at the right").isNegative();
+  }
+
+  private static String checked(String text) {
+    return text + ScipSensor.sum(text);
+  }
+
+  @Test
+  void ranges_errorCodes_areNoEvidenceOfFreeSpace() {
+    ScipSensor sensor = new ScipSensor(20, 5600, 1024, 0, 4, 2, 600);
+    List<OptionalDouble> ranges =
+        sensor.ranges(List.of(checked("0000"), distances(0, 1, 6, 52, 5617))).orElseThrow();
+
+    assertThat(ranges)
+        .containsExactly(
+            OptionalDouble.empty(), // out of range
+            OptionalDouble.empty(), // too little light, or nothing in range
+            OptionalDouble.of(6 * ScipSensor.MILLI), // nearer than DMIN: unknown
+            OptionalDouble.of(52 * ScipSensor.MILLI),
+            OptionalDouble.empty());
+  }
+
+  private static String distances(int... millimetres) {
+    StringBuilder text = new StringBuilder();
+    for (int mm : millimetres) {
+      for (int shift = 12; shift >= 0; shift -= 6) {
+        text.append((char) ((mm >> shift & 0x3F) + 0x30));
+      }
+    }
+    return checked(text.toString());
   }
 
   @Test

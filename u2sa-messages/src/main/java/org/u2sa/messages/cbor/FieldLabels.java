@@ -47,7 +47,7 @@ public final class FieldLabels {
       timeStep trajectory left bottom resolution columns rows cells goal planner cost within
       pointed mission finished sequence failsafe elapsed began resumable file now outcome
       angle format data heightAboveGround calibratedAirspeed engineRpm weightOnWheels
-      engineStarting crashed phase navigating bank pitch altitude airspeed
+      engineStarting crashed phase navigating bank pitch altitude airspeed awaited
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

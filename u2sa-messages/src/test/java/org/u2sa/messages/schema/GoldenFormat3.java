@@ -3,6 +3,7 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConnectionLost;
@@ -72,6 +73,7 @@ final class GoldenFormat3 {
     golden.add(
         "GoalList-landing",
         new GoalList().landGoals(4).fileFaults(List.of("landing.xml: there is no such file")));
+    golden.add("ObjectList-awaited", new ObjectList().objects(List.of()).awaited(List.of("Laser")));
     golden.add(
         "HealthReport-commands",
         new HealthReport()

@@ -228,7 +228,15 @@ public record AvoidanceVariables(
             ifAbsent = 0,
             text =
                 "Time without any route after which obstacles of a confidence below 0.6 are passed through, until a route has led on for as long; 0: never.")
-        double overlookAfter) {
+        double overlookAfter,
+    @Variable(
+            unit = "s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 2,
+            text =
+                "Age of the World Modeler's newest objects or grid from which the vehicle stands, or circles if it cannot stop, until newer ones come. Not with PLANNER = NONE.")
+        double worldStaleAfter) {
   /** Smaller distances to an obstacle are a collision, allowing for rounding [share of a cell]. */
   private static final double TOUCH_CELLS = 0.5;
 
@@ -316,6 +324,11 @@ public record AvoidanceVariables(
    */
   int effort() {
     return stops() ? planningEffort : EFFORTS_IN_FLIGHT * planningEffort;
+  }
+
+  /** {@link #worldStaleAfter} [us]. */
+  public long worldStaleMicros() {
+    return Clock.micros(worldStaleAfter);
   }
 
   long replanMicros() {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.ObjectList;
@@ -50,12 +51,14 @@ public final class SeenWorld {
 
   private final Supplier<Reading> reading;
   private final TrafficMemory memory = new TrafficMemory();
+  private final WorldAge age = new WorldAge();
   private PlanningPlane plane;
   private ObjectList objects;
   private OccupancyGrid seenGrid;
   private List<PlanarShape> shapes = List.of();
   private List<PlanarShape> corridors = List.of();
   private List<Mover> movers = List.of();
+  private boolean bodyOnly;
   private boolean changed = true;
   private double lowDownM;
   private double highDownM;
@@ -86,16 +89,49 @@ public final class SeenWorld {
     guessed = List.copyOf(closed);
   }
 
-  /** Updates the objects. */
-  public void see(ObjectList list) {
+  /**
+   * Updates the objects.
+   *
+   * @param nowMicros time of arrival [us]
+   */
+  public void see(ObjectList list, long nowMicros) {
     objects = list;
+    age.see(list, nowMicros);
     changed = true;
   }
 
-  /** Updates the grid. */
-  public void see(OccupancyGrid grid) {
+  /** Updates the grid; parameters as above. */
+  public void see(OccupancyGrid grid, long nowMicros) {
     seenGrid = grid;
+    age.see(grid, nowMicros);
     changed = true;
+  }
+
+  /**
+   * Sets whether only what is given in the vehicle's own axes counts, since its position is
+   * unknown.
+   */
+  public void onlyFromVehicle(boolean only) {
+    changed |= only != bodyOnly;
+    bodyOnly = only;
+  }
+
+  private List<ObjectDescription> objects() {
+    List<ObjectDescription> all = objects == null ? List.of() : objects.objects();
+    return bodyOnly
+        ? all.stream()
+            .filter(object -> object.referenceFrame().isBody())
+            .collect(Collectors.toList())
+        : all;
+  }
+
+  private OccupancyGrid grid() {
+    return bodyOnly && seenGrid != null && !seenGrid.referenceFrame().isBody() ? null : seenGrid;
+  }
+
+  /** Age of what was received. */
+  public WorldAge age() {
+    return age;
   }
 
   /** Plane; a new one by the state if the previous one does not fit. */
@@ -149,7 +185,7 @@ public final class SeenWorld {
                 state.in(here.frame()).y().orElseThrow(),
                 state.in(here.frame()).z().orElse(0.0)));
     SeenTarget nearest = null;
-    for (ObjectDescription object : objects.objects()) {
+    for (ObjectDescription object : objects()) {
       if (object.objectType().equals(type)) {
         PlanarShape shape = reader.shape(object);
         Point ned = reader.centre(object).minus(at);
@@ -167,8 +203,7 @@ public final class SeenWorld {
   public List<PlanarShape> of(String type, StateInformation state) {
     List<PlanarShape> found = new ArrayList<>();
     ObjectReader reader = new ObjectReader(plane(state), state);
-    for (ObjectDescription object :
-        objects == null ? List.<ObjectDescription>of() : objects.objects()) {
+    for (ObjectDescription object : objects()) {
       if (object.objectType().equals(type)) {
         found.add(reader.shape(object));
       }
@@ -224,15 +259,16 @@ public final class SeenWorld {
 
   /** Cell states of the window by the World Modeler's grid, with all objects. */
   private byte[] states(Reading now) {
-    if (seenGrid != null) {
-      layer = GridLayer.of(seenGrid, plane, costs.frame(), now.occupiedAbove(), layer);
+    OccupancyGrid grid = grid();
+    if (grid != null) {
+      layer = GridLayer.of(grid, plane, costs.frame(), now.occupiedAbove(), layer);
     }
     List<PlanarShape> closed = overlooks ? List.of() : guessed;
-    if (seenGrid != null && shapes.isEmpty() && closed.isEmpty() && corridors.isEmpty()) {
+    if (grid != null && shapes.isEmpty() && closed.isEmpty() && corridors.isEmpty()) {
       return layer.states();
     }
     GridRaster raster =
-        seenGrid == null ? new GridRaster(costs.frame()) : new GridRaster(costs.frame(), layer);
+        grid == null ? new GridRaster(costs.frame()) : new GridRaster(costs.frame(), layer);
     shapes.forEach(raster::draw);
     closed.forEach(raster::draw);
     if (!corridors.isEmpty()) {
@@ -262,10 +298,9 @@ public final class SeenWorld {
     List<PlanarShape> standing = new ArrayList<>();
     List<PlanarShape> stayInside = new ArrayList<>();
     List<Mover> moving = new ArrayList<>();
-    List<ObjectDescription> all = objects == null ? List.of() : objects.objects();
     ObjectReader reader = new ObjectReader(plane, state);
     long micros = objects == null ? 0L : objects.timestamp().orElse(0L);
-    for (ObjectDescription object : all) {
+    for (ObjectDescription object : objects()) {
       boolean passable =
           now.ignoredTypes().contains(object.objectType())
               || object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent()

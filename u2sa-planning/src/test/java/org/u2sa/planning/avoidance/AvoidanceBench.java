@@ -66,7 +66,7 @@ final class AvoidanceBench {
   }
 
   void see(ObjectDescription... objects) {
-    world.see(new ObjectList().objects(List.of(objects)));
+    world.see(new ObjectList().objects(List.of(objects)), 0L);
     world.update(state, 0.0, 0.0, 0.0, 0.0);
   }
 

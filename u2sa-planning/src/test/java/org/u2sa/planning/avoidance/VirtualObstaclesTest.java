@@ -49,7 +49,7 @@ class VirtualObstaclesTest {
   }
 
   private void see(ObjectDescription... objects) {
-    world.see(new ObjectList().objects(List.of(objects)));
+    world.see(new ObjectList().objects(List.of(objects)), 0L);
     update();
   }
 

@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.ChunkCompression;
@@ -19,10 +20,12 @@ import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
 import org.u2sa.recorder.mcap.record.McapChannel;
+import org.u2sa.recorder.mcap.record.McapException;
 import org.u2sa.recorder.mcap.record.McapMessage;
 import org.u2sa.recorder.mcap.record.McapSchema;
 import org.u2sa.recorder.playback.RecordedMessages;
 import org.u2sa.recorder.playback.RecordedSpan;
+import org.u2sa.report.ReportFile;
 import org.u2sa.report.message.ViewerJson;
 
 /**
@@ -62,10 +65,13 @@ public final class ViewerRecording {
   }
 
   /**
-   * Writes the file; an existing one is replaced only when complete. Returns the number of
-   * messages.
+   * Writes the file; an earlier export is replaced only when this one is complete. Returns the
+   * number of messages.
+   *
+   * @throws BadInputException if the file is a recording
    */
   public long write(Path file, String library) throws IOException {
+    ReportFile.refuse(file, ReportFile.isMcap(file) && !isExport(file));
     Path part = file.resolveSibling("." + file.getFileName() + ".part");
     try {
       long messages;
@@ -83,6 +89,15 @@ public final class ViewerRecording {
       return messages;
     } finally {
       Files.deleteIfExists(part);
+    }
+  }
+
+  /** Exports are complete, and have neither messages as they were published nor metadata. */
+  private static boolean isExport(Path file) throws IOException {
+    try (RecordedMessages there = RecordedMessages.open(file)) {
+      return there.systemId().isEmpty() && there.reader().metadata().isEmpty();
+    } catch (McapException | BadInputException e) {
+      return false;
     }
   }
 

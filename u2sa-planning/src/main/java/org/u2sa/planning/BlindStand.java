@@ -1,0 +1,65 @@
+package org.u2sa.planning;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.avoidance.AvoidanceVariables;
+import org.u2sa.service.U2SAService;
+
+/**
+ * Whether a planner that avoids obstacles has to stand because it does not know its surroundings:
+ * the World Modeler is silent, or lacks a sensor.
+ */
+final class BlindStand {
+  private final U2SAService planner;
+  private final Avoidance avoidance;
+  private final Supplier<AvoidanceVariables> settings;
+  private String said = "";
+
+  /**
+   * @param planner tells the operator
+   */
+  BlindStand(U2SAService planner, Avoidance avoidance, Supplier<AvoidanceVariables> settings) {
+    this.planner = planner;
+    this.avoidance = avoidance;
+    this.settings = settings;
+  }
+
+  /**
+   * Whether to stand now; tells the operator of each change.
+   *
+   * @param failsafe LAND goes on, and RETURN too if the vehicle cannot stop: circling would not end
+   */
+  boolean stands(FailsafeAction failsafe, long nowMicros) {
+    Optional<String> trouble =
+        avoidance.isOn()
+            ? avoidance.world().age().trouble(nowMicros, settings.get().worldStaleMicros())
+            : Optional.empty();
+    boolean goesOn =
+        failsafe == FailsafeAction.LAND
+            || failsafe == FailsafeAction.RETURN && !settings.get().stops();
+    tell(trouble.map(what -> (goesOn ? "goes on blind: " : "stands: ") + what).orElse(""));
+    return trouble.isPresent() && !goesOn;
+  }
+
+  private void tell(String what) {
+    if (what.equals(said)) {
+      return;
+    }
+    if (what.isEmpty()) {
+      planner.log(LogLevelEnum.WARN, "sees its surroundings again: goes on");
+      avoidance.begin(); // the time without them was no failure to get on
+    } else {
+      planner.trouble(what);
+    }
+    planner.remark("world", what);
+    said = what;
+  }
+
+  /** Whether the vehicle can stop, rather than circle. */
+  boolean brakes() {
+    return settings.get().stops();
+  }
+}
