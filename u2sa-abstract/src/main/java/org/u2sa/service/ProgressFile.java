@@ -8,6 +8,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.log.DiskWriter;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.handover.HandOverText;
@@ -19,16 +22,24 @@ import org.u2sa.service.handover.HandOverText;
  *
  * <p>Not synced to disk: it is for restarts of a service while the machine keeps running; a power
  * cut ends the run.
+ *
+ * <p>In real time the {@link DiskWriter} accesses it, so that the service does not wait for a disk
+ * that hangs; of several states that wait for the disk, the last one is written.
  */
 final class ProgressFile {
+  private static final long READ_WITHIN_MS = 5_000;
+
   private final Path file;
   private final String systemId;
   private final MessageCodec codec;
+  private final boolean writesAtOnce;
+  private final AtomicReference<List<String>> waiting = new AtomicReference<>();
 
   ProgressFile(ServiceContext context, String serviceName) {
     file = context.logDirectory().resolve(serviceName + ".progress");
     systemId = context.systemId();
     codec = new MessageCodec(context.messageTypes());
+    writesAtOnce = context.clock().isSimulated();
   }
 
   Path path() {
@@ -38,10 +49,20 @@ final class ProgressFile {
   /**
    * Replaces the file.
    *
-   * @throws IOException if writing fails; the previous file is kept
+   * @param failed called if writing fails, possibly later on another thread; the previous file is
+   *     kept
    */
-  void write(HandOver state) throws IOException {
+  void write(HandOver state, Consumer<IOException> failed) {
     List<String> lines = HandOverText.lines(state, systemId);
+    if (writesAtOnce || waiting.getAndSet(lines) == null) {
+      carryOut(() -> replace(writesAtOnce ? lines : waiting.getAndSet(null)), failed);
+    }
+  }
+
+  private void replace(List<String> lines) throws IOException {
+    if (lines == null) {
+      return; // deleted meanwhile
+    }
     Files.createDirectories(file.toAbsolutePath().getParent());
     Path beside = file.resolveSibling(file.getFileName() + ".tmp");
     Files.write(beside, lines, UTF_8);
@@ -49,11 +70,16 @@ final class ProgressFile {
   }
 
   /**
-   * Last saved state; empty if none.
+   * Last saved state; empty if none. Waits for earlier writes in this process.
    *
-   * @throws IOException if it is unreadable or malformed; names the position
+   * @throws IOException if it is unreadable or malformed, naming the position, or the disk does not
+   *     answer
    */
   Optional<HandOver> read() throws IOException {
+    return writesAtOnce ? readNow() : DiskWriter.ofProcess().call(this::readNow, READ_WITHIN_MS);
+  }
+
+  private Optional<HandOver> readNow() throws IOException {
     if (!Files.exists(file)) {
       return Optional.empty();
     }
@@ -61,9 +87,33 @@ final class ProgressFile {
   }
 
   /**
-   * @throws IOException if it is there and cannot be deleted
+   * Deletes the file if it is there, and states that wait for the disk.
+   *
+   * @param failed called if that fails, possibly later on another thread
    */
-  void delete() throws IOException {
-    Files.deleteIfExists(file);
+  void delete(Consumer<IOException> failed) {
+    waiting.set(null);
+    carryOut(() -> Files.deleteIfExists(file), failed);
+  }
+
+  /** An access to the disk. */
+  private interface Access {
+    void make() throws IOException;
+  }
+
+  private void carryOut(Access access, Consumer<IOException> failed) {
+    Runnable job =
+        () -> {
+          try {
+            access.make();
+          } catch (IOException e) {
+            failed.accept(e);
+          }
+        };
+    if (writesAtOnce) {
+      job.run();
+    } else {
+      DiskWriter.ofProcess().execute(job);
+    }
   }
 }
