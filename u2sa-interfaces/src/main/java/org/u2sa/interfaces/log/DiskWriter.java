@@ -50,7 +50,7 @@ public final class DiskWriter implements Executor {
   /**
    * Runs a job after all earlier ones and waits for its result; an interrupt does not end the wait.
    *
-   * @param withinMs maximum wait [ms], begun anew by an interrupt; the job may still run later
+   * @param withinMs maximum wait [ms], begun again by an interrupt; the job may still run later
    * @throws IOException if the job throws it, or the disk does not answer in time
    */
   public <T> T call(Callable<T> job, long withinMs) throws IOException {
@@ -62,7 +62,7 @@ public final class DiskWriter implements Executor {
         try {
           return task.get(withinMs, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
-          interrupted = true; // waits anew
+          interrupted = true; // waits again
         }
       }
     } catch (TimeoutException e) {

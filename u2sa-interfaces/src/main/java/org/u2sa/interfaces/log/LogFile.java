@@ -174,7 +174,7 @@ public final class LogFile implements AutoCloseable {
         return;
       }
       if (clock.isSimulated()) {
-        write(line);
+        write(line, true);
         return;
       }
       if (waitingChars + line.chars() > MAX_WAITING_CHARS) {
@@ -203,7 +203,7 @@ public final class LogFile implements AutoCloseable {
       if (line == null) {
         return;
       }
-      write(line);
+      write(line, k == 0);
       synchronized (waiting) { // only now: a line whose write hangs still waits
         waiting.remove();
         waitingChars -= line.chars();
@@ -212,10 +212,15 @@ public final class LogFile implements AutoCloseable {
     disk.execute(this::writeSome);
   }
 
-  private void write(Line line) {
+  /**
+   * Writes a line.
+   *
+   * @param looksForFile whether to create the file again if somebody deleted or moved it
+   */
+  private void write(Line line, boolean looksForFile) {
     lost += line.dropped();
     try {
-      if (out == null || !Files.exists(file)) {
+      if (out == null || looksForFile && !Files.exists(file)) {
         open();
       }
       StringBuilder text = new StringBuilder(lineBroken ? "\n" : "");
