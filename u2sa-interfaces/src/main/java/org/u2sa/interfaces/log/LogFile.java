@@ -4,21 +4,14 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Instant;
-import java.time.ZoneOffset;
-import java.time.format.DateTimeFormatter;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import org.u2sa.interfaces.OneLine;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 
 /**
  * The log file of one service (thesis 3.2.1.5, 4.6.1.3, 8.2.3.1): each line has the run's time,
@@ -34,16 +27,7 @@ import org.u2sa.interfaces.time.Clock;
  * after a failure, and Android needs a different library.
  */
 public final class LogFile implements AutoCloseable {
-  private static final long NANOS_PER_MICRO = 1_000L;
-  private static final DateTimeFormatter TIMESTAMP =
-      DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSSSSS'Z'").withZone(ZoneOffset.UTC);
-  private static final String SEPARATOR = " | ";
-  private static final Pattern LINE_END = Pattern.compile("\\R");
-  private static final String NEXT_LINE = "\n    ";
-  private static final int MAX_MESSAGE_CHARS = 4_000;
-  private static final int MAX_TRACE_CHARS = 16_000;
   private static final int MAX_WAITING_CHARS = 500_000;
-  private static final int CHARS_OF_LINE_START = 64; // rounded up, with the line's object
   private static final int LINES_PER_JOB = 64; // then it is the turn of the other files
   private static final long CLOSES_WITHIN_MS = 1_000;
   private static final long HANGS_AFTER_MICROS = 2 * Clock.MICROS_PER_SECOND;
@@ -53,18 +37,6 @@ public final class LogFile implements AutoCloseable {
     OutputStream append(Path file) throws IOException;
   }
 
-  /**
-   * A line to be written.
-   *
-   * @param thread ID of the thread that logged it
-   * @param dropped number of lines dropped directly before it
-   */
-  private record Line(long micros, long thread, LogLevelEnum level, String message, long dropped) {
-    int chars() {
-      return CHARS_OF_LINE_START + message.length();
-    }
-  }
-
   private final Path file;
   private final String serviceName;
   private final LogLevelEnum lowest;
@@ -72,9 +44,10 @@ public final class LogFile implements AutoCloseable {
   private final PrintStream complaints;
   private final Opener opener;
   private final DiskWriter disk;
+  private final Clock stopwatch; // not the run's: how often it is read differs in a repetition
   private final LogFile first; // first of the logs sharing the file; owns the fields below
   private final AtomicLong failures = new AtomicLong();
-  private final Deque<Line> waiting = new ArrayDeque<>(); // also the lock of the next four
+  private final Deque<LogLine> waiting = new ArrayDeque<>(); // also the lock of the next four
   private int waitingChars;
   private boolean jobPending;
   private long dropped; // since the last line that was not
@@ -99,7 +72,8 @@ public final class LogFile implements AutoCloseable {
         clock,
         System.err,
         path -> new FileOutputStream(path.toFile(), true),
-        DiskWriter.ofProcess());
+        DiskWriter.ofProcess(),
+        new SystemClock());
   }
 
   LogFile(
@@ -109,7 +83,8 @@ public final class LogFile implements AutoCloseable {
       Clock clock,
       PrintStream complaints,
       Opener opener,
-      DiskWriter disk) {
+      DiskWriter disk,
+      Clock stopwatch) {
     this.file = file;
     this.serviceName = serviceName;
     this.lowest = lowest;
@@ -117,6 +92,7 @@ public final class LogFile implements AutoCloseable {
     this.complaints = complaints;
     this.opener = opener;
     this.disk = disk;
+    this.stopwatch = stopwatch;
     first = this;
     if (clock.isSimulated()) {
       openEarly();
@@ -132,6 +108,7 @@ public final class LogFile implements AutoCloseable {
     complaints = before.complaints;
     opener = before.opener;
     disk = before.disk;
+    stopwatch = before.stopwatch;
     first = before.first;
     this.clock = clock;
   }
@@ -158,7 +135,7 @@ public final class LogFile implements AutoCloseable {
   public void log(LogLevelEnum level, String message, Throwable thrown) {
     if (writes(level)) {
       long thread = Clock.runningThread().getId();
-      first.add(clock.micros(), thread, level, message(message, thrown));
+      first.add(clock.micros(), thread, level, LogLine.message(message, thrown));
     }
   }
 
@@ -169,7 +146,7 @@ public final class LogFile implements AutoCloseable {
 
   private void add(long micros, long thread, LogLevelEnum level, String message) {
     synchronized (waiting) {
-      Line line = new Line(micros, thread, level, message, dropped);
+      LogLine line = new LogLine(micros, thread, level, message, dropped);
       if (closed) {
         return;
       }
@@ -195,7 +172,7 @@ public final class LogFile implements AutoCloseable {
 
   private void writeSome() {
     for (int k = 0; k < LINES_PER_JOB; k++) {
-      Line line;
+      LogLine line;
       synchronized (waiting) {
         line = waiting.peek();
         jobPending = line != null;
@@ -217,7 +194,7 @@ public final class LogFile implements AutoCloseable {
    *
    * @param looksForFile whether to create the file again if somebody deleted or moved it
    */
-  private void write(Line line, boolean looksForFile) {
+  private void write(LogLine line, boolean looksForFile) {
     lost += line.dropped();
     try {
       if (out == null || looksForFile && !Files.exists(file)) {
@@ -225,13 +202,9 @@ public final class LogFile implements AutoCloseable {
       }
       StringBuilder text = new StringBuilder(lineBroken ? "\n" : "");
       if (lost > 0) {
-        append(
-            text,
-            line,
-            LogLevelEnum.WARN,
-            lost + (lost == 1 ? " line" : " lines") + " before this one could not be written");
+        line.aboutLost(lost).appendTo(text, serviceName);
       }
-      append(text, line, line.level(), oneLine(line.message()));
+      line.appendTo(text, serviceName);
       out.write(text.toString().getBytes(StandardCharsets.UTF_8));
       lineBroken = false;
       lost = 0;
@@ -313,8 +286,8 @@ public final class LogFile implements AutoCloseable {
 
   private String findTrouble() {
     synchronized (waiting) {
-      Line oldest = waiting.peek();
-      if (oldest != null && clock.micros() - oldest.micros() > HANGS_AFTER_MICROS) {
+      LogLine oldest = waiting.peek();
+      if (oldest != null && stopwatch.micros() - oldest.micros() > HANGS_AFTER_MICROS) {
         return "the disk does not answer, " + waiting.size() + " lines wait";
       }
     }
@@ -340,39 +313,6 @@ public final class LogFile implements AutoCloseable {
       Files.createDirectories(folder);
     }
     out = opener.append(file);
-  }
-
-  private void append(StringBuilder text, Line line, LogLevelEnum level, String message) {
-    Instant time =
-        Instant.ofEpochSecond(
-            Math.floorDiv(line.micros(), Clock.MICROS_PER_SECOND),
-            Math.floorMod(line.micros(), Clock.MICROS_PER_SECOND) * NANOS_PER_MICRO);
-    text.append(TIMESTAMP.format(time)).append(SEPARATOR);
-    text.append(level).append(SEPARATOR);
-    text.append(serviceName).append(SEPARATOR);
-    text.append(line.thread()).append(SEPARATOR);
-    text.append(message).append('\n');
-  }
-
-  private static String message(String message, Throwable thrown) {
-    String text = shortened(String.valueOf(message), MAX_MESSAGE_CHARS);
-    if (thrown != null) {
-      StringWriter trace = new StringWriter();
-      thrown.printStackTrace(new PrintWriter(trace, true));
-      text += "\n" + shortened(trace.toString().trim(), MAX_TRACE_CHARS);
-    }
-    return text;
-  }
-
-  private static String oneLine(String text) {
-    return LINE_END.splitAsStream(text).map(OneLine::of).collect(Collectors.joining(NEXT_LINE));
-  }
-
-  /** Truncates long messages: foreign content must not fill the disk. */
-  private static String shortened(String text, int maxChars) {
-    return text.length() <= maxChars
-        ? text
-        : text.substring(0, maxChars) + "… (" + (text.length() - maxChars) + " more characters)";
   }
 
   private void sayOnce(IOException e) {

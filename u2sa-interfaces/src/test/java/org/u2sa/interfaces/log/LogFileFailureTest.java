@@ -93,7 +93,8 @@ class LogFileFailureTest extends LogFileFixture {
             CLOCK,
             new PrintStream(complaints, true, "UTF-8"),
             opener,
-            new DiskWriter())) {
+            new DiskWriter(),
+            CLOCK)) {
       log.log(LogLevelEnum.INFO, "a");
       assertThat(log.failures()).isEqualTo(1);
 

@@ -51,7 +51,8 @@ abstract class LogFileFixture {
         CLOCK,
         new PrintStream(complaints, true, "UTF-8"),
         path -> new FileOutputStream(path.toFile(), true),
-        new DiskWriter());
+        new DiskWriter(),
+        CLOCK);
   }
 
   final String complaints() throws IOException {

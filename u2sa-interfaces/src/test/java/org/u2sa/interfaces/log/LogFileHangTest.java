@@ -71,7 +71,8 @@ class LogFileHangTest extends LogFileFixture {
         realTime,
         new PrintStream(complaints, true, "UTF-8"),
         opener,
-        disk);
+        disk,
+        realTime);
   }
 
   private LogFile hangingLog() throws IOException {
