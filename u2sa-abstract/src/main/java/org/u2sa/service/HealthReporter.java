@@ -106,6 +106,7 @@ final class HealthReporter {
     if (!deafTo.isEmpty()) {
       report.refusedSubscriptions(String.join(",", deafTo));
     }
+    health.remark("log", service.configuration().log().trouble());
     return health.addTo(report);
   }
 }

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.log.ReplacedFile;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.handover.HandOverText;
@@ -19,16 +21,20 @@ import org.u2sa.service.handover.HandOverText;
  *
  * <p>Not synced to disk: it is for restarts of a service while the machine keeps running; a power
  * cut ends the run.
+ *
+ * <p>The service does not wait for a disk that hangs ({@link ReplacedFile}).
  */
 final class ProgressFile {
   private final Path file;
   private final String systemId;
   private final MessageCodec codec;
+  private final ReplacedFile access;
 
   ProgressFile(ServiceContext context, String serviceName) {
     file = context.logDirectory().resolve(serviceName + ".progress");
     systemId = context.systemId();
     codec = new MessageCodec(context.messageTypes());
+    access = new ReplacedFile(context.clock());
   }
 
   Path path() {
@@ -38,10 +44,15 @@ final class ProgressFile {
   /**
    * Replaces the file.
    *
-   * @throws IOException if writing fails; the previous file is kept
+   * @param failed called if writing fails, possibly later on another thread; the previous file is
+   *     kept
    */
-  void write(HandOver state) throws IOException {
+  void write(HandOver state, Consumer<IOException> failed) {
     List<String> lines = HandOverText.lines(state, systemId);
+    access.change(() -> replace(lines), failed);
+  }
+
+  private void replace(List<String> lines) throws IOException {
     Files.createDirectories(file.toAbsolutePath().getParent());
     Path beside = file.resolveSibling(file.getFileName() + ".tmp");
     Files.write(beside, lines, UTF_8);
@@ -51,19 +62,23 @@ final class ProgressFile {
   /**
    * Last saved state; empty if none.
    *
-   * @throws IOException if it is unreadable or malformed; names the position
+   * @throws IOException if it is unreadable or malformed, naming the position, or the disk does not
+   *     answer
    */
   Optional<HandOver> read() throws IOException {
-    if (!Files.exists(file)) {
-      return Optional.empty();
-    }
-    return Optional.of(HandOverText.read(file, systemId, codec));
+    return access.read(
+        () ->
+            Files.exists(file)
+                ? Optional.of(HandOverText.read(file, systemId, codec))
+                : Optional.empty());
   }
 
   /**
-   * @throws IOException if it is there and cannot be deleted
+   * Deletes the file if it is there.
+   *
+   * @param failed called if that fails, possibly later on another thread
    */
-  void delete() throws IOException {
-    Files.deleteIfExists(file);
+  void delete(Consumer<IOException> failed) {
+    access.change(() -> Files.deleteIfExists(file), failed);
   }
 }

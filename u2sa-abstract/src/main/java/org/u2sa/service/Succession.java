@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -33,7 +34,7 @@ final class Succession {
   private final Map<String, Map<String, Deque<ServiceInbox.Delivery>>> retained =
       new LinkedHashMap<>(); // latest by channel and source; confined to the service's thread
   private boolean hasPredecessor; // in this process
-  private long notRemembered;
+  private final AtomicLong notRemembered = new AtomicLong();
 
   /**
    * An ordered swap.
@@ -75,20 +76,24 @@ final class Succession {
       if (before.isPresent()) {
         resumeFrom(before.get());
       } else {
-        progress.delete(); // left by another run
+        progress.delete(this::startsFresh); // left by another run
       }
     } catch (IOException e) {
-      configuration.log(LogLevelEnum.ERROR, "no saved state, starting fresh: " + e.getMessage());
+      startsFresh(e);
     }
   }
 
-  private void resumeFrom(HandOver before) throws IOException {
+  private void startsFresh(IOException why) {
+    configuration.log(LogLevelEnum.ERROR, "no saved state, starting fresh: " + why.getMessage());
+  }
+
+  private void resumeFrom(HandOver before) {
     try {
       takeOver.accept(before);
       configuration.log(LogLevelEnum.INFO, "resumes where it was before the restart");
     } catch (RuntimeException e) {
       configuration.log().log(LogLevelEnum.ERROR, "cannot resume from " + progress.path(), e);
-      progress.delete();
+      progress.delete(this::startsFresh);
       throw e;
     }
   }
@@ -101,14 +106,18 @@ final class Succession {
   /** {@link U2SAService#remember}. */
   void remember(Supplier<HandOver> state) {
     try {
-      progress.write(state.get());
-    } catch (IOException | RuntimeException e) { // such as a full disk: not fatal
-      notRemembered++;
-      if (Long.bitCount(notRemembered) == 1) { // 1, 2, 4, 8…: may persist
-        configuration.log(
-            LogLevelEnum.ERROR,
-            "the state was not saved, a restart would not resume from here: " + e);
-      }
+      progress.write(state.get(), this::notRemembered);
+    } catch (RuntimeException e) {
+      notRemembered(e);
+    }
+  }
+
+  /** Such as for a full disk: not fatal. */
+  private void notRemembered(Exception why) {
+    if (Long.bitCount(notRemembered.incrementAndGet()) == 1) { // 1, 2, 4, 8…: may persist
+      configuration.log(
+          LogLevelEnum.ERROR,
+          "the state was not saved, a restart would not resume from here: " + why);
     }
   }
 

@@ -2,10 +2,12 @@ package org.u2sa.cli;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Optional;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.u2sa.cli.command.CommandProvider;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.terminal.Console;
 import org.u2sa.cli.terminal.PlainLines;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
@@ -22,11 +24,18 @@ public final class Main {
 
   /** Runs one command and exits the virtual machine with its exit code ({@link ExitCode}). */
   public static void main(String[] args) {
+    Console console = Console.ofProcess();
     PrintWriter out = new PrintWriter(System.out, true);
     PrintWriter err = new PrintWriter(System.err, true);
     Thread.setDefaultUncaughtExceptionHandler(new LostThreads(err));
     MQTT.setLevel(Level.OFF); // services log each lost link themselves
-    System.exit(run(CommandTree.discover(err), out, err, Help.Ansi.AUTO, args));
+    System.exit(
+        run(
+            CommandTree.discover(err),
+            new PlainLines(out, Optional.of(console)),
+            new PlainLines(err, Optional.of(console)),
+            Help.Ansi.AUTO,
+            args));
   }
 
   /**
@@ -39,7 +48,8 @@ public final class Main {
    * @return exit code, see {@link ExitCode}
    */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
-    return run(CommandTree.discover(err), out, err, Help.Ansi.OFF, args);
+    return run(
+        CommandTree.discover(err), new PlainLines(out), new PlainLines(err), Help.Ansi.OFF, args);
   }
 
   /**
@@ -49,14 +59,11 @@ public final class Main {
    */
   static int run(
       List<CommandProvider> providers,
-      PrintWriter out,
-      PrintWriter err,
+      PlainLines out,
+      PlainLines err,
       Help.Ansi ansi,
       String... args) {
-    CommandLine line =
-        CommandTree.build(providers, ansi, args)
-            .setOut(new PlainLines(out))
-            .setErr(new PlainLines(err));
+    CommandLine line = CommandTree.build(providers, ansi, args).setOut(out).setErr(err);
     try {
       return line.execute(args);
     } catch (Error e) { // picocli rethrows it; a broken installation deserves a clear message, too

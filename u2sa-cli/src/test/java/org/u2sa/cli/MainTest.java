@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.CommandProvider;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.terminal.PlainLines;
 import picocli.CommandLine.Help;
 
 class MainTest {
@@ -24,7 +25,12 @@ class MainTest {
 
   private int run(String... args) {
     List<CommandProvider> providers = CommandTree.discover(new PrintWriter(err));
-    return Main.run(providers, new PrintWriter(out), new PrintWriter(err), Help.Ansi.OFF, args);
+    return Main.run(
+        providers,
+        new PlainLines(new PrintWriter(out)),
+        new PlainLines(new PrintWriter(err)),
+        Help.Ansi.OFF,
+        args);
   }
 
   @Test

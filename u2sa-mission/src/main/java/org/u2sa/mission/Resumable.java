@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -22,7 +23,7 @@ final class Resumable {
   private final Supplier<MissionVariables> settings;
   private Optional<MissionProgress> found = Optional.empty();
   private String foundDigest = ""; // of the mission whose progress was loaded
-  private long notSaved;
+  private final AtomicLong notSaved = new AtomicLong();
 
   Resumable(
       MissionRun run, SavedMission saved, Supplier<MissionVariables> settings, Logger logger) {
@@ -125,18 +126,18 @@ final class Resumable {
     if (settings.get().resume() == Resumption.NEVER || keepsFound) {
       return;
     }
-    try {
-      if (progress.mission().isOver()) {
-        saved.delete();
-      } else {
-        saved.write(progress, file());
-      }
-    } catch (IOException e) { // such as a full disk: not fatal
-      notSaved++;
-      if (Long.bitCount(notSaved) == 1) { // 1, 2, 4, 8…: may persist
-        logger.log(
-            LogLevelEnum.ERROR, "the mission was not saved, it cannot be resumed from here: " + e);
-      }
+    if (progress.mission().isOver()) {
+      saved.delete(this::notSaved);
+    } else {
+      saved.write(progress, file(), this::notSaved);
+    }
+  }
+
+  /** Such as for a full disk: not fatal. */
+  private void notSaved(IOException why) {
+    if (Long.bitCount(notSaved.incrementAndGet()) == 1) { // 1, 2, 4, 8…: may persist
+      logger.log(
+          LogLevelEnum.ERROR, "the mission was not saved, it cannot be resumed from here: " + why);
     }
   }
 }

@@ -6,7 +6,9 @@ import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.u2sa.interfaces.configuration.WholeFile;
+import org.u2sa.interfaces.log.ReplacedFile;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
@@ -23,6 +25,7 @@ final class SavedMission {
   private final String writer;
   private final String systemId;
   private final MessageCodec codec;
+  private final ReplacedFile access;
 
   /**
    * @param writer class of the service that saves, as told in the file
@@ -32,18 +35,24 @@ final class SavedMission {
     file = context.logDirectory().resolve(serviceName + ".mission");
     systemId = context.systemId();
     codec = new MessageCodec(context.messageTypes());
+    access = new ReplacedFile(context.clock());
   }
 
   /**
    * Replaces the file.
    *
    * @param mission the mission's file, whose contents must be the same for it to be resumed
-   * @throws IOException if writing fails; the previous file is kept
+   * @param failed called if writing fails, possibly later on another thread; the previous file is
+   *     kept
    */
-  void write(MissionProgress progress, Path mission) throws IOException {
+  void write(MissionProgress progress, Path mission, Consumer<IOException> failed) {
     HandOver state = new HandOver(writer);
-    state.text(DIGEST, digest(mission));
     progress.handOver(state);
+    access.change(() -> replace(state, mission), failed);
+  }
+
+  private void replace(HandOver state, Path mission) throws IOException {
+    state.text(DIGEST, digest(mission));
     Path folder = file.toAbsolutePath().getParent();
     Files.createDirectories(folder);
     Path temporary = Files.createTempFile(folder, "." + file.getFileName(), ".tmp");
@@ -61,10 +70,16 @@ final class SavedMission {
    */
   Optional<MissionProgress> read(Path mission, boolean loop, GoalSequence.Options options)
       throws IOException {
-    if (!Files.exists(file)) {
+    Optional<HandOver> saved =
+        access.read(
+            () ->
+                Files.exists(file)
+                    ? Optional.of(HandOverText.read(file, systemId, codec))
+                    : Optional.empty());
+    if (saved.isEmpty()) {
       return Optional.empty();
     }
-    HandOver state = HandOverText.read(file, systemId, codec);
+    HandOver state = saved.get();
     if (state.text(DIGEST).filter(digest(mission)::equals).isEmpty()) {
       throw new IOException(file + ": is of another mission than " + mission + " is now");
     }
@@ -78,10 +93,12 @@ final class SavedMission {
   }
 
   /**
-   * @throws IOException if it is there and cannot be deleted
+   * Deletes the file if it is there.
+   *
+   * @param failed called if that fails, possibly later on another thread
    */
-  void delete() throws IOException {
-    Files.deleteIfExists(file);
+  void delete(Consumer<IOException> failed) {
+    access.change(() -> Files.deleteIfExists(file), failed);
   }
 
   /** Digest of a mission's file, which tells missions apart. */

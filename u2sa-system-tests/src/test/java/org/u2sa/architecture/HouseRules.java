@@ -142,6 +142,19 @@ final class HouseRules {
           "java.util.IdentityHashMap", Set.of("<init>"),
           "java.util.concurrent.ThreadLocalRandom", Set.of("current"));
 
+  /** Classes that may use the standard streams. */
+  private static final Set<String> OWN_OUTPUT =
+      Set.of(
+          ROOT + "cli.Main", // through the console
+          ROOT + "cli.terminal.Console",
+          ROOT + "cli.terminal.RawTerminal", // through the console
+          ROOT + "interfaces.log.LogFile", // on the disk's thread, through the console
+          // Programs without a vehicle in real time
+          ROOT + "scenarios.barn.BarnMain",
+          ROOT + "scenarios.campaign.WorkerMain",
+          ROOT + "spark.ExecutorWorkers",
+          ROOT + "spark.SparkDriver");
+
   private HouseRules() {}
 
   static Map<String, ArchRule> all() {
@@ -173,6 +186,8 @@ final class HouseRules {
     rules.put("no static mutable state", noStaticMutableState());
     rules.put("no Java serialization", noJavaSerialization());
     rules.put("no objects from data", noObjectsFromData());
+    rules.put("one console", oneConsole());
+    rules.put("vehicles do not wait for output", vehiclesDoNotWaitForOutput());
     rules.put(
         "small circles", ClassCircles.ofClassesIn(ROOT + "messages..", ROOT + "interfaces.."));
     rules.replaceAll((name, rule) -> rule.as(name).allowEmptyShould(true));
@@ -361,6 +376,38 @@ final class HouseRules {
                     type.isEquivalentTo(ObjectOutputStream.class)
                         || type.isEquivalentTo(ObjectInputStream.class)))
         .orShould(com.tngtech.archunit.lang.conditions.ArchConditions.be(declaresIt));
+  }
+
+  /** What is printed past the console could hold up a thread of a vehicle. */
+  private static ArchRule oneConsole() {
+    return noClasses()
+        .that(
+            describe(
+                "run vehicles in their process",
+                type -> !OWN_OUTPUT.contains(outermost(type).getName())))
+        .should()
+        .accessField(System.class, "out")
+        .orShould()
+        .accessField(System.class, "err");
+  }
+
+  private static ArchRule vehiclesDoNotWaitForOutput() {
+    return classes()
+        .that(
+            describe(
+                "start a vehicle",
+                type -> calls(type, ROOT + "core.launch.RunningSystem", "start")))
+        .should(
+            com.tngtech.archunit.lang.conditions.ArchConditions.be(
+                describe(
+                    "detached from the console",
+                    type -> calls(type, ROOT + "cli.terminal.PlainLines", "detach"))));
+  }
+
+  private static boolean calls(JavaClass type, String owner, String method) {
+    return type.getMethodCallsFromSelf().stream()
+        .anyMatch(
+            call -> call.getTargetOwner().getName().equals(owner) && call.getName().equals(method));
   }
 
   /** Readers that make objects of classes that the data names, as Jackson's default typing does. */

@@ -33,6 +33,7 @@ class HouseRulesBiteTest {
           "package org.u2sa.service; public class S {}",
           "package org.u2sa.device; public class P {}",
           "package org.u2sa.core; public class C {}",
+          "package org.u2sa.core.launch; public class RunningSystem { public static void start() {} }",
           "package org.u2sa.drivers; public class D {}",
           "package org.u2sa.sim; public class X {}",
           "package org.u2sa.gcs; public class G {}",
@@ -84,6 +85,9 @@ class HouseRulesBiteTest {
           named by subject        | package org.u2sa.core.impl.mission; class Bad {}
           Moquette                | package org.u2sa.mission; class Bad { io.moquette.broker.Server s; }
           Paho                    | package org.u2sa.core.communication; class Bad { org.eclipse.paho.client.Client c; }
+          one console             | package org.u2sa.core; class Bad { void p() { System.out.println(); } }
+          one console             | package org.u2sa.service; class Bad { java.io.PrintStream p = System.err; }
+          vehicles do not wait for output | package org.u2sa.cli.run; class Bad { void s() { org.u2sa.core.launch.RunningSystem.start(); } }
           one clock               | package org.u2sa.core; class Bad { long t() { return System.nanoTime(); } }
           one clock               | package org.u2sa.gcs; class Bad { Object t() { return java.time.Instant.now(); } }
           one clock               | package org.u2sa.sim; class Bad { Object t() { return new java.util.Date(); } }

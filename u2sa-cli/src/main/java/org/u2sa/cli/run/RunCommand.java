@@ -16,6 +16,8 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.Setting;
 import org.u2sa.cli.record.RunFacts;
 import org.u2sa.cli.record.RunRecording;
+import org.u2sa.cli.terminal.Console;
+import org.u2sa.cli.terminal.PlainLines;
 import org.u2sa.core.communication.ManagerVariables;
 import org.u2sa.core.communication.discovery.BrokerSearch;
 import org.u2sa.core.launch.LaunchOptions;
@@ -25,6 +27,7 @@ import org.u2sa.gcs.remote.BrokerAddress;
 import org.u2sa.gcs.remote.LocalSystems;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.recorder.Recorder;
 import org.u2sa.service.U2SAService;
@@ -46,6 +49,7 @@ import picocli.CommandLine.Spec;
           + "file and writes its log file. Ctrl-C, or a stop command, ends all of them."
     })
 public final class RunCommand implements Callable<Integer> {
+  private static final Clock CLOCK = new SystemClock();
   private static final String MANAGER = "CommunicationManager";
   private static final List<String> LOOPBACK = List.of("127.0.0.1", "::1", "localhost");
 
@@ -279,7 +283,8 @@ public final class RunCommand implements Callable<Integer> {
   private Integer run(SystemFile file, LaunchOptions options, PrintWriter out)
       throws InterruptedException {
     Optional<ParentWatch> parent = parentWatch();
-    try (RunningSystem system = RunningSystem.start(file, options);
+    try (Console.Detached output = PlainLines.detach(out, CLOCK);
+        RunningSystem system = RunningSystem.start(file, options);
         TroubleLines troubles = troublesOf(system, ownServices(system), out);
         LocalSystems.Announcement announced = announced(file, system, out);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
@@ -308,7 +313,8 @@ public final class RunCommand implements Callable<Integer> {
   private Integer runSeparately(SystemFile file, LaunchOptions options, PrintWriter out)
       throws InterruptedException {
     List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
-    try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
+    try (Console.Detached output = PlainLines.detach(out, CLOCK);
+        RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
         TroubleLines troubles = troublesOf(manager, any -> true, out);
         LocalSystems.Announcement announced = announced(file, manager, out);
         ServiceProcesses processes =
@@ -338,7 +344,7 @@ public final class RunCommand implements Callable<Integer> {
   private static TroubleLines troublesOf(
       RunningSystem system, Predicate<String> services, PrintWriter out) {
     return new TroubleLines(
-        system.communicationManager().transport(), services, new SystemClock(), out::println);
+        system.communicationManager().transport(), services, CLOCK, out::println);
   }
 
   /**

@@ -2,9 +2,11 @@ package org.u2sa.cli.terminal;
 
 import java.io.PrintWriter;
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.OneLine;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Prints lines that may contain untrusted text: texts from a vehicle's services cannot start new
@@ -16,9 +18,33 @@ public final class PlainLines extends PrintWriter {
   private static final Pattern COLOUR =
       Pattern.compile("\u001b\\[(?:(?:0|1|2|21|22|3[1-79]|9[1-7])?(?:;|(?=m)))*m");
 
+  private final Optional<Console> console;
+
   /** Prints to {@code out}, flushing each line. */
   public PlainLines(PrintWriter out) {
+    this(out, Optional.empty());
+  }
+
+  /**
+   * Prints to {@code out}, flushing each line.
+   *
+   * @param console the console that {@code out} belongs to, if any
+   */
+  public PlainLines(PrintWriter out, Optional<Console> console) {
     super(out, true);
+    this.console = console;
+  }
+
+  /**
+   * Prevents that threads of a vehicle wait for the output; open it before the vehicle starts, and
+   * close it after its end. Has no effect in simulated time, which waits, nor without a console.
+   *
+   * @param out output of a command
+   */
+  public static Console.Detached detach(PrintWriter out, Clock clock) {
+    return out instanceof PlainLines lines && !clock.isSimulated()
+        ? lines.console.map(Console::detach).orElse(() -> {})
+        : () -> {};
   }
 
   @Override

@@ -8,25 +8,33 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.log.DiskWriter;
 import org.u2sa.interfaces.time.Clock;
 
 /**
  * Records a link's traffic for a {@link ReplayLink}. Text, one line per event: microseconds since
  * the start, then {@code <} with received bytes, {@code >} with sent bytes, {@code +} for
  * connected, {@code -} for lost; bytes in hexadecimal.
+ *
+ * <p>In real time the {@link DiskWriter} writes, because the device must not wait for a disk that
+ * hangs; a recording that would have gaps ends.
  */
 final class RecordingLink implements ByteLink {
   /** First line of a recording. */
   static final String HEADER = "# u2sa link recording 1";
 
+  private static final int MAX_WAITING_CHARS = 1_000_000;
+  private static final long CLOSES_WITHIN_MS = 1_000;
   private static final char[] HEX = "0123456789abcdef".toCharArray();
 
   private final ByteLink link;
   private final Path file;
   private final Clock clock;
   private final long beginMicros;
-  private final StringBuilder line = new StringBuilder();
-  private Writer out; // null after a failure or close
+  private final Writer out; // belongs to the thread that writes
+  private final StringBuilder waiting = new StringBuilder(); // also the lock of the next three
+  private boolean jobPending;
+  private boolean ended; // after a failure or close
   private String failure = "";
   private int connections;
   private boolean connected;
@@ -94,28 +102,59 @@ final class RecordingLink implements ByteLink {
   }
 
   private void record(char what, byte[] bytes, int count) {
-    if (out == null) {
-      return;
+    synchronized (waiting) {
+      if (ended) {
+        return;
+      }
+      if (waiting.length() + 2 * count > MAX_WAITING_CHARS) {
+        fail("the disk does not answer");
+        return;
+      }
+      append(what, bytes, count);
+      if (jobPending) {
+        return;
+      }
+      jobPending = true;
     }
-    line.setLength(0);
-    line.append(clock.micros() - beginMicros).append(' ').append(what);
-    if (count > 0) {
-      line.append(' ');
-    }
-    for (int i = 0; i < count; i++) {
-      line.append(HEX[bytes[i] >> 4 & 0xF]).append(HEX[bytes[i] & 0xF]);
-    }
-    try {
-      out.append(line).append('\n');
-      out.flush(); // the bytes before a crash matter most
-    } catch (IOException e) {
-      fail(e);
+    if (clock.isSimulated()) {
+      writeWaiting();
+    } else {
+      DiskWriter.ofProcess().execute(this::writeWaiting);
     }
   }
 
-  private void fail(IOException e) {
-    failure = "recording " + file + " ended: " + e.getMessage();
-    out = null; // the device matters more than its recording
+  private void append(char what, byte[] bytes, int count) {
+    waiting.append(clock.micros() - beginMicros).append(' ').append(what);
+    if (count > 0) {
+      waiting.append(' ');
+    }
+    for (int i = 0; i < count; i++) {
+      waiting.append(HEX[bytes[i] >> 4 & 0xF]).append(HEX[bytes[i] & 0xF]);
+    }
+    waiting.append('\n');
+  }
+
+  private void writeWaiting() {
+    String text;
+    synchronized (waiting) {
+      text = waiting.toString();
+      waiting.setLength(0);
+      jobPending = false;
+    }
+    try {
+      out.write(text);
+      out.flush(); // the bytes before a crash matter most
+    } catch (IOException e) {
+      fail(e.getMessage());
+    }
+  }
+
+  /** Ends the recording: the device matters more. */
+  private void fail(String why) {
+    synchronized (waiting) {
+      failure = "recording " + file + " ended: " + why;
+      ended = true;
+    }
   }
 
   @Override
@@ -131,19 +170,33 @@ final class RecordingLink implements ByteLink {
   @Override
   public synchronized String trouble() {
     String own = link.trouble();
-    return own.isEmpty() || failure.isEmpty() ? own + failure : own + "; " + failure;
+    synchronized (waiting) {
+      return own.isEmpty() || failure.isEmpty() ? own + failure : own + "; " + failure;
+    }
   }
 
   @Override
   public synchronized void close() {
     link.close();
-    if (out != null) {
-      try {
-        out.close();
-      } catch (IOException e) {
-        fail(e);
+    synchronized (waiting) {
+      if (ended) {
+        return;
       }
-      out = null;
+      ended = true;
     }
+    try {
+      if (clock.isSimulated()) {
+        out.close();
+      } else {
+        DiskWriter.ofProcess().call(this::closeFile, CLOSES_WITHIN_MS);
+      }
+    } catch (IOException e) {
+      fail(e.getMessage());
+    }
+  }
+
+  private Path closeFile() throws IOException {
+    out.close();
+    return file;
   }
 }

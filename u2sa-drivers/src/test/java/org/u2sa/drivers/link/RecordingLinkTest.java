@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.log.DiskWriter;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
 
@@ -60,5 +62,51 @@ class RecordingLinkTest extends ByteLinkContract {
 
     assertThat(file).hasContent("before a crash");
     assertThat(folder.resolve("own-3.rec")).content().startsWith(RecordingLink.HEADER);
+  }
+
+  @Test
+  void recording_diskHangs_deviceDoesNotWaitAndItIsWrittenLater() throws Exception {
+    Path file = folder.resolve("own.rec");
+    CountDownLatch answers = new CountDownLatch(1);
+    DiskWriter.ofProcess().execute(() -> awaitAnswer(answers));
+    MemoryLink memory = new MemoryLink();
+    try (RecordingLink recorded = new RecordingLink(memory, file, new SystemClock())) {
+      assertThat(recorded.write(new byte[] {0x01})).isTrue();
+      assertThat(recorded.write(new byte[] {0x02})).isTrue();
+      assertThat(file).hasContent(RecordingLink.HEADER + "\n");
+
+      answers.countDown();
+    } finally {
+      answers.countDown();
+    }
+
+    assertThat(Files.readString(file))
+        .matches(RecordingLink.HEADER + "\n(\\d+ \\+\n)?\\d+ > 01\n\\d+ > 02\n");
+  }
+
+  @Test
+  void recording_diskHangsForLong_endsAndSaysWhy() {
+    Path file = folder.resolve("own.rec");
+    CountDownLatch answers = new CountDownLatch(1);
+    DiskWriter.ofProcess().execute(() -> awaitAnswer(answers));
+    try (RecordingLink recorded = new RecordingLink(new MemoryLink(), file, new SystemClock())) {
+      recorded.write(new byte[400_000]);
+      assertThat(recorded.trouble()).isEmpty();
+      assertThat(recorded.write(new byte[400_000])).isTrue();
+      assertThat(recorded.trouble())
+          .isEqualTo("recording " + file + " ended: the disk does not answer");
+
+      answers.countDown();
+    } finally {
+      answers.countDown();
+    }
+  }
+
+  private static void awaitAnswer(CountDownLatch answers) {
+    try {
+      answers.await();
+    } catch (InterruptedException e) {
+      throw new IllegalStateException(e);
+    }
   }
 }

@@ -4,37 +4,33 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Instant;
-import java.time.ZoneOffset;
-import java.time.format.DateTimeFormatter;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import org.u2sa.interfaces.OneLine;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 
 /**
  * The log file of one service (thesis 3.2.1.5, 4.6.1.3, 8.2.3.1): each line has the run's time,
- * level, service, thread ID and message, and is passed to the operating system in one call before
- * {@code log} returns. Never throws: lines that cannot be written are counted, and the first
- * failure is reported on standard error.
+ * level, service, thread ID and message, and is passed to the operating system in one call. Never
+ * throws: lines that cannot be written are counted, and the first failure is reported on standard
+ * error.
+ *
+ * <p>In real time lines wait in a bounded queue for the {@link DiskWriter}, so that no service
+ * waits for a disk that hangs; further lines are dropped, counted, and reported in the next line.
+ * In simulated time lines are written at once.
  *
  * <p>Uses no logging library, because Logback's file appender silently drops lines for a while
  * after a failure, and Android needs a different library.
  */
 public final class LogFile implements AutoCloseable {
-  private static final long NANOS_PER_MICRO = 1_000L;
-  private static final DateTimeFormatter TIMESTAMP =
-      DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSSSSS'Z'").withZone(ZoneOffset.UTC);
-  private static final String SEPARATOR = " | ";
-  private static final Pattern LINE_END = Pattern.compile("\\R");
-  private static final String NEXT_LINE = "\n    ";
-  private static final int MAX_MESSAGE_CHARS = 4_000;
-  private static final int MAX_TRACE_CHARS = 16_000;
+  private static final int MAX_WAITING_CHARS = 500_000;
+  private static final int LINES_PER_JOB = 64; // then it is the turn of the other files
+  private static final long CLOSES_WITHIN_MS = 1_000;
+  private static final long HANGS_AFTER_MICROS = 2 * Clock.MICROS_PER_SECOND;
 
   /** Opens a file for unbuffered appending, creating it if absent. */
   interface Opener {
@@ -47,13 +43,19 @@ public final class LogFile implements AutoCloseable {
   private final Clock clock;
   private final PrintStream complaints;
   private final Opener opener;
+  private final DiskWriter disk;
+  private final Clock stopwatch; // not the run's: how often it is read differs in a repetition
   private final LogFile first; // first of the logs sharing the file; owns the fields below
-  private OutputStream out;
+  private final AtomicLong failures = new AtomicLong();
+  private final Deque<LogLine> waiting = new ArrayDeque<>(); // also the lock of the next four
+  private int waitingChars;
+  private boolean jobPending;
+  private long dropped; // since the last line that was not
+  private boolean closed;
+  private OutputStream out; // this and the next three belong to the thread that writes
   private boolean lineBroken; // the last write failed, possibly mid-line
   private long lost; // lines lost since the last successful write
-  private long failures;
   private boolean said;
-  private boolean closed;
 
   /**
    * Appends to {@code file}, creating it and its folder if absent.
@@ -69,7 +71,9 @@ public final class LogFile implements AutoCloseable {
         lowest,
         clock,
         System.err,
-        path -> new FileOutputStream(path.toFile(), true));
+        path -> new FileOutputStream(path.toFile(), true),
+        DiskWriter.ofProcess(),
+        new SystemClock());
   }
 
   LogFile(
@@ -78,18 +82,22 @@ public final class LogFile implements AutoCloseable {
       LogLevelEnum lowest,
       Clock clock,
       PrintStream complaints,
-      Opener opener) {
+      Opener opener,
+      DiskWriter disk,
+      Clock stopwatch) {
     this.file = file;
     this.serviceName = serviceName;
     this.lowest = lowest;
     this.clock = clock;
     this.complaints = complaints;
     this.opener = opener;
+    this.disk = disk;
+    this.stopwatch = stopwatch;
     first = this;
-    try {
-      open();
-    } catch (IOException e) { // retried on each line, because it may become writable
-      sayOnce(e);
+    if (clock.isSimulated()) {
+      openEarly();
+    } else {
+      disk.execute(this::openEarly);
     }
   }
 
@@ -99,6 +107,8 @@ public final class LogFile implements AutoCloseable {
     lowest = before.lowest;
     complaints = before.complaints;
     opener = before.opener;
+    disk = before.disk;
+    stopwatch = before.stopwatch;
     first = before.first;
     this.clock = clock;
   }
@@ -124,7 +134,8 @@ public final class LogFile implements AutoCloseable {
    */
   public void log(LogLevelEnum level, String message, Throwable thrown) {
     if (writes(level)) {
-      first.write(clock.micros(), level, message, thrown);
+      long thread = Clock.runningThread().getId();
+      first.add(clock.micros(), thread, level, LogLine.message(message, thrown));
     }
   }
 
@@ -133,43 +144,124 @@ public final class LogFile implements AutoCloseable {
     return level.compareTo(lowest) >= 0;
   }
 
-  private synchronized void write(
-      long micros, LogLevelEnum level, String message, Throwable thrown) {
-    if (closed) {
-      return;
+  private void add(long micros, long thread, LogLevelEnum level, String message) {
+    synchronized (waiting) {
+      LogLine line = new LogLine(micros, thread, level, message, dropped);
+      if (closed) {
+        return;
+      }
+      if (clock.isSimulated()) {
+        write(line, true);
+        return;
+      }
+      if (waitingChars + line.chars() > MAX_WAITING_CHARS) {
+        dropped++;
+        failures.incrementAndGet();
+        return;
+      }
+      dropped = 0;
+      waiting.add(line);
+      waitingChars += line.chars();
+      if (jobPending) {
+        return;
+      }
+      jobPending = true;
     }
+    disk.execute(this::writeSome);
+  }
+
+  private void writeSome() {
+    for (int k = 0; k < LINES_PER_JOB; k++) {
+      LogLine line;
+      synchronized (waiting) {
+        line = waiting.peek();
+        jobPending = line != null;
+      }
+      if (line == null) {
+        return;
+      }
+      write(line, k == 0);
+      synchronized (waiting) { // only now: a line whose write hangs still waits
+        waiting.remove();
+        waitingChars -= line.chars();
+      }
+    }
+    disk.execute(this::writeSome);
+  }
+
+  /**
+   * Writes a line.
+   *
+   * @param looksForFile whether to create the file again if somebody deleted or moved it
+   */
+  private void write(LogLine line, boolean looksForFile) {
+    lost += line.dropped();
     try {
-      if (out == null || !Files.exists(file)) {
+      if (out == null || looksForFile && !Files.exists(file)) {
         open();
       }
       StringBuilder text = new StringBuilder(lineBroken ? "\n" : "");
       if (lost > 0) {
-        line(
-            text,
-            micros,
-            LogLevelEnum.WARN,
-            lost + (lost == 1 ? " line" : " lines") + " before this one could not be written");
+        line.aboutLost(lost).appendTo(text, serviceName);
       }
-      line(text, micros, level, message(message, thrown));
+      line.appendTo(text, serviceName);
       out.write(text.toString().getBytes(StandardCharsets.UTF_8));
       lineBroken = false;
       lost = 0;
     } catch (IOException e) {
       lineBroken = out != null;
       lost++;
-      failures++;
+      failures.incrementAndGet();
       sayOnce(e);
     }
   }
 
-  /** Closes the file; later lines are dropped. Idempotent. */
+  /**
+   * Closes the file after what waits for it was written; later lines are dropped. Waits for a disk
+   * that hangs for a second; it may still write the lines later. Idempotent.
+   */
   @Override
   public void close() {
     first.end();
   }
 
-  private synchronized void end() {
-    closed = true;
+  private void end() {
+    synchronized (waiting) {
+      if (closed) {
+        return;
+      }
+      closed = true;
+    }
+    if (clock.isSimulated()) {
+      closeFile();
+      return;
+    }
+    try {
+      disk.call(
+          () -> {
+            writeRest();
+            closeFile();
+            return file;
+          },
+          CLOSES_WITHIN_MS);
+    } catch (IOException e) {
+      complaints.println(file + ": the last lines of " + serviceName + " are missing: " + e);
+    }
+  }
+
+  /** Called by the {@link DiskWriter} between two jobs, when no line is added any more. */
+  private void writeRest() {
+    while (true) {
+      synchronized (waiting) {
+        if (waiting.isEmpty()) {
+          return;
+        }
+      }
+      writeSome();
+    }
+  }
+
+  private void closeFile() {
     try {
       if (out != null) {
         out.close();
@@ -182,11 +274,33 @@ public final class LogFile implements AutoCloseable {
 
   /** Number of lines that could not be written. */
   public long failures() {
-    return first.countFailures();
+    return first.failures.get();
   }
 
-  private synchronized long countFailures() {
-    return failures;
+  /**
+   * What is wrong with the file, such as a disk that hangs, for health reports; empty if nothing.
+   */
+  public String trouble() {
+    return first.findTrouble();
+  }
+
+  private String findTrouble() {
+    synchronized (waiting) {
+      LogLine oldest = waiting.peek();
+      if (oldest != null && stopwatch.micros() - oldest.micros() > HANGS_AFTER_MICROS) {
+        return "the disk does not answer, " + waiting.size() + " lines wait";
+      }
+    }
+    return failures.get() == 0 ? "" : failures.get() + " lines could not be written";
+  }
+
+  /** Opens the file before its first line. */
+  private void openEarly() {
+    try {
+      open();
+    } catch (IOException e) { // retried on each line, because it may become writable
+      sayOnce(e);
+    }
   }
 
   private void open() throws IOException {
@@ -199,35 +313,6 @@ public final class LogFile implements AutoCloseable {
       Files.createDirectories(folder);
     }
     out = opener.append(file);
-  }
-
-  private void line(StringBuilder text, long micros, LogLevelEnum level, String message) {
-    Instant time =
-        Instant.ofEpochSecond(
-            Math.floorDiv(micros, Clock.MICROS_PER_SECOND),
-            Math.floorMod(micros, Clock.MICROS_PER_SECOND) * NANOS_PER_MICRO);
-    text.append(TIMESTAMP.format(time)).append(SEPARATOR);
-    text.append(level).append(SEPARATOR);
-    text.append(serviceName).append(SEPARATOR);
-    text.append(Clock.runningThread().getId()).append(SEPARATOR);
-    text.append(message).append('\n');
-  }
-
-  private static String message(String message, Throwable thrown) {
-    String text = shortened(String.valueOf(message), MAX_MESSAGE_CHARS);
-    if (thrown != null) {
-      StringWriter trace = new StringWriter();
-      thrown.printStackTrace(new PrintWriter(trace, true));
-      text += "\n" + shortened(trace.toString().trim(), MAX_TRACE_CHARS);
-    }
-    return LINE_END.splitAsStream(text).map(OneLine::of).collect(Collectors.joining(NEXT_LINE));
-  }
-
-  /** Truncates long messages: foreign content must not fill the disk. */
-  private static String shortened(String text, int maxChars) {
-    return text.length() <= maxChars
-        ? text
-        : text.substring(0, maxChars) + "… (" + (text.length() - maxChars) + " more characters)";
   }
 
   private void sayOnce(IOException e) {

@@ -21,6 +21,13 @@ public interface Clock {
   long micros();
 
   /**
+   * Whether time stands still while threads work, so that nothing is late by waiting for a disk.
+   */
+  default boolean isSimulated() {
+    return false;
+  }
+
+  /**
    * Creates a waiter for one thread.
    *
    * @param name name for diagnostics

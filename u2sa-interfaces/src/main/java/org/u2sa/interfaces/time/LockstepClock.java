@@ -45,6 +45,11 @@ public final class LockstepClock implements Clock {
   private boolean driving;
 
   @Override
+  public boolean isSimulated() {
+    return true;
+  }
+
+  @Override
   public long micros() {
     return nowMicros;
   }

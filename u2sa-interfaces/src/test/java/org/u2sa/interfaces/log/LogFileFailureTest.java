@@ -92,7 +92,9 @@ class LogFileFailureTest extends LogFileFixture {
             LogLevelEnum.INFO,
             CLOCK,
             new PrintStream(complaints, true, "UTF-8"),
-            opener)) {
+            opener,
+            new DiskWriter(),
+            CLOCK)) {
       log.log(LogLevelEnum.INFO, "a");
       assertThat(log.failures()).isEqualTo(1);
 

@@ -32,6 +32,11 @@ abstract class LogFileFixture {
       }
 
       @Override
+      public boolean isSimulated() {
+        return true;
+      }
+
+      @Override
       public Waiter newWaiter(String name) {
         throw new UnsupportedOperationException("nobody waits in this test");
       }
@@ -45,7 +50,9 @@ abstract class LogFileFixture {
         lowest,
         CLOCK,
         new PrintStream(complaints, true, "UTF-8"),
-        path -> new FileOutputStream(path.toFile(), true));
+        path -> new FileOutputStream(path.toFile(), true),
+        new DiskWriter(),
+        CLOCK);
   }
 
   final String complaints() throws IOException {

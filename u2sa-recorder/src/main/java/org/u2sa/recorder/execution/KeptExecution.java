@@ -262,6 +262,11 @@ public final class KeptExecution implements Execution {
     }
 
     @Override
+    public boolean isSimulated() {
+      return clock.isSimulated();
+    }
+
+    @Override
     public Waiter newWaiter(String waiterName) {
       return new NotingWaiter(clock.newWaiter(waiterName));
     }

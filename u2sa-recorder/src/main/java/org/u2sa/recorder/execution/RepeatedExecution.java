@@ -161,6 +161,11 @@ final class RepeatedExecution implements Execution {
     }
 
     @Override
+    public boolean isSimulated() {
+      return true;
+    }
+
+    @Override
     public Waiter newWaiter(String name) {
       return new RepeatedWaiter();
     }

@@ -8,6 +8,8 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import org.u2sa.cli.run.TroubleLines;
+import org.u2sa.cli.terminal.Console;
+import org.u2sa.cli.terminal.PlainLines;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
@@ -120,7 +122,8 @@ record DemoRun(
     options.seed(seed).logDirectory(directory.resolve("logs"));
     SwapOperator.PlannedSwap.requireClasses(swaps, options);
     long began = STOPWATCH.micros();
-    try (RunScreen screen = new RunScreen(plan, terminal, STOPWATCH);
+    try (Console.Detached output = PlainLines.detach(terminal.out(), clock);
+        RunScreen screen = new RunScreen(plan, terminal, STOPWATCH);
         Simulation simulated = simulation; // closed last, so neutral commands still reach it
         RunningSystem running = RunningSystem.start(system, options);
         TroubleLines troubles = plannersTroubles(running);

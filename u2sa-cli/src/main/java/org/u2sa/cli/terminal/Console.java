@@ -1,0 +1,58 @@
+package org.u2sa.cli.terminal;
+
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.Charset;
+
+/**
+ * Standard output and standard error of this process. A terminal that is held (Ctrl-S) or a pager
+ * that nobody scrolls takes no output, which must not hold up a vehicle: while one runs, whatever
+ * any thread prints waits in a bounded queue, and is dropped and counted if there is no room. Else
+ * a program waits until its output is taken, as usual.
+ */
+public final class Console {
+  private static final long GIVES_UP_AFTER_MS = 5_000;
+
+  private final DetachedOutput out;
+  private final DetachedOutput err;
+
+  Console(DetachedOutput out, DetachedOutput err) {
+    this.out = out;
+    this.err = err;
+  }
+
+  /** Takes over {@link System#out} and {@link System#err}. */
+  public static Console ofProcess() {
+    Console console =
+        new Console(
+            new DetachedOutput(new FileOutputStream(FileDescriptor.out), GIVES_UP_AFTER_MS),
+            new DetachedOutput(new FileOutputStream(FileDescriptor.err), GIVES_UP_AFTER_MS));
+    System.setOut(new PrintStream(console.out, true, Charset.defaultCharset()));
+    System.setErr(new PrintStream(console.err, true, Charset.defaultCharset()));
+    Runtime.getRuntime().addShutdownHook(new Thread(console::drain, "u2sa-output"));
+    return console;
+  }
+
+  /** Prevents that a thread waits for the output. */
+  public interface Detached extends AutoCloseable {
+    /** Waits until all was output, or nothing is taken for 5 s. */
+    @Override
+    void close();
+  }
+
+  /** While the result is open, no thread waits for the output. May be nested. */
+  Detached detach() {
+    out.detach();
+    err.detach();
+    return () -> {
+      out.attach();
+      err.attach();
+    };
+  }
+
+  private void drain() {
+    out.drain();
+    err.drain();
+  }
+}

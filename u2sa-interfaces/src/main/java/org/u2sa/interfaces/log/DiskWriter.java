@@ -1,0 +1,81 @@
+package org.u2sa.interfaces.log;
+
+import java.io.IOException;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executor;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+
+/**
+ * The thread of this process that accesses log and progress files in real time: a failing memory
+ * card or a network drive may not answer for minutes, and a service that waits for it would not
+ * obey stops. Jobs run one at a time in the order given. Each user bounds its pending jobs.
+ */
+public final class DiskWriter implements Executor {
+  private static final DiskWriter OF_PROCESS = new DiskWriter();
+  private static final long IDLE_THREAD_ENDS_AFTER_S = 5;
+
+  private final ThreadPoolExecutor thread =
+      new ThreadPoolExecutor(
+          1,
+          1,
+          IDLE_THREAD_ENDS_AFTER_S,
+          TimeUnit.SECONDS,
+          new LinkedBlockingQueue<>(),
+          job -> {
+            Thread made = new Thread(job, "u2sa-disk");
+            made.setDaemon(true);
+            return made;
+          });
+
+  DiskWriter() {
+    thread.allowCoreThreadTimeOut(true);
+  }
+
+  /** The only one of this process, because it keeps the order of accesses to a file. */
+  public static DiskWriter ofProcess() {
+    return OF_PROCESS;
+  }
+
+  /** Runs a job after all earlier ones, without waiting for it. */
+  @Override
+  public void execute(Runnable job) {
+    thread.execute(job);
+  }
+
+  /**
+   * Runs a job after all earlier ones and waits for its result; an interrupt does not end the wait.
+   *
+   * @param withinMs maximum wait [ms], begun again by an interrupt; the job may still run later
+   * @throws IOException if the job throws it, or the disk does not answer in time
+   */
+  public <T> T call(Callable<T> job, long withinMs) throws IOException {
+    FutureTask<T> task = new FutureTask<>(job);
+    execute(task);
+    boolean interrupted = false;
+    try {
+      while (true) {
+        try {
+          return task.get(withinMs, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+          interrupted = true; // waits again
+        }
+      }
+    } catch (TimeoutException e) {
+      throw new IOException("the disk did not answer within " + withinMs + " ms", e);
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof RuntimeException unexpected) {
+        throw unexpected;
+      }
+      throw e.getCause() instanceof IOException failed ? failed : new IOException(e.getCause());
+    } finally {
+      if (interrupted) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+}

@@ -1,0 +1,72 @@
+package org.u2sa.interfaces.log;
+
+import java.io.IOException;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.time.Clock;
+
+/**
+ * A file that is replaced as a whole, of which only the last content matters. In real time the
+ * {@link DiskWriter} accesses it, and of several changes that wait for the disk only the last is
+ * made; in simulated time the caller does.
+ */
+public final class ReplacedFile {
+  private static final long READS_WITHIN_MS = 5_000;
+
+  private final boolean atOnce;
+  private final AtomicReference<Change> waiting = new AtomicReference<>();
+
+  /** An access that replaces or deletes the file. */
+  public interface Change {
+    /** Makes the change. */
+    void make() throws IOException;
+  }
+
+  /**
+   * @param clock clock of the run
+   */
+  public ReplacedFile(Clock clock) {
+    atOnce = clock.isSimulated();
+  }
+
+  /**
+   * Makes the change instead of one that still waits.
+   *
+   * @param failed called if it fails, possibly later on another thread
+   */
+  public void change(Change change, Consumer<IOException> failed) {
+    if (atOnce) {
+      make(change, failed);
+    } else if (waiting.getAndSet(change) == null) {
+      DiskWriter.ofProcess().execute(() -> make(waiting.getAndSet(null), failed));
+    }
+  }
+
+  private static void make(Change change, Consumer<IOException> failed) {
+    try {
+      change.make();
+    } catch (IOException e) {
+      failed.accept(e);
+    }
+  }
+
+  /**
+   * Reads the file after all changes asked for.
+   *
+   * @throws IOException if reading throws it, or the disk does not answer within 5 s
+   */
+  public <T> T read(Callable<T> reading) throws IOException {
+    return atOnce ? now(reading) : DiskWriter.ofProcess().call(reading, READS_WITHIN_MS);
+  }
+
+  private static <T> T now(Callable<T> reading) throws IOException {
+    try {
+      return reading.call();
+    } catch (IOException | RuntimeException e) {
+      throw e;
+    } catch (Exception e) {
+      throw new IOException(e);
+    }
+  }
+}
