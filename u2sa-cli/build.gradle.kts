@@ -14,6 +14,7 @@ dependencies {
     testImplementation(project(":u2sa-estimation"))
     testImplementation(project(":u2sa-mission"))
     testImplementation(project(":u2sa-planning"))
+    testImplementation(project(":u2sa-sim"))
     testImplementation(project(":u2sa-world"))
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.jackson.databind)

@@ -30,6 +30,7 @@ import picocli.CommandLine.Spec;
       "The result compiles, has a test and a configuration, and is yours to change. Run in the folder of such a project, or with --into, it adds to that project. Nothing is overwritten."
     })
 public final class NewCommand implements Callable<Integer> {
+  private static final String VEHICLE = "vehicle";
   private static final String HOME = "u2sa.home";
 
   private final Path here;
@@ -49,6 +50,12 @@ public final class NewCommand implements Callable<Integer> {
       paramLabel = "NAME",
       description = "Its name, such as depth-gauge: the class is DepthGauge.")
   private String name;
+
+  @Option(
+      names = "--kind",
+      paramLabel = "rover|boat",
+      description = "With KIND vehicle: one from a vehicle file, to simulate with its devices.")
+  private String vehicle; // null for the simple simulation in code
 
   @Option(names = "--list", description = "Show the kinds, and where their templates are.")
   private boolean list;
@@ -103,10 +110,22 @@ public final class NewCommand implements Callable<Integer> {
         throw new ParameterException(
             command.commandLine(), "expected KIND and NAME, such as: sensor depth-gauge");
       } else {
-        make(available, available.kind(kind), Naming.of(name));
+        make(available, available.kind(chosen()), Naming.of(name));
       }
     }
     return ExitCode.DONE;
+  }
+
+  /** The kind of template: {@code vehicle --kind boat} is {@code vehicle-boat}. */
+  private String chosen() {
+    if (vehicle == null) {
+      return kind;
+    }
+    if (!kind.equals(VEHICLE)) {
+      throw new ParameterException(
+          command.commandLine(), "--kind " + vehicle + ": expected KIND " + VEHICLE);
+    }
+    return VEHICLE + "-" + vehicle;
   }
 
   private void list(Templates available) {

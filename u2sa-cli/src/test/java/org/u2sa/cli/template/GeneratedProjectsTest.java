@@ -1,6 +1,7 @@
 package org.u2sa.cli.template;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -35,6 +36,23 @@ class GeneratedProjectsTest {
   void make_eachKind_compilesAndItsTestsPass(String kind) throws Exception {
     made.make(kind, "first-of-" + kind);
     made.build("first-of-" + kind);
+  }
+
+  @Test
+  void make_vehicleOfAKind_isThatOfItsFile() {
+    made.make("vehicle", "pier", "--kind", "boat");
+    assertThat(made.files())
+        .contains("pier/config/pier/vehicle.xml", "pier/config/pier/BOW.xml")
+        .doesNotContain("pier/src/main");
+    assertThat(made.told()).contains("u2sa simulate config/pier/system.xml");
+  }
+
+  @Test
+  void make_kindOfSomethingElse_isRefused() {
+    assertThatThrownBy(() -> made.make("sensor", "pier", "--kind", "boat"))
+        .hasMessageContaining("--kind boat: expected KIND vehicle");
+    assertThatThrownBy(() -> made.make("vehicle", "pier", "--kind", "plane"))
+        .hasMessageContaining("vehicle-plane");
   }
 
   @Test

@@ -110,6 +110,9 @@ final class NewProject {
         all.filter(each -> each.toString().endsWith(".java")).forEach(files::add);
       }
     }
+    if (files.isEmpty()) {
+      return; // a vehicle from a file has no code but its test
+    }
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     StringWriter errors = new StringWriter();
     List<String> options =

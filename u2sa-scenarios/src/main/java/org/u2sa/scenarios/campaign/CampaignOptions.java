@@ -16,6 +16,8 @@ import picocli.CommandLine.Spec;
 
 /** The options of {@code u2sa campaign} and the runs they define. */
 final class CampaignOptions {
+  private static final String SIMULATE = "simulate";
+
   private static final int MAX_RUNS = 1_000_000;
 
   @Spec(Spec.Target.MIXEE)
@@ -28,7 +30,8 @@ final class CampaignOptions {
   @Parameters(
       index = "0",
       paramLabel = "DEMO",
-      description = "What to run, such as ugv, cessna or igvc.")
+      description =
+          "What to run, such as ugv, cessna or igvc; or simulate, with its system file and options after --.")
   private String demo;
 
   @Parameters(
@@ -98,7 +101,7 @@ final class CampaignOptions {
       names = "--sweep",
       paramLabel = "NAME=VALUE,…",
       description = {
-        "Try each of the values of a demo's option (payload=0,5,10) or a service's variable (\"PathPlanner:LOOK AHEAD=0.8,1.2\").",
+        "Try each of the values of a demo's option (payload=0,5,10), a service's variable (\"PathPlanner:LOOK AHEAD=0.8,1.2\"), or a value of simulate's vehicle (vehicle:body/mass=20,25).",
         "Several: all combinations."
       })
   private void sweeps(List<String> texts) { // called repeatedly with all values so far
@@ -126,12 +129,14 @@ final class CampaignOptions {
   /** All runs. */
   List<Experiment> experiments() {
     CommandLine demos = command.root().commandLine().getSubcommands().get("demo");
-    if (!demos.getSubcommands().containsKey(demo)) {
+    if (!demo.equals(SIMULATE) && !demos.getSubcommands().containsKey(demo)) {
       throw refused(
           "DEMO \""
               + demo
               + "\": no such demo; expected one of "
-              + demos.getSubcommands().keySet());
+              + demos.getSubcommands().keySet()
+              + ", or "
+              + SIMULATE);
     }
     long combinations = seeds;
     for (Sweep sweep : sweeps) {
@@ -144,7 +149,8 @@ final class CampaignOptions {
   }
 
   private List<String> base() {
-    List<String> base = new ArrayList<>(List.of("demo", demo));
+    List<String> base =
+        new ArrayList<>(demo.equals(SIMULATE) ? List.of(SIMULATE) : List.of("demo", demo));
     base.addAll(told);
     return base;
   }

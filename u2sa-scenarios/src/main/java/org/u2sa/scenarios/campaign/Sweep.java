@@ -7,10 +7,13 @@ import org.u2sa.interfaces.BadInputException;
  * A parameter and the values that a campaign sweeps.
  *
  * @param name name of a demo's option without dashes, such as {@code payload}, or a service's
- *     variable, such as {@code Control:SPEED GAIN}
+ *     variable, such as {@code Control:SPEED GAIN}, or a value of a vehicle file, such as {@code
+ *     vehicle:body/mass}
  * @param values the distinct values as written, at least one
  */
 record Sweep(String name, List<String> values) {
+  private static final String VEHICLE = "vehicle:";
+
   /**
    * Reads {@code NAME=VALUE,VALUE,…}.
    *
@@ -38,6 +41,9 @@ record Sweep(String name, List<String> values) {
 
   /** Command-line arguments for one of the values. */
   List<String> arguments(String value) {
+    if (name.startsWith(VEHICLE)) {
+      return List.of("--change", name.substring(VEHICLE.length()) + "=" + value);
+    }
     return name.contains(":")
         ? List.of("--set", name + "=" + value)
         : List.of("--" + name + "=" + value);

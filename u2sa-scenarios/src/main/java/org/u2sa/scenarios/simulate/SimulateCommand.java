@@ -3,7 +3,9 @@ package org.u2sa.scenarios.simulate;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -74,6 +76,13 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   private Path vehicleFile;
 
   @Option(
+      names = "--change",
+      paramLabel = "PATH=VALUE",
+      description =
+          "Another value than the vehicle file's, such as body/mass=25 or gps/@preset=phone. May be given several times.")
+  private Map<String, String> changes = new LinkedHashMap<>();
+
+  @Option(
       names = "--world",
       paramLabel = "FILE",
       description = "World XML file with what stands around. Default: nothing.")
@@ -112,7 +121,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
       throw wrong(
           "--start: expected LONGITUDE,LATITUDE[,HEADING] in degrees, at most 85 degrees north or south");
     }
-    vehicle = VehicleFile.load(vehicleFile);
+    vehicle = VehicleFile.load(vehicleFile, changes);
     if (worldFile != null) {
       WorldFile.load(worldFile)
           .ignored()

@@ -32,4 +32,10 @@ class SweepTest {
         .hasMessageContaining("\"" + text + "\"")
         .hasMessageContaining("NAME=VALUE");
   }
+
+  @Test
+  void arguments_valueOfAVehicleFile_areAChange() {
+    assertThat(Sweep.of("vehicle:body/mass=20,25").arguments("20"))
+        .containsExactly("--change", "body/mass=20");
+  }
 }

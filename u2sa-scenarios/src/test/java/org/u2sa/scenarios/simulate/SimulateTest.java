@@ -207,4 +207,17 @@ class SimulateTest {
     assertThat(run.err())
         .contains("vehicle.xml: has no IOIO board, which IoioService needs; expected <ioio>");
   }
+
+  @Test
+  void simulate_changeOfTheVehicle_isAnotherVehicle() throws IOException, URISyntaxException {
+    project("rover");
+    simulate("one", "--summary-only");
+    simulate("two", "--summary-only", "--change", "skidSteer/exactMismatch=0.3");
+    CommandLineRun wrong = simulate("three", "--change", "body/mass=0");
+
+    assertThat(summary("one").get("crossTrackRmsM"))
+        .isNotEqualTo(summary("two").get("crossTrackRmsM"));
+    assertThat(wrong.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(wrong.err()).contains("<mass>: 0.0 kg: expected above 0");
+  }
 }

@@ -131,6 +131,9 @@ public final class VehicleCheck {
   private Optional<String> turningCircle() {
     double[] ahead = towards(Axis.SURGE, 1.0);
     double[] right = towards(Axis.YAW, 1.0);
+    if (isZero(right) && !isZero(ahead)) {
+      right = steering(ahead);
+    }
     if (isZero(ahead) || isZero(right)) {
       return Optional.empty();
     }
@@ -143,6 +146,25 @@ public final class VehicleCheck {
         text(
             "ahead and turning right: a circle of %.2f m radius at %.3g m/s",
             motion.radiusM(), motion.speedMps()));
+  }
+
+  /** Full commands of those actuators that turn a moving vehicle to the right, but push nothing. */
+  private double[] steering(double[] ahead) {
+    double[] commands = new double[ahead.length];
+    double straight = speeds(ahead)[Axis.YAW.ordinal()];
+    for (int i = 0; i < ahead.length; i++) {
+      double strongest = NOTHING;
+      for (double command : ahead[i] == 0.0 ? COMMANDS : List.<Double>of()) {
+        double[] steered = ahead.clone();
+        steered[i] = command;
+        double turning = speeds(steered)[Axis.YAW.ordinal()] - straight;
+        if (turning > strongest) {
+          strongest = turning;
+          commands[i] = command;
+        }
+      }
+    }
+    return commands;
   }
 
   private static boolean isZero(double[] commands) {

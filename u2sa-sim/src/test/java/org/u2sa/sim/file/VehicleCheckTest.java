@@ -25,6 +25,13 @@ class VehicleCheckTest {
   }
 
   @Test
+  void lines_truck_tellTheCircleOfItsSteering() {
+    // docs/simulator.md: 0.78 m at full throttle
+    assertThat(VehicleCheck.lines(VehicleFile.load(Vehicles.TRUCK)))
+        .anyMatch(line -> line.startsWith("ahead and turning right: a circle of 0.7"));
+  }
+
+  @Test
   void lines_otter_haveTheReferencesTopSpeedWithinThreePercent() {
     // 24.4 kgf over the drag at 6 knots, and what the trim adds
     String ahead =

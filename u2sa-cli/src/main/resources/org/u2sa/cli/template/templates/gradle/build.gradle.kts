@@ -18,6 +18,7 @@ dependencies {
     implementation("org.u2sa:u2sa-planning")
     implementation("org.u2sa:u2sa-control")
     implementation("org.u2sa:u2sa-core")
+    testImplementation("org.u2sa:u2sa-sim")
     testImplementation("org.u2sa:u2sa-abstract:{{version}}:test-fixtures")
     testImplementation("org.junit.jupiter:junit-jupiter:5.14.4")
     testImplementation("org.assertj:assertj-core:3.27.7")
