@@ -395,8 +395,10 @@ final class HouseRules {
     return classes()
         .that(
             describe(
-                "start a vehicle",
-                type -> calls(type, ROOT + "core.launch.RunningSystem", "start")))
+                "start a vehicle from a command line",
+                type ->
+                    !type.getPackageName().startsWith(ROOT + "android")
+                        && calls(type, ROOT + "core.launch.RunningSystem", "start")))
         .should(
             com.tngtech.archunit.lang.conditions.ArchConditions.be(
                 describe(

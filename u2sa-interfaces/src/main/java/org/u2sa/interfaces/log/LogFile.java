@@ -47,7 +47,7 @@ public final class LogFile implements AutoCloseable {
   private final Clock stopwatch; // not the run's: how often it is read differs in a repetition
   private final LogFile first; // first of the logs sharing the file; owns the fields below
   private final AtomicLong failures = new AtomicLong();
-  private final Deque<LogLine> waiting = new ArrayDeque<>(); // also the lock of the next four
+  private final Deque<FileLine> waiting = new ArrayDeque<>(); // also the lock of the next four
   private int waitingChars;
   private boolean jobPending;
   private long dropped; // since the last line that was not
@@ -135,7 +135,7 @@ public final class LogFile implements AutoCloseable {
   public void log(LogLevelEnum level, String message, Throwable thrown) {
     if (writes(level)) {
       long thread = Clock.runningThread().getId();
-      first.add(clock.micros(), thread, level, LogLine.message(message, thrown));
+      first.add(clock.micros(), thread, level, FileLine.message(message, thrown));
     }
   }
 
@@ -146,7 +146,7 @@ public final class LogFile implements AutoCloseable {
 
   private void add(long micros, long thread, LogLevelEnum level, String message) {
     synchronized (waiting) {
-      LogLine line = new LogLine(micros, thread, level, message, dropped);
+      FileLine line = new FileLine(micros, thread, level, message, dropped);
       if (closed) {
         return;
       }
@@ -172,7 +172,7 @@ public final class LogFile implements AutoCloseable {
 
   private void writeSome() {
     for (int k = 0; k < LINES_PER_JOB; k++) {
-      LogLine line;
+      FileLine line;
       synchronized (waiting) {
         line = waiting.peek();
         jobPending = line != null;
@@ -194,7 +194,7 @@ public final class LogFile implements AutoCloseable {
    *
    * @param looksForFile whether to create the file again if somebody deleted or moved it
    */
-  private void write(LogLine line, boolean looksForFile) {
+  private void write(FileLine line, boolean looksForFile) {
     lost += line.dropped();
     try {
       if (out == null || looksForFile && !Files.exists(file)) {
@@ -286,7 +286,7 @@ public final class LogFile implements AutoCloseable {
 
   private String findTrouble() {
     synchronized (waiting) {
-      LogLine oldest = waiting.peek();
+      FileLine oldest = waiting.peek();
       if (oldest != null && stopwatch.micros() - oldest.micros() > HANGS_AFTER_MICROS) {
         return "the disk does not answer, " + waiting.size() + " lines wait";
       }

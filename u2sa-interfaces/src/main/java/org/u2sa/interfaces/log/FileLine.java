@@ -18,7 +18,7 @@ import org.u2sa.interfaces.time.Clock;
  * @param message text, which may have several lines
  * @param dropped number of lines dropped directly before it
  */
-record LogLine(long micros, long thread, LogLevelEnum level, String message, long dropped) {
+record FileLine(long micros, long thread, LogLevelEnum level, String message, long dropped) {
   private static final long NANOS_PER_MICRO = 1_000L;
   private static final DateTimeFormatter TIMESTAMP =
       DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSSSSS'Z'").withZone(ZoneOffset.UTC);
@@ -57,10 +57,10 @@ record LogLine(long micros, long thread, LogLevelEnum level, String message, lon
   }
 
   /** The line that tells how many lines before this one are missing. */
-  LogLine aboutLost(long lines) {
+  FileLine aboutLost(long lines) {
     String text =
         lines + (lines == 1 ? " line" : " lines") + " before this one could not be written";
-    return new LogLine(micros, thread, LogLevelEnum.WARN, text, 0);
+    return new FileLine(micros, thread, LogLevelEnum.WARN, text, 0);
   }
 
   /** Appends the line as it is in the file. */
