@@ -53,7 +53,7 @@ public final class NewCommand implements Callable<Integer> {
 
   @Option(
       names = "--kind",
-      paramLabel = "rover|boat",
+      paramLabel = "rover|boat|copter",
       description = "With KIND vehicle: one from a vehicle file, to simulate with its devices.")
   private String vehicle; // null for the simple simulation in code
 
