@@ -75,7 +75,7 @@ class SmallAircraftFlightTest {
   void fly_fromTheCatapultAroundFourPoints_passesEach(double windMps, double fromRad, long seed) {
     World world = World.at(new Geodetic(9.0, 54.0, 0.0)).with(Wind.gusty(fromRad, windMps, seed));
     UnmannedAircraft aircraft = aerosonde(world);
-    aircraft.launch(new Catapult(22.0, Math.toRadians(10.0), 1.5));
+    aircraft.launch(new Catapult(22.0, Math.toRadians(10.0), 1.5, 2.0));
     try (SmallAircraftFlight flight =
         new SmallAircraftFlight(aircraft, Set.of("RUDDER"), SmallAircraftFlight.aerosonde())) {
       for (Point place : ROUND) {
@@ -146,7 +146,7 @@ class SmallAircraftFlightTest {
   void fly_flyingWingThrownByHand_passesEach(double windMps, double fromRad, long seed) {
     World world = World.at(new Geodetic(9.0, 54.0, 0.0)).with(Wind.gusty(fromRad, windMps, seed));
     UnmannedAircraft aircraft = zagi(world);
-    aircraft.launch(new Catapult(13.0, Math.toRadians(15.0), 1.5));
+    aircraft.launch(new Catapult(13.0, Math.toRadians(15.0), 1.5, 2.0));
     try (SmallAircraftFlight flight = new SmallAircraftFlight(aircraft, Set.of(), zagiTuning())) {
       for (Point place : ROUND) {
         assertThat(flight.flyTo(place, 15.2, 90.0)).as("reaches %s", place).isTrue();

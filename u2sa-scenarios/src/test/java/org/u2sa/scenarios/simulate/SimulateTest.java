@@ -60,7 +60,7 @@ class SimulateTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"rover", "boat", "copter"})
+  @ValueSource(strings = {"rover", "boat", "copter", "wing"})
   void simulate_ownVehicle_completesItsMissionAndRepeatsItToTheByte(String name)
       throws IOException, URISyntaxException {
     project(name);

@@ -12,11 +12,16 @@ import org.u2sa.sim.world.World;
  *
  * @param world around the vehicle
  * @param truth current state of the vehicle
+ * @param air current velocity of the air around the vehicle: east, north, up [m/s]
  * @param wheels current state of a ground vehicle's wheels
  * @param streams the device's own random numbers
  */
 record Aboard(
-    World world, Supplier<VehicleTruth> truth, Supplier<GroundState> wheels, NoiseStreams streams) {
+    World world,
+    Supplier<VehicleTruth> truth,
+    Supplier<Point> air,
+    Supplier<GroundState> wheels,
+    NoiseStreams streams) {
 
   /** Current state of a sensor on the vehicle. */
   Supplier<VehicleTruth> at(Mount mount) {

@@ -57,7 +57,8 @@ record FixedWingModel(
                 new Catapult(
                     file.positive("speed", "m/s", 200.0),
                     file.number("angle", "rad", 0.0, Math.PI / 3.0),
-                    file.number("height", "m", 0.0, 100.0)));
+                    file.number("height", "m", 0.0, 100.0),
+                    file.number("stroke", "m", 0.1, 100.0, 2.0)));
     file.end();
     return made;
   }

@@ -195,7 +195,7 @@ final class StateSensors {
                 errors,
                 vehicle.streams(),
                 vehicle.at(mount),
-                () -> Point.ORIGIN,
+                vehicle.air(),
                 () -> vehicle.altitudeM(mount)));
   }
 

@@ -19,6 +19,7 @@ import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 /**
@@ -92,7 +93,11 @@ public final class VehicleDevices implements DeviceSource {
     }
     return entry.make(
         new Aboard(
-            run.vehicle().world(), () -> run.at(clock.micros()), wheels(clock), streams(name)));
+            run.vehicle().world(),
+            () -> run.at(clock.micros()),
+            () -> run.read(clock.micros(), SimulatedVehicle::air),
+            wheels(clock),
+            streams(name)));
   }
 
   private BadInputException none(String service, String port) {

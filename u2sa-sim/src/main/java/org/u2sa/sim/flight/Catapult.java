@@ -7,9 +7,10 @@ import org.u2sa.sim.motion.Arguments;
  *
  * @param speedMps speed over ground of the aircraft when it leaves [m/s]
  * @param angleRad above the horizon, which is also its pitch [rad]
- * @param heightM height of its centre of gravity above ground [m]
+ * @param heightM height of its centre of gravity above ground where it waits [m]
+ * @param strokeM way over which it is accelerated [m]
  */
-public record Catapult(double speedMps, double angleRad, double heightM) {
+public record Catapult(double speedMps, double angleRad, double heightM, double strokeM) {
   /** Throttle above which it throws. */
   static final double RUNS_ABOVE = 0.5;
 
@@ -17,8 +18,14 @@ public record Catapult(double speedMps, double angleRad, double heightM) {
    * @throws IllegalArgumentException if a value is out of range
    */
   public Catapult {
-    Arguments.requireInside("speed of a catapult [m/s]", speedMps, 0.0, 200.0);
+    Arguments.requireInside("speed of a catapult [m/s]", speedMps, 0.1, 200.0);
     Arguments.requireInside("angle of a catapult [rad]", angleRad, 0.0, StrictMath.PI / 3.0);
     Arguments.requireInside("height of a catapult [m]", heightM, 0.0, 1_000.0);
+    Arguments.requireInside("stroke of a catapult [m]", strokeM, 0.1, 1_000.0);
+  }
+
+  /** Constant acceleration along the stroke [m/s²]. */
+  double accelerationMps2() {
+    return speedMps * speedMps / (2.0 * strokeM);
   }
 }

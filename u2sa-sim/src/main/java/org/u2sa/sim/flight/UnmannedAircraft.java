@@ -117,15 +117,11 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     Arrays.fill(rate, 0.0);
   }
 
-  /** Throws the aircraft at once. */
+  /** Throws the aircraft at once, without a stroke. */
   public void launch(Catapult how) {
     waitOn(how);
-    release(how);
-  }
-
-  private void release(Catapult how) {
-    catapult = Optional.empty();
     state[BodyState.VELOCITY] = how.speedMps();
+    catapult = Optional.empty();
     body.derivatives(state, rate);
   }
 
@@ -184,10 +180,32 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   }
 
   private boolean isHeld() {
-    if (catapult.isPresent() && loads.isDriven()) {
-      release(catapult.get());
+    if (catapult.isEmpty()) {
+      return false;
     }
-    return catapult.isPresent();
+    boolean slides = state[BodyState.VELOCITY] > 0.0 || loads.isDriven();
+    if (slides) {
+      slide(catapult.get());
+    }
+    return true;
+  }
+
+  /** One tick along the catapult, with a constant acceleration. */
+  private void slide(Catapult how) {
+    body.derivatives(state, rate);
+    for (int i = FreeBody.ACTUATORS; i < FreeBody.ACTUATORS + loads.actuators().size(); i++) {
+      state[i] += rate[i] * TICK_S;
+    }
+    Arrays.fill(rate, BodyState.QUATERNION, rate.length, 0.0);
+    rate[BodyState.VELOCITY] = how.accelerationMps2();
+    state[BodyState.VELOCITY] += how.accelerationMps2() * TICK_S;
+    BodyState.kinematics(state, rate, 0.0, 0.0);
+    for (int i = BodyState.NED; i < BodyState.NED + 3; i++) {
+      state[i] += rate[i] * TICK_S;
+    }
+    if (state[BodyState.VELOCITY] >= how.speedMps()) {
+      catapult = Optional.empty();
+    }
   }
 
   private void surround() {
@@ -224,6 +242,11 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   public Point throughAir() {
     body.observe(state);
     return Point.of(body.air.u, body.air.v, body.air.w);
+  }
+
+  @Override
+  public Point air() {
+    return Point.of(body.air.windE, body.air.windN, -body.air.windD);
   }
 
   /** Actual state of an actuator: speed [rad/s], deflection [rad] or throttle. */

@@ -1,6 +1,8 @@
 package org.u2sa.sim.vehicle;
 
 import java.util.List;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
@@ -38,4 +40,16 @@ public interface SimulatedVehicle {
 
   /** The world around it. */
   World world();
+
+  /**
+   * Velocity of the air around it: east, north, up [m/s]; the world's steady wind if it has no
+   * gusts.
+   */
+  default Point air() {
+    Wind wind = world().wind();
+    return Point.of(
+        -wind.speedMps() * StrictMath.sin(wind.fromRad()),
+        -wind.speedMps() * StrictMath.cos(wind.fromRad()),
+        0.0);
+  }
 }

@@ -171,7 +171,7 @@ class FixedWingTest {
   @Test
   void launch_wingsHeldLevelAtFullThrottle_climbsAway() {
     UnmannedAircraft aircraft = Aerosonde.at(Aerosonde.FIELD, 1.5);
-    aircraft.launch(new Catapult(18.0, Math.toRadians(10.0), 1.5));
+    aircraft.launch(new Catapult(18.0, Math.toRadians(10.0), 1.5, 2.0));
 
     for (int i = 0; i < 400; i++) {
       double roll = Math.IEEEremainder(aircraft.truth().attitude().phi(), 2.0 * Math.PI);
@@ -218,7 +218,7 @@ class FixedWingTest {
 
   private static VehicleTruth flown(World world) {
     UnmannedAircraft aircraft = Aerosonde.at(world, 100.0);
-    aircraft.launch(new Catapult(25.0, 0.05, 1.5));
+    aircraft.launch(new Catapult(25.0, 0.05, 1.5, 2.0));
     Aerosonde.command(aircraft, -0.124778, 0.001836, -0.000303, 0.676752);
     aircraft.step(5.0);
     return aircraft.truth();
