@@ -10,6 +10,7 @@ import org.u2sa.device.port.Device;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.service.DeviceSource;
 import org.u2sa.service.ServiceContext;
 
 /** Finds the device that a service's configuration names among all {@link DeviceProvider}s. */
@@ -41,6 +42,9 @@ public final class Devices {
   public static <D extends Device<?>> D open(
       Class<D> port, Usual usual, ServiceContext context, String service, Optional<D> made) {
     XmlConfiguration configuration = context.configuration();
+    if (context.devices() != DeviceSource.NONE) {
+      context.beforeDevice(); // a simulated one is a device, too
+    }
     Optional<D> provided =
         made.isPresent()
             ? made

@@ -13,12 +13,30 @@ final class AwaitedSensors {
   /** Stands for a scanner whose name is not known because it never scanned. */
   static final String ANY_SCANNER = "any scanner";
 
-  private final Map<String, Long> scanned = new TreeMap<>(); // newest scan of each scanner [us]
+  private static final double MISSED = 2.0; // intervals after which a slow scanner is silent
+  private static final long LONGEST_MICROS = 5_000_000; // interval that is allowed for
+
+  /**
+   * What is known of a scanner.
+   *
+   * @param newest end of its newest scan [µs]
+   * @param interval to the one before [µs]
+   * @param usual the shorter one of the last two intervals: a gap is no habit [µs]
+   */
+  private record Scans(long newest, long interval, long usual) {
+    Scans then(long micros) {
+      long now = Math.min(LONGEST_MICROS, micros - newest);
+      return now > 0 ? new Scans(micros, now, Math.min(now, interval)) : this;
+    }
+  }
+
+  private final Map<String, Scans> scanned = new TreeMap<>(); // by scanner
   private final Map<String, Long> seen = new TreeMap<>(); // newest sighting of each sensor [us]
 
-  /** Registers a scan that was placed on the map. */
+  /** Registers a scan that was placed on the map and ended at a time. */
   void scan(String sensor, long micros) {
-    scanned.merge(sensor, micros, Math::max);
+    Scans before = scanned.get(sensor);
+    scanned.put(sensor, before == null ? new Scans(micros, 0, 0) : before.then(micros));
   }
 
   /** Registers a sighting that was placed on the map. */
@@ -36,19 +54,28 @@ final class AwaitedSensors {
    *
    * @param expected names of the sensors that should; if empty, each scanner that was ever heard
    * @param needsScans whether at least one scan is needed if nothing is named as expected
-   * @param since measurement time before which a measurement is too old [us]
+   * @param nowMicros time of the map [µs]
+   * @param silentMicros age from which a measurement is too old; without expected names, a scanner
+   *     whose scans are rarer may take twice its usual interval [µs]
    */
-  List<String> silent(List<String> expected, boolean needsScans, long since) {
+  List<String> silent(
+      List<String> expected, boolean needsScans, long nowMicros, long silentMicros) {
+    long since = nowMicros - silentMicros;
     if (expected.isEmpty() && scanned.isEmpty()) {
       return needsScans ? List.of(ANY_SCANNER) : List.of();
     }
     List<String> silent = new ArrayList<>(expected.isEmpty() ? scanned.keySet() : expected);
-    silent.removeIf(sensor -> isSince(scanned.get(sensor), since));
-    silent.removeIf(sensor -> isSince(seen.get(sensor), since));
+    silent.removeIf(sensor -> scansSince(sensor, nowMicros, since, expected.isEmpty()));
+    silent.removeIf(sensor -> seen.getOrDefault(sensor, Long.MIN_VALUE) >= since);
     return silent;
   }
 
-  private static boolean isSince(Long micros, long since) {
-    return micros != null && micros >= since;
+  private boolean scansSince(String sensor, long nowMicros, long since, boolean asUsual) {
+    Scans scans = scanned.get(sensor);
+    if (scans == null) {
+      return false;
+    }
+    long patience = asUsual ? Math.round(MISSED * scans.usual()) : 0;
+    return scans.newest() >= Math.min(since, nowMicros - patience);
   }
 }

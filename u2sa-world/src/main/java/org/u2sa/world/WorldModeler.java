@@ -280,7 +280,7 @@ public final class WorldModeler extends PeriodicService {
             : poses.at(first + span, settings.get().gapMicros());
     ScanPoses placed = new ScanPoses(sighting.get(), last);
     count.scan();
-    sensors.scan(scan.sensorName(), first);
+    sensors.scan(scan.sensorName(), first + span);
     modellers.working().values().forEach(modeller -> modeller.scan(scan, placed));
   }
 
@@ -339,7 +339,7 @@ public final class WorldModeler extends PeriodicService {
     WorldVariables now = settings.get();
     boolean needsScans =
         now.world().isEmpty() && modellers.working().containsKey(ChosenModellers.GRID);
-    return sensors.silent(now.expected(), needsScans, micros - now.silentMicros());
+    return sensors.silent(now.expected(), needsScans, micros, now.silentMicros());
   }
 
   private void publishGrid(OccupancyGrid grid, long micros) {

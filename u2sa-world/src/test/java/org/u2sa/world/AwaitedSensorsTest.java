@@ -63,6 +63,35 @@ class AwaitedSensorsTest {
   }
 
   @Test
+  void slowScanner_mayTakeTwiceItsUsualInterval() {
+    world.kit.start(WorldModeler::new);
+    for (int i = 0; i < 4; i++) {
+      scan(1, "Sonar");
+      world.stand(14);
+    }
+    assertThat(awaited()).isEmpty();
+    world.stand(14);
+    assertThat(awaited()).isEmpty();
+
+    world.stand(5);
+
+    assertThat(awaited()).containsExactly("Sonar");
+  }
+
+  @Test
+  void oneGapOfAFastScanner_givesItNoMorePatience() {
+    world.kit.start(WorldModeler::new);
+    scan(5, "Lidar");
+    world.stand(30);
+    scan(1, "Lidar");
+    assertThat(awaited()).isEmpty();
+
+    world.stand(12);
+
+    assertThat(awaited()).containsExactly("Lidar");
+  }
+
+  @Test
   void scannerRepeatsItsLastScan_isAwaited() {
     world.kit.start(WorldModeler::new);
     scan(5, "Lidar");

@@ -49,6 +49,7 @@ final class ServiceTrial {
         .messageTypes(types)
         .seed(options.seed())
         .restart(true)
+        .devices(options.devices())
         .trial(true)
         .build();
   }
