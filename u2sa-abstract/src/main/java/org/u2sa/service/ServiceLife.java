@@ -308,7 +308,7 @@ final class ServiceLife {
       health.error(failure.toString());
       configuration.log().log(LogLevelEnum.ERROR, what + " failed", failure);
     } catch (Exception | Error e) { // such as a full heap
-      System.err.println(what + " of " + configuration.name() + " failed, and logging it: " + e);
+      e.printStackTrace();
     }
   }
 
