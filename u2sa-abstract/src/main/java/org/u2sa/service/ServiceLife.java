@@ -279,7 +279,7 @@ final class ServiceLife {
     atLast("closing", host.release);
     status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPED;
     atLast("the last health report", host.reportLast);
-    configuration.log(LogLevelEnum.INFO, "ended: " + status);
+    atLast("the last log line", () -> configuration.log(LogLevelEnum.INFO, "ended: " + status));
     atLast("ending the communication", host.disconnect);
     stopWaiting();
     configuration.log().close();
@@ -299,8 +299,16 @@ final class ServiceLife {
     try {
       last.run();
     } catch (Exception | Error e) { // including undeclared checked ones
-      health.error(e.toString());
-      configuration.log().log(LogLevelEnum.ERROR, what + " failed", e);
+      tell(what, e);
+    }
+  }
+
+  private void tell(String what, Throwable failure) {
+    try {
+      health.error(failure.toString());
+      configuration.log().log(LogLevelEnum.ERROR, what + " failed", failure);
+    } catch (Exception | Error e) { // such as a full heap
+      e.printStackTrace();
     }
   }
 

@@ -124,6 +124,25 @@ class ServiceEndTest {
   }
 
   @Test
+  void release_errorThatCannotBeLogged_stillLetsGoOfItsName() throws InterruptedException {
+    Victim victim = kit.start(Victim::new);
+    victim.inRelease =
+        new AssertionError("cannot let go") {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          public String toString() {
+            throw new OutOfMemoryError("heap");
+          }
+        };
+
+    kit.publish(Channels.STOP, new StopCommand().serviceName("Victim"));
+    victim.join();
+
+    assertThat(kit.start(Victim::new).isRunning()).isTrue();
+  }
+
+  @Test
   void stopCommand_beforeStart_endsItWithoutRunning() throws InterruptedException {
     Victim victim = new Victim(kit.context());
     kit.publish(Channels.STOP, new StopCommand().stopAll(true));

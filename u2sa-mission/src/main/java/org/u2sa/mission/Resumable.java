@@ -23,6 +23,8 @@ final class Resumable {
   private final Supplier<MissionVariables> settings;
   private Optional<MissionProgress> found = Optional.empty();
   private String foundDigest = ""; // of the mission whose progress was loaded
+  private Mission digested; // the mission of the digest; null at first
+  private String digest = "";
   private final AtomicLong notSaved = new AtomicLong();
 
   Resumable(
@@ -129,8 +131,21 @@ final class Resumable {
     if (progress.mission().isOver()) {
       saved.delete(this::notSaved);
     } else {
-      saved.write(progress, file(), this::notSaved);
+      try {
+        saved.write(progress, digest(), this::notSaved);
+      } catch (IOException e) {
+        notSaved(e);
+      }
     }
+  }
+
+  /** Taken when the mission begins, because its file may be edited while it runs. */
+  private String digest() throws IOException {
+    if (digested != run.mission()) {
+      digest = SavedMission.digest(file());
+      digested = run.mission();
+    }
+    return digest;
   }
 
   /** Such as for a full disk: not fatal. */

@@ -41,18 +41,18 @@ final class SavedMission {
   /**
    * Replaces the file.
    *
-   * @param mission the mission's file, whose contents must be the same for it to be resumed
+   * @param digest of the mission's file as it was loaded, which must be the same for it to be
+   *     resumed
    * @param failed called if writing fails, possibly later on another thread; the previous file is
    *     kept
    */
-  void write(MissionProgress progress, Path mission, Consumer<IOException> failed) {
-    HandOver state = new HandOver(writer);
+  void write(MissionProgress progress, String digest, Consumer<IOException> failed) {
+    HandOver state = new HandOver(writer).text(DIGEST, digest);
     progress.handOver(state);
-    access.change(() -> replace(state, mission), failed);
+    access.change(() -> replace(state), failed);
   }
 
-  private void replace(HandOver state, Path mission) throws IOException {
-    state.text(DIGEST, digest(mission));
+  private void replace(HandOver state) throws IOException {
     Path folder = file.toAbsolutePath().getParent();
     Files.createDirectories(folder);
     Path temporary = Files.createTempFile(folder, "." + file.getFileName(), ".tmp");

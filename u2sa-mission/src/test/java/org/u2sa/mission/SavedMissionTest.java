@@ -179,6 +179,19 @@ class SavedMissionTest extends ThreeWaypoints {
   }
 
   @Test
+  void always_missionFileWasEditedBeforeTheLastSaving_beginsAnewAndSaysSo() throws IOException {
+    kit.with("RESUME", "ALWAYS");
+    MissionManager before = kit.start(MissionManager::new);
+    complete("1");
+    Files.writeString(file, Files.readString(file) + "<!-- edited -->");
+    complete("2");
+    nextProcess(before);
+
+    assertThat(current()).containsExactly("1");
+    assertThat(logged("is of another mission than")).isTrue();
+  }
+
+  @Test
   void always_savedFileIsCut_beginsAnewAndSaysSo() throws IOException {
     kit.with("RESUME", "ALWAYS");
     MissionManager before = kit.start(MissionManager::new);

@@ -148,17 +148,18 @@ public final class RemoteSystem {
 
   /**
    * These options for each broker that is meant: the named one, or those at which this account runs
-   * the chosen system, or any where none was chosen. Where it runs none, the default broker.
+   * the chosen system, or any where none was chosen. Where it runs none, the default broker. Tells
+   * what cannot be read of the registry on standard error, because a stop must not wait for it.
    */
   public List<RemoteSystem> atEachBroker() {
     if (isNamed) {
       return List.of(this);
     }
     List<RemoteSystem> each =
-        LocalSystems.ofAccount().brokers(Optional.ofNullable(systemId)).stream()
+        LocalSystems.ofAccount().brokers(Optional.ofNullable(systemId), this::tell).stream()
             .map(this::at)
             .toList();
-    return each.isEmpty() ? List.of(this) : each;
+    return each.isEmpty() ? List.of(at(broker)) : each;
   }
 
   private RemoteSystem at(BrokerAddress address) {

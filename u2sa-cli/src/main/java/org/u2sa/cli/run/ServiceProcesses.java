@@ -22,6 +22,7 @@ import org.u2sa.interfaces.time.SystemClock;
  */
 final class ServiceProcesses implements AutoCloseable {
   private static final long END_WITHIN_S = 5;
+  private static final long RESTART_WITHIN_S = 2; // other services' restarts wait meanwhile
 
   private final ProcessCommand command;
   private final List<String> entries;
@@ -112,8 +113,8 @@ final class ServiceProcesses implements AutoCloseable {
 
   /**
    * Ends the service's process, if alive, and starts a new one. One that works is asked to end
-   * (SIGTERM), so that it leaves its outputs neutral and closes its files, and has a few seconds
-   * for that; one that is silent is killed.
+   * (SIGTERM), so that it leaves its outputs neutral and closes its files, and has 2 s for that;
+   * one that is silent is killed.
    *
    * @param speaks whether it is known to work
    * @return whether it was started; false during shutdown
@@ -129,9 +130,10 @@ final class ServiceProcesses implements AutoCloseable {
       if (old != null && old.isAlive()) {
         if (speaks) {
           old.destroy();
-          old.waitFor(END_WITHIN_S, TimeUnit.SECONDS);
+          old.waitFor(RESTART_WITHIN_S, TimeUnit.SECONDS);
         }
-        old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS); // no effect if it has ended
+        old.destroyForcibly()
+            .waitFor(RESTART_WITHIN_S, TimeUnit.SECONDS); // no effect if it has ended
       }
       boolean started = start(entry, true);
       if (started) {

@@ -160,6 +160,26 @@ class SafetyCommandsTest {
   }
 
   @Test
+  void estop_partOfTheRegistryCannotBeRead_saysSoAndStopsWhatItFinds() throws IOException {
+    Path folder = AccountFolders.ofProcess().all().get(0);
+    Path entry = folder.resolve(ProcessHandle.current().pid() + "-1"); // a folder, so no entry
+    Path inside = Files.createDirectories(entry.resolve("inside")); // so that it stays
+    StringWriter err = new StringWriter();
+    try {
+      CommandLine line = new CommandLine(new EmergencyStopCommand());
+      line.setOut(new PrintWriter(out, true)).setErr(new PrintWriter(err, true));
+      assertThat(line.execute("--system", "boat", "--timeout", "10")).isEqualTo(ExitCode.DONE);
+    } finally {
+      Files.delete(inside);
+      Files.delete(entry);
+    }
+
+    assertThat(out.toString()).contains("boat: Emergency stop, confirmed by Motor, SafetyManager");
+    assertThat(err.toString()).contains(entry.toString());
+    assertThat(run(new EmergencyStopCommand(), "--clear")).isEqualTo(ExitCode.DONE);
+  }
+
+  @Test
   @DisabledOnOs(OS.WINDOWS)
   void orders_accountHasNoToken_saySoAndWhereTheyLooked() throws IOException {
     StringWriter err = new StringWriter();

@@ -1,6 +1,7 @@
 package org.u2sa.core.launch;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
@@ -27,6 +28,8 @@ record TemporaryFolder(Path path) implements AutoCloseable {
     List<Path> files;
     try (Stream<Path> all = Files.walk(path)) {
       files = all.sorted(Comparator.reverseOrder()).collect(Collectors.toList());
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
     }
     for (Path file : files) {
       Files.deleteIfExists(file);

@@ -1,13 +1,16 @@
 package org.u2sa.gcs.remote;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -88,16 +91,30 @@ public final class LocalSystems {
     return file::close;
   }
 
-  /** Returns the systems whose processes are running. */
+  /**
+   * Returns the systems whose processes are running.
+   *
+   * @throws BadInputException if none is found and part of the registry cannot be read
+   */
   public List<LocalSystem> running() {
+    List<String> failures = new ArrayList<>();
+    List<LocalSystem> running = running(failures::add);
+    if (running.isEmpty() && !failures.isEmpty()) {
+      throw new BadInputException(
+          String.join("; ", failures) + "; --broker names the broker instead");
+    }
+    return running;
+  }
+
+  private List<LocalSystem> running(Consumer<String> failures) {
     Set<LocalSystem> running = new LinkedHashSet<>();
     for (Path folder : folders.readable()) {
       try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
         for (Path file : files) {
-          read(file).ifPresent(running::add);
+          read(file, failures).ifPresent(running::add);
         }
       } catch (IOException | DirectoryIteratorException e) {
-        throw new BadInputException(folder + ": " + e + "; --broker names the broker instead", e);
+        failures.accept(folder + ": " + e);
       }
     }
     return List.copyOf(running);
@@ -107,29 +124,38 @@ public final class LocalSystems {
    * Returns the system of a file; empty if the process ended without removing it, if another
    * process has its number now, or if it is another file.
    */
-  private static Optional<LocalSystem> read(Path file) throws IOException {
+  private static Optional<LocalSystem> read(Path file, Consumer<String> failures) {
     String name = file.getFileName().toString();
     if (!name.matches("\\d{1,9}-\\d{1,5}")) {
       return Optional.empty();
     }
-    String text;
-    try {
-      text = Files.size(file) > MAX_BYTES ? "" : Files.readString(file);
+    Optional<String> start = ProcessIdentity.startOf(Long.parseLong(name.split("-")[0]));
+    if (start.isEmpty()) {
+      return forgotten(file);
+    }
+    try (InputStream in = Files.newInputStream(file)) {
+      String text = new String(in.readNBytes(MAX_BYTES), StandardCharsets.UTF_8);
+      String[] words = text.trim().split(" ");
+      return words.length == 3 && words[2].equals(start.get())
+          ? Optional.of(new LocalSystem(words[0], BrokerAddress.parse(words[1])))
+          : forgotten(file);
     } catch (NoSuchFileException e) {
       return Optional.empty(); // its process ended just now
-    }
-    String[] words = text.trim().split(" ");
-    Optional<String> start = ProcessIdentity.startOf(Long.parseLong(name.split("-")[0]));
-    if (words.length != 3 || start.filter(words[2]::equals).isEmpty()) {
-      Files.deleteIfExists(file);
+    } catch (IOException e) {
+      failures.accept(file + ": " + e);
       return Optional.empty();
-    }
-    try {
-      return Optional.of(new LocalSystem(words[0], BrokerAddress.parse(words[1])));
     } catch (IllegalArgumentException e) {
-      Files.deleteIfExists(file);
-      return Optional.empty();
+      return forgotten(file);
     }
+  }
+
+  private static Optional<LocalSystem> forgotten(Path file) {
+    try {
+      Files.deleteIfExists(file);
+    } catch (IOException e) {
+      return Optional.empty(); // as on a disk that became read-only; it says nothing true anyway
+    }
+    return Optional.empty();
   }
 
   /** IDs of the systems at a broker; empty if the registry cannot be read. */
@@ -150,11 +176,24 @@ public final class LocalSystems {
    * @param systemId wanted system; empty for any
    */
   public List<BrokerAddress> brokers(Optional<String> systemId) {
-    return meant(systemId).stream().map(LocalSystem::broker).distinct().toList();
+    return brokers(meant(systemId, running()));
   }
 
-  private List<LocalSystem> meant(Optional<String> systemId) {
-    return running().stream()
+  /**
+   * Returns what can be found of {@link #brokers(Optional)}, for stops.
+   *
+   * @param failures receives a line for each part of the registry that cannot be read
+   */
+  public List<BrokerAddress> brokers(Optional<String> systemId, Consumer<String> failures) {
+    return brokers(meant(systemId, running(failures)));
+  }
+
+  private static List<BrokerAddress> brokers(List<LocalSystem> systems) {
+    return systems.stream().map(LocalSystem::broker).distinct().toList();
+  }
+
+  private static List<LocalSystem> meant(Optional<String> systemId, List<LocalSystem> running) {
+    return running.stream()
         .filter(each -> systemId.isEmpty() || each.systemId().equals(systemId.get()))
         .sorted(Comparator.comparing(LocalSystem::toString))
         .toList();
@@ -167,13 +206,12 @@ public final class LocalSystems {
    * @throws BadInputException if several brokers match
    */
   public Optional<BrokerAddress> theOnly(Optional<String> systemId) {
-    List<BrokerAddress> brokers = brokers(systemId);
+    List<LocalSystem> meant = meant(systemId, running());
+    List<BrokerAddress> brokers = brokers(meant);
     if (brokers.size() > 1) {
       throw new BadInputException(
           "several systems run on this machine: "
-              + meant(systemId).stream()
-                  .map(LocalSystem::toString)
-                  .collect(Collectors.joining(", "))
+              + meant.stream().map(LocalSystem::toString).collect(Collectors.joining(", "))
               + "; --system or --broker chooses one");
     }
     return brokers.stream().findFirst();

@@ -78,6 +78,44 @@ class LocalSystemsTest {
     assertThat(ours).exists();
   }
 
+  /** A folder with something in it: it can be neither read as a file nor deleted. */
+  private void makeStubborn(long pid, int port) throws IOException {
+    Files.createDirectories(directory.resolve(".u2sa/run/" + pid + "-" + port + "/inside"));
+  }
+
+  @Test
+  void running_leftFileCannotBeDeleted_isIgnored() throws IOException {
+    announce("boat", 40_001);
+    makeStubborn(999_999_999L, 1883);
+
+    assertThat(systems().running()).hasSize(1);
+    assertThat(systems().brokers(Optional.empty(), told::add)).hasSize(1);
+    assertThat(told).isEmpty();
+  }
+
+  @Test
+  void running_oneFileCannotBeRead_isToldAndTheOthersAreFound() throws IOException {
+    announce("boat", 40_001);
+    makeStubborn(ProcessHandle.current().pid(), 1883);
+
+    assertThat(systems().running()).hasSize(1);
+    assertThat(systems().brokers(Optional.empty(), told::add)).hasSize(1);
+    assertThat(told).singleElement().asString().contains("-1883");
+  }
+
+  @Test
+  void running_nothingCanBeRead_isAFailure() throws IOException {
+    announce("boat", 40_001).close();
+    makeStubborn(ProcessHandle.current().pid(), 1883);
+
+    assertThatThrownBy(() -> systems().running())
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("-1883")
+        .hasMessageContaining("--broker");
+    assertThat(systems().brokers(Optional.empty(), told::add)).isEmpty();
+    assertThat(told).hasSize(1);
+  }
+
   @Test
   void running_announcedWithAnotherRuntimeFolder_isFoundOnceByBoth() throws IOException {
     Path runtime = Files.createDirectory(directory.resolve("runtime"));

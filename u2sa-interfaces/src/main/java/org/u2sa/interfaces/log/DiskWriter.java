@@ -1,12 +1,13 @@
 package org.u2sa.interfaces.log;
 
 import java.io.IOException;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
@@ -17,23 +18,18 @@ import java.util.concurrent.TimeoutException;
  */
 public final class DiskWriter implements Executor {
   private static final DiskWriter OF_PROCESS = new DiskWriter();
-  private static final long IDLE_THREAD_ENDS_AFTER_S = 5;
 
-  private final ThreadPoolExecutor thread =
-      new ThreadPoolExecutor(
-          1,
-          1,
-          IDLE_THREAD_ENDS_AFTER_S,
-          TimeUnit.SECONDS,
-          new LinkedBlockingQueue<>(),
-          job -> {
-            Thread made = new Thread(job, "u2sa-disk");
-            made.setDaemon(true);
-            return made;
-          });
+  private final BlockingQueue<Runnable> jobs = new LinkedBlockingQueue<>();
+  private final ThreadFactory threads;
+  private Thread thread; // null until one could be started; guarded by this
 
   DiskWriter() {
-    thread.allowCoreThreadTimeOut(true);
+    this(job -> new Thread(job, "u2sa-disk"));
+  }
+
+  DiskWriter(ThreadFactory threads) {
+    this.threads = threads;
+    start(); // early: when the system is short of threads, the log is needed most
   }
 
   /** The only one of this process, because it keeps the order of accesses to a file. */
@@ -44,7 +40,34 @@ public final class DiskWriter implements Executor {
   /** Runs a job after all earlier ones, without waiting for it. */
   @Override
   public void execute(Runnable job) {
-    thread.execute(job);
+    jobs.add(job);
+    start();
+  }
+
+  private synchronized void start() {
+    if (thread != null) {
+      return;
+    }
+    Thread made = threads.newThread(this::runAll);
+    made.setDaemon(true);
+    try {
+      made.start();
+      thread = made;
+    } catch (OutOfMemoryError e) {
+      thread = null; // the system has no thread left: jobs wait, and the next one tries again
+    }
+  }
+
+  /** Outlives every failure of a job: the thread might not be replaceable. */
+  private void runAll() {
+    while (true) {
+      try {
+        jobs.take().run();
+      } catch (Throwable e) {
+        Thread self = Thread.currentThread();
+        self.getUncaughtExceptionHandler().uncaughtException(self, e);
+      }
+    }
   }
 
   /**

@@ -180,10 +180,13 @@ public final class LogFile implements AutoCloseable {
       if (line == null) {
         return;
       }
-      write(line, k == 0);
-      synchronized (waiting) { // only now: a line whose write hangs still waits
-        waiting.remove();
-        waitingChars -= line.chars();
+      try {
+        write(line, k == 0);
+      } finally {
+        synchronized (waiting) { // only now: a line whose write hangs still waits
+          waiting.remove();
+          waitingChars -= line.chars();
+        }
       }
     }
     disk.execute(this::writeSome);
@@ -208,7 +211,7 @@ public final class LogFile implements AutoCloseable {
       out.write(text.toString().getBytes(StandardCharsets.UTF_8));
       lineBroken = false;
       lost = 0;
-    } catch (IOException e) {
+    } catch (Exception | Error e) { // a full heap must not end the log
       lineBroken = out != null;
       lost++;
       failures.incrementAndGet();
@@ -298,7 +301,7 @@ public final class LogFile implements AutoCloseable {
   private void openEarly() {
     try {
       open();
-    } catch (IOException e) { // retried on each line, because it may become writable
+    } catch (Exception | Error e) { // retried on each line, because it may become writable
       sayOnce(e);
     }
   }
@@ -315,7 +318,7 @@ public final class LogFile implements AutoCloseable {
     out = opener.append(file);
   }
 
-  private void sayOnce(IOException e) {
+  private void sayOnce(Throwable e) {
     if (!said) {
       said = true;
       complaints.println(file + ": log of " + serviceName + " cannot be written: " + e);
