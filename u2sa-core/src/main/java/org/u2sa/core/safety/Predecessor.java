@@ -18,7 +18,7 @@ final class Predecessor {
   /**
    * The same for one restarted in its run: notice 10 s, then three starts that hang for 15 s each,
    * delays, and retries for lack of resources. Not unlimited, because a vehicle that has come down
-   * by then must not be armed anew by a restart by hand.
+   * by then must not be armed again by a restart by hand.
    */
   private static final double SPOKE_BEFORE_RESTART_WITHIN_S = 120.0;
 
