@@ -278,6 +278,14 @@ public final class CommandedActuators {
 
   private void arm(ArmingState state) {
     boolean isIgnored = state.armed() && isOld(state);
+    boolean isNewlyIgnored = isIgnored && !ignoresArmed;
+    ignoresArmed = isIgnored;
+    if (isNewlyIgnored) {
+      warnOfOldState();
+    }
+    if (isIgnored && armed) {
+      return; // a delayed message tells of no disarming, nor that a Safety Manager still works
+    }
     boolean isArmed = state.armed() && !isIgnored;
     boolean changed = isArmed != armed;
     armed = isArmed;
@@ -289,14 +297,14 @@ public final class CommandedActuators {
     if (changed) {
       service.log(armed ? "armed" : "disarmed: " + state.reasons());
     }
-    if (isIgnored && !ignoresArmed) {
-      service.log(
-          LogLevelEnum.WARN,
-          "ignored that the vehicle is armed: told more than "
-              + MAX_ARMED_AGE_MICROS / Clock.MICROS_PER_SECOND
-              + " s ago, by an earlier run or a clock that is behind");
-    }
-    ignoresArmed = isIgnored;
+  }
+
+  private void warnOfOldState() {
+    service.log(
+        LogLevelEnum.WARN,
+        "ignored that the vehicle is armed: told more than "
+            + MAX_ARMED_AGE_MICROS / Clock.MICROS_PER_SECOND
+            + " s ago, by an earlier run or a clock that is behind");
   }
 
   private void expireArming() {

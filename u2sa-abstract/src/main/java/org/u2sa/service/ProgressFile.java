@@ -22,15 +22,20 @@ import org.u2sa.service.handover.HandOverText;
  * <p>Not synced to disk: it is for restarts of a service while the machine keeps running; a power
  * cut ends the run.
  *
- * <p>The service does not wait for a disk that hangs ({@link ReplacedFile}).
+ * <p>The service does not wait for a disk that hangs ({@link ReplacedFile}). Within a process the
+ * state is also kept in memory, so that a restart there does not depend on the disk.
  */
 final class ProgressFile {
   private final Path file;
+  private final String serviceName;
   private final String systemId;
   private final MessageCodec codec;
   private final ReplacedFile access;
+  private final RememberedStates inMemory;
 
   ProgressFile(ServiceContext context, String serviceName) {
+    this.serviceName = serviceName;
+    inMemory = context.remembered();
     file = context.logDirectory().resolve(serviceName + ".progress");
     systemId = context.systemId();
     codec = new MessageCodec(context.messageTypes());
@@ -48,6 +53,7 @@ final class ProgressFile {
    *     kept
    */
   void write(HandOver state, Consumer<IOException> failed) {
+    inMemory.put(serviceName, state);
     List<String> lines = HandOverText.lines(state, systemId);
     access.change(() -> replace(lines), failed);
   }
@@ -60,12 +66,16 @@ final class ProgressFile {
   }
 
   /**
-   * Last saved state; empty if none.
+   * Last saved state, of this process if it saved one; empty if none.
    *
    * @throws IOException if it is unreadable or malformed, naming the position, or the disk does not
    *     answer
    */
   Optional<HandOver> read() throws IOException {
+    Optional<HandOver> kept = inMemory.get(serviceName);
+    if (kept.isPresent()) {
+      return kept;
+    }
     return access.read(
         () ->
             Files.exists(file)
@@ -74,11 +84,12 @@ final class ProgressFile {
   }
 
   /**
-   * Deletes the file if it is there.
+   * Forgets the state, and deletes the file if it is there.
    *
    * @param failed called if that fails, possibly later on another thread
    */
   void delete(Consumer<IOException> failed) {
+    inMemory.remove(serviceName);
     access.change(() -> Files.deleteIfExists(file), failed);
   }
 }

@@ -28,6 +28,7 @@ public final class ServiceContext {
   private final boolean trial;
   private final Execution execution;
   private final DeviceSource devices;
+  private final RememberedStates remembered;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
   private volatile ServiceInstance predecessor; // null if none, or already released
 
@@ -44,6 +45,7 @@ public final class ServiceContext {
     trial = builder.trial;
     predecessor = builder.predecessor;
     devices = builder.devices;
+    remembered = builder.remembered;
   }
 
   /** Builds a context for a service of the given system and configuration. */
@@ -96,6 +98,7 @@ public final class ServiceContext {
             .seed(seed)
             .restart(restart)
             .devices(devices)
+            .remembered(remembered)
             .trial(trial);
     builder.transport = transport;
     builder.predecessor = predecessor;
@@ -106,6 +109,11 @@ public final class ServiceContext {
   /** Devices that the host of the run provides, such as those of a simulated vehicle. */
   public DeviceSource devices() {
     return devices;
+  }
+
+  /** What the services of this process remembered last. */
+  RememberedStates remembered() {
+    return remembered;
   }
 
   /** Hook of a recorder or replay. */
@@ -178,6 +186,7 @@ public final class ServiceContext {
     private ServiceInstance predecessor;
     private Execution execution = Execution.NONE;
     private DeviceSource devices = DeviceSource.NONE;
+    private RememberedStates remembered = new RememberedStates();
 
     private Builder(String systemId, XmlConfiguration configuration) {
       this.systemId = Objects.requireNonNull(systemId, "systemId");
@@ -226,6 +235,12 @@ public final class ServiceContext {
     /** Sets where devices come from that replace the configured ones. */
     public Builder devices(DeviceSource value) {
       devices = Objects.requireNonNull(value, "devices");
+      return this;
+    }
+
+    /** Sets where the services of this process keep what they remember, besides their files. */
+    public Builder remembered(RememberedStates value) {
+      remembered = Objects.requireNonNull(value, "remembered");
       return this;
     }
 

@@ -177,6 +177,36 @@ class ActuatorTest {
   }
 
   @Test
+  void requiresArming_delayedArmedStatesWhileArmed_neitherDisarmNorPutOffTheExpiry() {
+    kit.with("SERVICE NAME", "ARMED WHEEL").with("REQUIRES ARMING", true);
+    Wheel armed = kit.start(Wheel::new);
+    kit.advance(10.0);
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
+
+    publishDelayedArmedState();
+    assertThat(armed.moves).containsExactly("neutral", "40.0");
+    kit.advance(9.0);
+    publishDelayedArmedState();
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 50.0));
+    kit.advance(0.1);
+    assertThat(armed.moves).endsWith("50.0");
+
+    kit.advance(2.0);
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 60.0));
+    assertThat(armed.moves).endsWith("neutral");
+    assertThat(kit.log("ARMED WHEEL"))
+        .filteredOn(line -> line.contains("ignored that the vehicle is armed"))
+        .hasSize(1);
+  }
+
+  private void publishDelayedArmedState() {
+    ArmingState delayed = new ArmingState().armed(true);
+    delayed.timestamp(kit.clock().micros() - 6_000_000);
+    kit.publish(Channels.ARMING_STATE, delayed);
+  }
+
+  @Test
   void emergencyStop_deviceFailsAtFirst_isTriedAgainAndConfirmedOnlyThen() {
     kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 40.0));
     wheel.failures = 2;

@@ -29,6 +29,7 @@ class RememberedProgressTest {
   private final LockstepClock clock = new LockstepClock();
   private final LocalBus bus = new LocalBus("test");
   private Learner learner;
+  private RememberedStates remembered; // of the process; null: each service is in its own
 
   /** Remembers the last command; every kind of value is handed over. */
   private static final class Learner extends EventDrivenService {
@@ -89,6 +90,7 @@ class RememberedProgressTest {
                 .transport(bus)
                 .logDirectory(directory)
                 .restart(restart)
+                .remembered(remembered == null ? new RememberedStates() : remembered)
                 .build());
     learner.start();
     clock.advance(0);
@@ -123,6 +125,26 @@ class RememberedProgressTest {
     assertThat(learner.taken.texts("NO WORDS")).isEmpty();
     assertThat(learner.taken.message("PLACE", Waypoint.class).orElseThrow().x()).hasValue(1.5);
     assertThat(learner.taken.messages("PLACES", U2SAData.class)).hasSize(2);
+  }
+
+  @Test
+  void restart_inTheSameProcessAfterTheDiskFailed_goesOnWithTheNewestState() throws Exception {
+    learner.kill();
+    remembered = new RememberedStates();
+    start(false);
+    learn("old");
+    Files.createDirectory(directory.resolve("Learner.progress.tmp")); // nothing can be written
+    learn("new");
+    assertThat(log()).contains("the state was not saved");
+    assertThat(Files.readString(file())).contains("old");
+
+    restart();
+    assertThat(learner.learnt).isEqualTo("new");
+
+    learner.kill();
+    start(false);
+    restart();
+    assertThat(learner.learnt).as("of an earlier run").isEqualTo("nothing");
   }
 
   @Test

@@ -13,8 +13,8 @@ final class BrokerSupervisor implements AutoCloseable {
   private final Function<Runnable, EmbeddedBroker> starter;
   private final Consumer<String> log;
   private final InetSocketAddress address;
-  private EmbeddedBroker broker; // null if none could be started; guarded by this, as below
-  private long droppedBefore; // by predecessors
+  private volatile EmbeddedBroker broker; // null if none could be started; changed under this
+  private long droppedBefore; // by predecessors; guarded by this, as below
   private boolean closed;
 
   /**
@@ -96,9 +96,13 @@ final class BrokerSupervisor implements AutoCloseable {
     return address;
   }
 
-  /** As {@link EmbeddedBroker#isOfVehicle}; false while there is no broker. */
-  synchronized boolean isOfVehicle(String serviceName) {
-    return broker != null && broker.isOfVehicle(serviceName);
+  /**
+   * As {@link EmbeddedBroker#isOfVehicle}; false while there is no broker. Waits for nothing: a
+   * broker that is being closed waits for its network's thread, which may ask this.
+   */
+  boolean isOfVehicle(String serviceName) {
+    EmbeddedBroker present = broker;
+    return present != null && present.isOfVehicle(serviceName);
   }
 
   /** Number of messages dropped because clients or the broker were too slow, since the start. */

@@ -88,7 +88,8 @@ final class MonitorVariables {
               unit = "s",
               min = 1.5,
               max = 3600,
-              ifAbsent = 10, // as ARMING EXPIRY
+              ifAbsent =
+                  5, // above LOST AFTER; below ARMING EXPIRY, or it would act on neutral actuators
               text =
                   "Time without an arming state after which the Safety Manager of an armed vehicle counts as lost.")
           double safetyManagerDeadline,

@@ -5,6 +5,7 @@ import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.service.ExecutionKeeper;
+import org.u2sa.service.RememberedStates;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
@@ -14,6 +15,7 @@ final class ServiceMaker {
   private final LaunchOptions options;
   private final MessageTypes types;
   private final Transport transport;
+  private final RememberedStates remembered = new RememberedStates();
   private volatile ExecutionKeeper keeper; // null if executions are not recorded
 
   ServiceMaker(String systemId, LaunchOptions options, MessageTypes types, Transport transport) {
@@ -39,7 +41,8 @@ final class ServiceMaker {
         .messageTypes(types)
         .seed(options.seed())
         .restart(options.restart())
-        .devices(options.devices());
+        .devices(options.devices())
+        .remembered(remembered);
   }
 
   /**

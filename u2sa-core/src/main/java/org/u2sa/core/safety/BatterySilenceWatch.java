@@ -17,6 +17,9 @@ import org.u2sa.service.handover.HandOver;
 final class BatterySilenceWatch implements Watch {
   private static final int MAX_BATTERIES = 256; // so that invented ones do not fill the memory
 
+  /** While disarmed: it was taken out, as one with another name may have been put in. */
+  private static final double FORGOTTEN_AFTER_S = 60.0;
+
   private final Supplier<SafetyVariables> settings;
   private final Map<String, Long> heardMicros = new TreeMap<>(); // by sensor name; local clock
 
@@ -74,5 +77,20 @@ final class BatterySilenceWatch implements Watch {
                     + " silent for "
                     + CauseText.seconds(Clock.seconds(nowMicros - each.getValue())))
         .findFirst();
+  }
+
+  /** Forgets batteries that are silent for long, unless BATTERIES names them. */
+  @Override
+  public Optional<String> objection(long nowMicros) {
+    SafetyVariables now = settings.get();
+    double forgottenAfterS = Math.max(FORGOTTEN_AFTER_S, now.batteryDeadline());
+    List<String> chosen = CauseText.names(now.batteries());
+    heardMicros
+        .entrySet()
+        .removeIf(
+            each ->
+                !chosen.contains(each.getKey())
+                    && Clock.seconds(nowMicros - each.getValue()) > forgottenAfterS);
+    return trouble(nowMicros);
   }
 }

@@ -14,15 +14,28 @@ import org.u2sa.service.handover.HandOver;
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent retained messages
   private static final double SPOKE_WITHIN_S = 20.0;
+
+  /**
+   * The same for one restarted in its run: notice 10 s, then three starts that hang for 15 s each,
+   * delays, and retries for lack of resources. Not unlimited, because a vehicle that has come down
+   * by then must not be armed again by a restart by hand.
+   */
+  private static final double SPOKE_BEFORE_RESTART_WITHIN_S = 120.0;
+
   private static final String ARMED = "armed";
 
   private final long listensUntilMicros;
+  private final double spokeWithinS;
   private boolean awaited = true;
   private boolean heard; // a message of it
   private boolean saysArmed; // its last message
   private boolean armed; // its saved state
 
-  Predecessor(long nowMicros) {
+  /**
+   * @param isRestart whether a Safety Manager of this run is restarted
+   */
+  Predecessor(long nowMicros, boolean isRestart) {
+    spokeWithinS = isRestart ? SPOKE_BEFORE_RESTART_WITHIN_S : SPOKE_WITHIN_S;
     listensUntilMicros = nowMicros + Clock.micros(LISTEN_S);
   }
 
@@ -49,7 +62,7 @@ final class Predecessor {
     long ageMicros = nowMicros - message.timestamp().orElse(Long.MIN_VALUE / 2);
     if (awaited
         && message instanceof ArmingState state
-        && Math.abs(ageMicros) <= Clock.micros(SPOKE_WITHIN_S)) {
+        && Math.abs(ageMicros) <= Clock.micros(spokeWithinS)) {
       heard = true;
       saysArmed = state.armed();
     }

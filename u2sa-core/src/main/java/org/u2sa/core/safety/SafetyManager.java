@@ -72,8 +72,8 @@ public final class SafetyManager extends PeriodicService {
     decision = new FailsafeDecision(this, settings, hazards);
     ArmingChecks checks = new ArmingChecks(this, settings, watches, conditions, emergency);
     arming = new Arming(this, checks, settings.get().armAtStart());
-    predecessor = new Predecessor(clock().micros());
     isRestart = context.isRestart();
+    predecessor = new Predecessor(clock().micros(), isRestart);
     isSwap = context.isSwap();
     registerPublisher(Channels.FAILSAFE);
     registerPublisher(Channels.ARMING_STATE);

@@ -9,7 +9,9 @@ import java.net.Socket;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -125,5 +127,15 @@ class BrokerSupervisorTest {
                 Thread.getAllStackTraces().keySet().stream()
                     .noneMatch(thread -> thread.getName().equals("u2sa-broker-restart")));
     assertThat(keeper.dropped()).isZero();
+  }
+
+  @Test
+  void isOfVehicle_whileAnotherThreadReplacesTheBroker_doesNotWaitForIt() throws Exception {
+    synchronized (keeper) { // as a restart holds it while the network's thread drains
+      CompletableFuture<Boolean> answer =
+          CompletableFuture.supplyAsync(() -> keeper.isOfVehicle("PathPlanner"));
+
+      assertThat(answer.get(30, TimeUnit.SECONDS)).isFalse();
+    }
   }
 }

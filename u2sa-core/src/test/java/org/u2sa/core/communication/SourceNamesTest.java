@@ -19,12 +19,16 @@ import org.u2sa.interfaces.mqtt.ClientIds;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -259,5 +263,81 @@ class SourceNamesTest {
     local.close();
 
     assertThat(publishes(first, Channels.SENSED_STATE, gps)).isTrue();
+  }
+
+  private static FailsafeState failsafe() {
+    return frozen(new FailsafeState().action(FailsafeAction.HOLD));
+  }
+
+  private static ArmingState armed() {
+    return frozen(new ArmingState().armed(true));
+  }
+
+  private static ServiceCondition condition() {
+    return frozen(new ServiceCondition().serviceName("SafetyManager").condition(Condition.LOST));
+  }
+
+  @Test
+  void refusalOf_failsafeOfManagerAndMonitorInTwoOtherRuns_areAccepted() {
+    PacketRules manager = first;
+    PacketRules monitor = second;
+    assertThat(publishes(manager, Channels.FAILSAFE, failsafe())).isTrue();
+    publishes(manager, Channels.ARMING_STATE, armed());
+    assertThat(publishes(monitor, Channels.FAILSAFE, failsafe())).as("no monitor yet").isFalse();
+
+    publishes(monitor, Channels.CONDITIONS, condition());
+    assertThat(publishes(monitor, Channels.FAILSAFE, failsafe())).isTrue();
+    manager.leave();
+    assertThat(publishes(monitor, Channels.FAILSAFE, failsafe())).isTrue();
+
+    PacketRules restarted = client("third");
+    assertThat(publishes(restarted, Channels.FAILSAFE, failsafe())).isTrue();
+    assertThat(publishes(restarted, Channels.ARMING_STATE, armed())).isTrue();
+    assertThat(publishes(monitor, Channels.FAILSAFE, failsafe())).isTrue();
+    assertThat(publishes(client("fourth"), Channels.FAILSAFE, failsafe())).isFalse();
+  }
+
+  @Test
+  void refusalOf_failsafeOfAManagerInAnotherRunThanTheVehiclesMonitor_isAccepted() {
+    pipeline.broker.sources().join(bus);
+    PacketRules manager = first;
+    publishes(manager, Channels.ARMING_STATE, armed());
+    var monitor = bus.connect("HealthMonitor", new RecordingReceiver());
+    monitor.publish(Channels.FAILSAFE, failsafe());
+    pipeline.broker.sources().hearLocal(Channels.CONDITIONS, condition());
+    pipeline.broker.sources().hearLocal(Channels.FAILSAFE, failsafe());
+
+    assertThat(publishes(manager, Channels.FAILSAFE, failsafe())).isTrue();
+    publishes(second, Channels.CONDITIONS, condition());
+    assertThat(publishes(second, Channels.FAILSAFE, failsafe())).as("a third run").isFalse();
+  }
+
+  @Test
+  void refusalOf_failsafeOfAMonitorInAnotherRunThanTheVehiclesManager_isAccepted() {
+    pipeline.broker.sources().join(bus);
+    pipeline.broker.sources().hearLocal(Channels.ARMING_STATE, armed());
+    pipeline.broker.sources().hearLocal(Channels.FAILSAFE, failsafe());
+    PacketRules monitor = first;
+    publishes(monitor, Channels.CONDITIONS, condition());
+    assertThat(publishes(monitor, Channels.FAILSAFE, failsafe())).isTrue();
+
+    monitor.leave();
+    PacketRules again = client("first");
+    assertThat(publishes(again, Channels.FAILSAFE, failsafe())).as("connected again").isTrue();
+    publishes(second, Channels.CONDITIONS, condition());
+    assertThat(publishes(second, Channels.FAILSAFE, failsafe())).as("a third run").isFalse();
+    assertThat(publishes(ofVehicle, Channels.FAILSAFE, failsafe())).isTrue();
+  }
+
+  @Test
+  void refusalOf_failsafeOfAnother_besideManagerAndMonitorOfTheVehicle_isRefusedForGood() {
+    assertThat(publishes(ofVehicle, Channels.ARMING_STATE, armed())).isTrue();
+    assertThat(publishes(ofVehicle, Channels.CONDITIONS, condition())).isTrue();
+    ofVehicle.leave();
+    pipeline.passSeconds(60);
+
+    publishes(first, Channels.CONDITIONS, condition());
+
+    assertThat(publishes(first, Channels.FAILSAFE, failsafe())).isFalse();
   }
 }

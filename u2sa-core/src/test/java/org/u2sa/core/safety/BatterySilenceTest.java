@@ -42,6 +42,25 @@ class BatterySilenceTest extends WatchedVehicle {
   }
 
   @Test
+  void battery_exchangedOnTheGround_isForgottenAfterAMinute() {
+    start();
+    live(59.0);
+    assertThat(arm(true).reasons()).anyMatch(reason -> reason.startsWith("battery sensor: main"));
+    live(3.0);
+
+    assertThat(arm(true).reasons()).noneMatch(reason -> reason.startsWith("battery sensor"));
+  }
+
+  @Test
+  void battery_namedAndSilentOnTheGround_staysAReasonNotToArm() {
+    kit.with("BATTERIES", "main");
+    start();
+    live(90.0);
+
+    assertThat(arm(true).reasons()).anyMatch(reason -> reason.startsWith("battery sensor: main"));
+  }
+
+  @Test
   void battery_silentThatDoesNotCount_isNoCause() {
     kit.with("BATTERIES", "spare");
     start();

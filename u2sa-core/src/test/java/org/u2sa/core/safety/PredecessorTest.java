@@ -11,9 +11,9 @@ import org.u2sa.service.handover.HandOver;
 
 /** Whose words a Safety Manager that starts takes for those of the one before it. */
 class PredecessorTest {
-  private static final long START = 100_000_000; // µs
+  private static final long START = 1_000_000_000; // µs
   private static final long HALF_A_SECOND = 500_000;
-  private final Predecessor predecessor = new Predecessor(START);
+  private final Predecessor predecessor = new Predecessor(START, false);
 
   @BeforeEach
   void leaveState() {
@@ -42,6 +42,19 @@ class PredecessorTest {
     assertThat(predecessor.wasArmed()).isEqualTo(counts);
   }
 
+  @ParameterizedTest
+  @CsvSource({"-120000000, true", "-120000001, false"})
+  void see_wordsBeforeARestart_countWithinTwoMinutes(long micros, boolean counts) {
+    Predecessor before = new Predecessor(START, true);
+    HandOver state = new HandOver("SafetyManager");
+    Predecessor.handOver(state, true);
+    before.takeOver(state);
+
+    before.see(armedAt(START + micros), START);
+
+    assertThat(before.wasArmed()).isEqualTo(counts);
+  }
+
   @Test
   void see_wordsWithoutATime_doNotCount() {
     predecessor.see(new ArmingState().armed(true), START);
@@ -51,7 +64,7 @@ class PredecessorTest {
 
   @Test
   void see_armedWordsWithoutSavedState_doNotCount() {
-    Predecessor none = new Predecessor(START);
+    Predecessor none = new Predecessor(START, false);
     none.see(armedAt(START), START);
 
     assertThat(none.wasArmed()).isFalse();

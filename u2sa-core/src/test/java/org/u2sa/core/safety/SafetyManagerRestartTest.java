@@ -41,10 +41,21 @@ class SafetyManagerRestartTest extends WatchedVehicle {
   }
 
   @Test
+  void restart_atTheThirdAttempt_staysArmed() {
+    SafetyManager before = startArmedManager();
+    before.kill();
+    kit.advance(75.0);
+
+    restart(before);
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isTrue();
+  }
+
+  @Test
   void restart_longAfterItEnded_isDisarmed() {
     SafetyManager before = startArmedManager();
     before.kill();
-    kit.advance(25.0);
+    kit.advance(121.0);
 
     restart(before);
 

@@ -93,8 +93,12 @@ public record SourceName(
     return systemId + "/" + kind + "/" + name;
   }
 
-  /** Whether it is a service's, as its health reports have it. */
-  boolean isOfHealth() {
-    return channel.equals(Channels.HEALTH.name());
+  /** The name of a channel's only writer. */
+  static SourceName ofOnlyWriter(String systemId, Channel<?> channel) {
+    return new SourceName(key(systemId, channel.name(), ""), systemId, channel.name(), "", false);
+  }
+
+  boolean isOf(Channel<?> of) {
+    return channel.equals(of.name());
   }
 }

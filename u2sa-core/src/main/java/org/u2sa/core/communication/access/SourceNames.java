@@ -9,13 +9,14 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.u2sa.core.security.AccessRule;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.ArmingState;
-import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -26,9 +27,13 @@ import org.u2sa.messages.schema.U2SAData;
  *
  * <p>The vehicle, i.e. the broker's process and the processes that it started, takes any name from
  * others. A name under which one of its services has reported health stays the vehicle's until that
- * service says that it has stopped, so that nobody can report in place of one that failed. Arming
- * state and failsafe stay its own for good: what is published while its Safety Manager restarts
- * would be believed by actuators.
+ * service says that it has stopped, so that nobody can report in place of one that failed. The
+ * arming state stays its own for good: what is published while its Safety Manager restarts would be
+ * believed by actuators.
+ *
+ * <p>Failsafes have two writers, the Safety Manager and, while that is lost, the Health Monitor,
+ * which may be of different runs. Nobody holds their name: they are accepted from the vehicle, from
+ * whoever may publish the arming state, and from the sender that runs the monitor.
  *
  * <p>For the network's thread only, except where stated otherwise.
  */
@@ -36,14 +41,12 @@ public final class SourceNames {
   /** The kind of refusal. */
   public static final String TAKEN = "its source name is another connection's";
 
-  /** A live service reports its health four times a second. */
-  private static final long SILENT_MICROS = 5_000_000;
-
   private static final int MAX_HELD = 4_096; // of one connection; names beyond are nobody's
 
   private final MessageCodec codec;
   private final Map<String, Speaker> speakers = new HashMap<>(); // by key
   private final Set<String> vehicles = ConcurrentHashMap.newKeySet(); // keys kept for the vehicle
+  private final HealthMonitors monitors = new HealthMonitors();
   private volatile LocalBus bus; // null until joined
 
   /**
@@ -64,8 +67,10 @@ public final class SourceNames {
     if (services == null) {
       return;
     }
-    if (message instanceof ArmingState || message instanceof FailsafeState) {
+    if (message instanceof ArmingState) {
       keep(SourceName.key(services.systemId(), channel.name(), ""), false);
+    } else if (message instanceof ServiceCondition) {
+      monitors.hearVehicle(services.systemId());
     } else if (message instanceof HealthReport report
         && !(message instanceof ConnectionLost)) { // which reports on others
       keep(
@@ -94,10 +99,15 @@ public final class SourceNames {
     if (source.isEmpty()) {
       return true;
     }
+    if (source.get().isOf(Channels.FAILSAFE)) {
+      return mayDemandFailsafe(topic.systemId(), speaker, nowMicros);
+    }
     boolean may = mayUse(source.get(), speaker, nowMicros);
-    if (may && speaker.isOfVehicle() && rule.kind() == AccessRule.Kind.URGENT) {
+    if (may && source.get().isOf(Channels.CONDITIONS)) {
+      monitors.hear(topic.systemId(), speaker, nowMicros);
+    } else if (may && speaker.isOfVehicle() && source.get().isOf(Channels.ARMING_STATE)) {
       keep(source.get().key(), false);
-    } else if (may && speaker.isOfVehicle() && source.get().isOfHealth()) {
+    } else if (may && speaker.isOfVehicle() && source.get().isOf(Channels.HEALTH)) {
       Optional<String> status = codec.peek(ByteBufUtil.getBytes(payload), "status");
       keep(source.get().key(), status.equals(Optional.of(ServiceStatus.STOPPED.name())));
     }
@@ -109,12 +119,24 @@ public final class SourceNames {
     return vehicles.contains(SourceName.key(systemId, "", serviceName));
   }
 
+  private boolean mayDemandFailsafe(String systemId, Speaker speaker, long nowMicros) {
+    SourceName manager = SourceName.ofOnlyWriter(systemId, Channels.ARMING_STATE);
+    boolean may =
+        speaker.isOfVehicle()
+            || monitors.isRunBy(systemId, speaker)
+            || !isOfVehicle(manager) && speaker.mayReplace(speakers.get(manager.key()), nowMicros);
+    if (may) {
+      speaker.spoke(nowMicros);
+    }
+    return may;
+  }
+
   private boolean mayUse(SourceName name, Speaker speaker, long nowMicros) {
     if (!speaker.isOfVehicle() && isOfVehicle(name)) {
       return false;
     }
     Speaker holder = speakers.get(name.key());
-    if (holder != speaker && !mayTake(holder, speaker, nowMicros)) {
+    if (holder != speaker && !speaker.mayReplace(holder, nowMicros)) {
       return false;
     }
     speaker.spoke(nowMicros);
@@ -131,13 +153,6 @@ public final class SourceNames {
             && services != null
             && services.systemId().equals(name.systemId())
             && services.isLocal(name.channel(), name.name());
-  }
-
-  private static boolean mayTake(Speaker holder, Speaker speaker, long nowMicros) {
-    return holder == null
-        || speaker.isOfVehicle()
-        || speaker.isSameAs(holder)
-        || nowMicros - holder.spokeMicros() > SILENT_MICROS;
   }
 
   private void hold(String key, Speaker before, Speaker speaker) {

@@ -6,6 +6,9 @@ import org.u2sa.interfaces.mqtt.ClientIds;
 
 /** A connection that publishes under source names. For the network's thread only. */
 public final class Speaker {
+  /** A live service reports its health four times a second. */
+  private static final long SILENT_MICROS = 5_000_000;
+
   private final String sender;
   private final boolean isOfVehicle;
   private final Set<String> held = new HashSet<>(); // keys
@@ -30,17 +33,25 @@ public final class Speaker {
     return isOfVehicle && other.isOfVehicle || sender.equals(other.sender);
   }
 
+  /**
+   * Whether it may take a name over.
+   *
+   * @param holder that has it; null if none
+   */
+  boolean mayReplace(Speaker holder, long nowMicros) {
+    return holder == null
+        || isOfVehicle
+        || isSameAs(holder)
+        || nowMicros - holder.spokeMicros > SILENT_MICROS;
+  }
+
   /** Keys of the names that it holds. */
   Set<String> held() {
     return held;
   }
 
+  /** Notes a message in any name. */
   void spoke(long nowMicros) {
     spokeMicros = nowMicros;
-  }
-
-  /** Time of its last message in any name. */
-  long spokeMicros() {
-    return spokeMicros;
   }
 }

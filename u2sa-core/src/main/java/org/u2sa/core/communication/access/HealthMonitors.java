@@ -1,0 +1,53 @@
+package org.u2sa.core.communication.access;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * Which sender runs the Health Monitor of a system: the first that publishes conditions, until
+ * another does when it is silent. It stays known when its connection ends, because it repeats no
+ * condition when it is connected again. The vehicle keeps the place for good.
+ *
+ * <p>For the network's thread only, except where stated otherwise.
+ */
+final class HealthMonitors {
+  private static final int MAX_SYSTEMS = 1_024; // of others; the one unused for longest is dropped
+
+  private final Set<String> ofVehicle = ConcurrentHashMap.newKeySet(); // system IDs
+  private final Map<String, Speaker> ofOthers =
+      new LinkedHashMap<>(16, 0.75f, true) { // by system ID
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Speaker> eldest) {
+          return size() > MAX_SYSTEMS;
+        }
+      };
+
+  /** Notes a condition published by the vehicle. Thread-safe. */
+  void hearVehicle(String systemId) {
+    if (!ofVehicle.contains(systemId)) { // a read is cheaper
+      ofVehicle.add(systemId);
+    }
+  }
+
+  /** Notes a condition. */
+  void hear(String systemId, Speaker speaker, long nowMicros) {
+    if (speaker.isOfVehicle()) {
+      hearVehicle(systemId);
+    } else if (speaker.mayReplace(ofOthers.get(systemId), nowMicros)) {
+      ofOthers.put(systemId, speaker);
+    }
+  }
+
+  /** Whether a connection is of the sender that runs the monitor. */
+  boolean isRunBy(String systemId, Speaker speaker) {
+    if (ofVehicle.contains(systemId)) {
+      return speaker.isOfVehicle();
+    }
+    Speaker known = ofOthers.get(systemId);
+    return known != null && speaker.isSameAs(known);
+  }
+}
