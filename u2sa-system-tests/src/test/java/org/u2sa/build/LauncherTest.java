@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -19,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** How the script {@code u2sa} starts an emergency stop, with a program in place of Java. */
-@Timeout(60)
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @DisabledOnOs(OS.WINDOWS)
 class LauncherTest {
   @TempDir private Path home;
@@ -49,8 +50,13 @@ class LauncherTest {
             "case \"$*\" in *SharedArchiveFile*) " + withArchive + " ;; *) " + without + " ;; esac",
             ""));
     Files.setPosixFilePermissions(java, PosixFilePermissions.fromString("rwxr-xr-x"));
-    ProcessBuilder builder =
-        new ProcessBuilder("/bin/sh", home.resolve("u2sa").toString(), "estop", "--reason", "a b");
+    List<String> command = new ArrayList<>();
+    if (System.getProperty("os.name").equals("Linux")) {
+      // A test run under nohup ignores HUP, and a shell cannot trap what it was started ignoring.
+      command.addAll(List.of("env", "--default-signal=HUP,INT,TERM"));
+    }
+    command.addAll(List.of("/bin/sh", home.resolve("u2sa").toString(), "estop", "--reason", "a b"));
+    ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().put("JAVA_HOME", home.resolve("jdk").toString());
     return builder.redirectErrorStream(true).start();
   }
