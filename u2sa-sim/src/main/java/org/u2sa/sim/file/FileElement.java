@@ -83,7 +83,7 @@ final class FileElement {
     return Point.of(each.get(0), each.get(1), each.get(2));
   }
 
-  /** A required list of numbers, at most so many. */
+  /** A required list of numbers, with at least one and at most {@code most} of them. */
   List<Double> numbers(String name, String unit, double min, double max, int most) {
     XmlElement child = value(name).orElseThrow(() -> lacks(name, unit));
     List<Double> each = numbers(child, child.text(), unit, min, max);
@@ -201,6 +201,13 @@ final class FileElement {
     } catch (IllegalArgumentException e) {
       throw element.error(e.getMessage(), e);
     }
+  }
+
+  /** Makes something of all children, and refuses the first child that was not read for it. */
+  <T> T complete(Supplier<T> maker) {
+    T made = made(maker);
+    end();
+    return made;
   }
 
   /**

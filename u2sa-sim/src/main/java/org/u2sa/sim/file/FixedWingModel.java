@@ -51,16 +51,13 @@ record FixedWingModel(
   }
 
   private static Catapult catapult(FileElement file) {
-    Catapult made =
-        file.made(
-            () ->
-                new Catapult(
-                    file.positive("speed", "m/s", 200.0),
-                    file.number("angle", "rad", 0.0, Math.PI / 3.0),
-                    file.number("height", "m", 0.0, 100.0),
-                    file.number("stroke", "m", 0.1, 100.0, 2.0)));
-    file.end();
-    return made;
+    return file.complete(
+        () ->
+            new Catapult(
+                file.positive("speed", "m/s", 200.0),
+                file.number("angle", "rad", 0.0, Math.PI / 3.0),
+                file.number("height", "m", 0.0, 100.0),
+                file.number("stroke", "m", 0.1, 100.0, 2.0)));
   }
 
   private static WingCoefficients wing(FileElement file) {
@@ -138,21 +135,18 @@ record FixedWingModel(
   }
 
   private static ElectricPropeller propeller(FileElement file) {
-    ElectricPropeller made =
-        file.made(
-            () ->
-                new ElectricPropeller(
-                    file.xml().attribute("name"),
-                    file.positive("diameter", "m", 100.0),
-                    quadratic(file, "thrust"),
-                    quadratic(file, "torque"),
-                    file.positive("backEmf", "V s/rad", 100.0),
-                    file.positive("resistance", "Ohm", 1e3),
-                    file.number("idleCurrent", "A", 0.0, 1e3),
-                    file.positive("voltage", "V", 1e4),
-                    file.number("lag", "s", 0.005, 10.0)));
-    file.end();
-    return made;
+    return file.complete(
+        () ->
+            new ElectricPropeller(
+                file.xml().attribute("name"),
+                file.positive("diameter", "m", 100.0),
+                quadratic(file, "thrust"),
+                quadratic(file, "torque"),
+                file.positive("backEmf", "V s/rad", 100.0),
+                file.positive("resistance", "Ohm", 1e3),
+                file.number("idleCurrent", "A", 0.0, 1e3),
+                file.positive("voltage", "V", 1e4),
+                file.number("lag", "s", 0.005, 10.0)));
   }
 
   private static ElectricPropeller.Quadratic quadratic(FileElement file, String name) {

@@ -11,46 +11,37 @@ final class GroundParts {
   private GroundParts() {}
 
   static MotorParameters motor(FileElement motor) {
-    MotorParameters made =
-        motor.made(
-            () ->
-                new MotorParameters(
-                    motor.positive("ratedVoltage", "V", 1_000.0),
-                    motor.positive("freeSpeed", "rad/s", 10_000.0),
-                    motor.number("freeCurrent", "A", 0.0, 10_000.0),
-                    motor.positive("stallTorque", "N m", 100_000.0),
-                    motor.positive("stallCurrent", "A", 10_000.0),
-                    motor.positive("inertia", "kg m^2", 1_000.0),
-                    motor.number("deadBand", "1", 0.0, 0.5)));
-    motor.end();
-    return made;
+    return motor.complete(
+        () ->
+            new MotorParameters(
+                motor.positive("ratedVoltage", "V", 1_000.0),
+                motor.positive("freeSpeed", "rad/s", 10_000.0),
+                motor.number("freeCurrent", "A", 0.0, 10_000.0),
+                motor.positive("stallTorque", "N m", 100_000.0),
+                motor.positive("stallCurrent", "A", 10_000.0),
+                motor.positive("inertia", "kg m^2", 1_000.0),
+                motor.number("deadBand", "1", 0.0, 0.5)));
   }
 
   static TyreParameters tyre(FileElement tyre) {
-    TyreParameters made =
-        tyre.made(
-            () ->
-                new TyreParameters(
-                    tyre.number("slipStiffness", "1", 0.5, 100.0),
-                    tyre.number("relaxation", "m", 0.005, 10.0),
-                    tyre.number("damping", "s", 0.001, 1.0),
-                    tyre.number("patchRadius", "m", 0.001, 1.0)));
-    tyre.end();
-    return made;
+    return tyre.complete(
+        () ->
+            new TyreParameters(
+                tyre.number("slipStiffness", "1", 0.5, 100.0),
+                tyre.number("relaxation", "m", 0.005, 10.0),
+                tyre.number("damping", "s", 0.001, 1.0),
+                tyre.number("patchRadius", "m", 0.001, 1.0)));
   }
 
   static BatteryParameters battery(FileElement battery) {
-    BatteryParameters made =
-        battery.made(
-            () ->
-                new BatteryParameters(
-                    battery.positive("fullVoltage", "V", 1_000.0),
-                    battery.positive("emptyVoltage", "V", 1_000.0),
-                    battery.number("resistance", "Ohm", 0.0, 10.0),
-                    battery.positive("capacity", "Ah", 1e6),
-                    battery.number("idleCurrent", "A", 0.0, 100.0)));
-    battery.end();
-    return made;
+    return battery.complete(
+        () ->
+            new BatteryParameters(
+                battery.positive("fullVoltage", "V", 1_000.0),
+                battery.positive("emptyVoltage", "V", 1_000.0),
+                battery.number("resistance", "Ohm", 0.0, 10.0),
+                battery.positive("capacity", "Ah", 1e6),
+                battery.number("idleCurrent", "A", 0.0, 100.0)));
   }
 
   /** A mass above the centre of gravity, in addition to the body's. */

@@ -52,23 +52,20 @@ record MultirotorModel(
     double full = file.positive("fullSpeed", "rad/s", 1e5);
     double square = full * full;
     int spin = file.choice("turns", Spin.class) == Spin.ANTICLOCKWISE ? 1 : -1;
-    Rotor made =
-        file.made(
-            () ->
-                new Rotor(
-                    file.xml().attribute("name"),
-                    file.vector("position", "m", -FAR_M, FAR_M),
-                    AircraftParts.direction(file, "axis", UP),
-                    spin,
-                    file.positive("fullThrust", "N", 1e6) / square,
-                    file.number("fullTorque", "N m", 0.0, 1e6) / square,
-                    file.number("drag", "N s^2/m", 0.0, 1.0, 0.0),
-                    file.number("inflow", "N s^2/m", 0.0, 1.0, 0.0),
-                    file.number("lift", "N s^2/m^2", 0.0, 1.0, 0.0),
-                    full,
-                    file.number("lag", "s", 0.002, 10.0)));
-    file.end();
-    return made;
+    return file.complete(
+        () ->
+            new Rotor(
+                file.xml().attribute("name"),
+                file.vector("position", "m", -FAR_M, FAR_M),
+                AircraftParts.direction(file, "axis", UP),
+                spin,
+                file.positive("fullThrust", "N", 1e6) / square,
+                file.number("fullTorque", "N m", 0.0, 1e6) / square,
+                file.number("drag", "N s^2/m", 0.0, 1.0, 0.0),
+                file.number("inflow", "N s^2/m", 0.0, 1.0, 0.0),
+                file.number("lift", "N s^2/m^2", 0.0, 1.0, 0.0),
+                full,
+                file.number("lag", "s", 0.002, 10.0)));
   }
 
   @Override

@@ -48,31 +48,25 @@ record VesselModel(Hull hull, List<VesselThruster> thrusters, Footprint footprin
   }
 
   private static Waterplane waterplane(FileElement file) {
-    Waterplane made =
-        file.made(
-            () ->
-                new Waterplane(
-                    file.positive("heave", "N/m", LARGEST),
-                    file.positive("roll", "N m/rad", LARGEST),
-                    file.positive("pitch", "N m/rad", LARGEST),
-                    file.number("centreAhead", "m", -FAR_M, FAR_M, 0.0),
-                    file.number("ballast", "kg", 0.0, LARGEST, 0.0),
-                    file.vector("ballastPlace", "m", -FAR_M, FAR_M, Point.ORIGIN)));
-    file.end();
-    return made;
+    return file.complete(
+        () ->
+            new Waterplane(
+                file.positive("heave", "N/m", LARGEST),
+                file.positive("roll", "N m/rad", LARGEST),
+                file.positive("pitch", "N m/rad", LARGEST),
+                file.number("centreAhead", "m", -FAR_M, FAR_M, 0.0),
+                file.number("ballast", "kg", 0.0, LARGEST, 0.0),
+                file.vector("ballastPlace", "m", -FAR_M, FAR_M, Point.ORIGIN)));
   }
 
   private static CrossFlow crossFlow(FileElement file) {
-    CrossFlow made =
-        file.made(
-            () ->
-                new CrossFlow(
-                    file.positive("length", "m", FAR_M),
-                    file.positive("draught", "m", FAR_M),
-                    file.positive("coefficient", "1", 100.0),
-                    file.positive("density", "kg/m^3", 20_000.0)));
-    file.end();
-    return made;
+    return file.complete(
+        () ->
+            new CrossFlow(
+                file.positive("length", "m", FAR_M),
+                file.positive("draught", "m", FAR_M),
+                file.positive("coefficient", "1", 100.0),
+                file.positive("density", "kg/m^3", 20_000.0)));
   }
 
   private static List<VesselThruster> thrusters(FileElement file) {
@@ -97,20 +91,17 @@ record VesselModel(Hull hull, List<VesselThruster> thrusters, Footprint footprin
       throw file.xml().error("direction: \"" + way + "\" has no length; expected a vector");
     }
     Point direction = Point.of(way.x() / length, way.y() / length, way.z() / length);
-    VesselThruster made =
-        file.made(
-            () ->
-                new VesselThruster(
-                    file.xml().attribute("name"),
-                    file.vector("position", "m", -FAR_M, FAR_M),
-                    direction,
-                    file.positive("forward", "N", LARGEST),
-                    file.number("reverse", "N", 0.0, LARGEST),
-                    file.number("deadBand", "1", 0.0, 0.9),
-                    file.number("exponent", "1", 0.5, 4.0),
-                    file.number("lag", "s", 0.02, 100.0)));
-    file.end();
-    return made;
+    return file.complete(
+        () ->
+            new VesselThruster(
+                file.xml().attribute("name"),
+                file.vector("position", "m", -FAR_M, FAR_M),
+                direction,
+                file.positive("forward", "N", LARGEST),
+                file.number("reverse", "N", 0.0, LARGEST),
+                file.number("deadBand", "1", 0.0, 0.9),
+                file.number("exponent", "1", 0.5, 4.0),
+                file.number("lag", "s", 0.02, 100.0)));
   }
 
   @Override
