@@ -28,7 +28,10 @@ class PlannerBlindTest extends PlannedVehicle {
     kit.publish(Channels.OBJECTS, new ObjectList().awaited(List.of(awaited)));
   }
 
-  /** Number of navigation points that set it in motion, in so many tenths of a second. */
+  /**
+   * Number of navigation points with a speed above zero, published in the given number of 0.1 s
+   * steps.
+   */
   private int pointsIn(int steps) {
     kit.forget();
     for (int i = 0; i < steps; i++) {

@@ -33,7 +33,7 @@ final class RawClient implements AutoCloseable {
     socket.connect(new InetSocketAddress("127.0.0.1", port));
   }
 
-  /** Promises in its introduction to say something each so many seconds. */
+  /** Sets the keep-alive interval of the CONNECT packet [s]. */
   RawClient keepingAlive(int seconds) {
     keepAliveS = seconds;
     return this;
@@ -220,7 +220,7 @@ final class RawClient implements AutoCloseable {
     }
   }
 
-  /** Whether the broker ends the connection while so many more bytes are sent. */
+  /** Whether the broker closes the connection while this client sends the given number of bytes. */
   boolean isPutOutWhileSending(int bytes) {
     try {
       for (int sent = 0; sent < bytes; sent += 1_024) {

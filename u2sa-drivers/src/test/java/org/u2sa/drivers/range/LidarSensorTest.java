@@ -59,7 +59,7 @@ class LidarSensorTest {
     return kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError).orElse("");
   }
 
-  /** With so many beams in all, of which so many see the wall. */
+  /** Checks a scan for its number of beams and the number of echoes from the wall. */
   private void assertWallAhead(int beams, int echoes) {
     assertThat(scans()).isNotEmpty();
     RangeScan scan = scans().get(scans().size() - 1);

@@ -56,7 +56,7 @@ class LogFileFailureTest extends LogFileFixture {
                 + line("INFO", "d"));
   }
 
-  /** A file on a disk that takes only so many more bytes. */
+  /** A file on a disk with the given free space [bytes]. */
   private static final class FillingDisk extends FilterOutputStream {
     private int free;
 

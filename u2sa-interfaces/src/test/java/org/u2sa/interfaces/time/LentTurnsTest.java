@@ -69,7 +69,7 @@ class LentTurnsTest {
     return lender;
   }
 
-  /** Notes its turns, every so many microseconds. */
+  /** Records its turns, one per period [us]. */
   private Lender periodic(String name, long periodMicros) {
     return lender(
         name,

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class Lz4FrameTest {
-  /** Bytes of which so many in 256 are random, the others repeat. */
+  /** Bytes of which {@code random} in 256 are random; the others repeat. */
   private static byte[] bytes(int length, int random) {
     Random source = new Random(length);
     byte[] bytes = new byte[length];

@@ -11,7 +11,7 @@ final class SdfNumbers {
   /**
    * All numbers of an element.
    *
-   * @throws org.u2sa.interfaces.BadInputException if there are not so many
+   * @throws org.u2sa.interfaces.BadInputException unless there are exactly {@code count} of them
    */
   static double[] of(XmlElement element, int count) {
     String[] words = element.text().trim().split("\\s+");
