@@ -41,7 +41,8 @@ final class VehicleChanges {
       children.add(isMeant ? changed(child, path, value) : child);
     }
     if (!isFound && path.size() > 1) {
-      throw element.error("has no <" + name + ">, which a change of \"" + path + "\" needs");
+      throw element.error(
+          "has no <" + name + ">, which a change of \"" + String.join("/", path) + "\" needs");
     }
     if (!isFound) {
       children.add(

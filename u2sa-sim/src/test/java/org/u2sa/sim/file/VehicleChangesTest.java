@@ -25,7 +25,7 @@ class VehicleChangesTest {
   void load_placeThatIsNotThere_isRefused() {
     assertThatThrownBy(() -> VehicleFile.load(Vehicles.MINI_MOLLE, Map.of("vessel/drag", "1")))
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining("has no <vessel>");
+        .hasMessageContaining("has no <vessel>, which a change of \"vessel/drag\" needs");
   }
 
   @Test
