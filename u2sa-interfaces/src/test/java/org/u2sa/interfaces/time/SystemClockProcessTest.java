@@ -19,7 +19,7 @@ class SystemClockProcessTest {
     private Child() {}
 
     public static void main(String[] arguments) {
-      System.out.print(new SystemClock().micros() - System.nanoTime() / 1_000L);
+      System.out.print(zeroHere());
     }
   }
 
@@ -39,8 +39,16 @@ class SystemClockProcessTest {
     return Long.parseLong(said);
   }
 
+  /** Reads both clocks at one time: again if this thread was not running in between. */
   private static long zeroHere() {
-    return new SystemClock().micros() - System.nanoTime() / 1_000L;
+    SystemClock clock = new SystemClock();
+    while (true) {
+      long beforeNanos = System.nanoTime();
+      long micros = clock.micros();
+      if (System.nanoTime() - beforeNanos < 10_000_000L) {
+        return micros - beforeNanos / 1_000L;
+      }
+    }
   }
 
   @Test
