@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.u2sa.device.port.Anemometer;
 import org.u2sa.device.port.Barometer;
 import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.Compass;
@@ -49,6 +50,7 @@ final class SensorKinds {
     kinds.put("barometer", new Kind(Barometer.class, true, StateSensors::barometer));
     kinds.put("depthGauge", new Kind(DepthGauge.class, true, StateSensors::depthGauge));
     kinds.put("pitotTube", new Kind(PitotTube.class, true, StateSensors::pitotTube));
+    kinds.put("anemometer", new Kind(Anemometer.class, true, StateSensors::anemometer));
     kinds.put("velocityLog", new Kind(VelocityLog.class, true, StateSensors::velocityLog));
     kinds.put("laser", new Kind(LaserScanner.class, false, SightSensors::laser));
     kinds.put("sonar", new Kind(Sonar.class, false, SightSensors::sonar));
