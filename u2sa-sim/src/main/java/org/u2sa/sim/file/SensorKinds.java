@@ -16,6 +16,7 @@ import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.device.port.PitotTube;
+import org.u2sa.device.port.PointScanner;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.device.port.Sonar;
 import org.u2sa.device.port.VelocityLog;
@@ -53,6 +54,7 @@ final class SensorKinds {
     kinds.put("anemometer", new Kind(Anemometer.class, true, StateSensors::anemometer));
     kinds.put("velocityLog", new Kind(VelocityLog.class, true, StateSensors::velocityLog));
     kinds.put("laser", new Kind(LaserScanner.class, false, SightSensors::laser));
+    kinds.put("pointScanner", new Kind(PointScanner.class, false, SightSensors::pointScanner));
     kinds.put("sonar", new Kind(Sonar.class, false, SightSensors::sonar));
     kinds.put("rangeFinder", new Kind(RangeFinder.class, false, SightSensors::rangeFinder));
     kinds.put("camera", new Kind(Camera.class, false, SightSensors::camera));
