@@ -25,8 +25,10 @@ import org.u2sa.drivers.mavlink.MavlinkProximity;
 import org.u2sa.drivers.mavlink.MavlinkTraffic;
 import org.u2sa.drivers.motor.RoboClaw;
 import org.u2sa.drivers.motor.Vesc;
+import org.u2sa.drivers.radar.NmeaRadar;
 import org.u2sa.drivers.range.Hokuyo;
 import org.u2sa.drivers.range.Rplidar;
+import org.u2sa.drivers.range.Velodyne;
 import org.u2sa.drivers.sonar.NmeaDepth;
 import org.u2sa.drivers.sonar.Ping1d;
 import org.u2sa.drivers.sonar.Ping360;
@@ -34,6 +36,7 @@ import org.u2sa.drivers.sonar.SerialSonar;
 import org.u2sa.drivers.sonar.SonarModel;
 import org.u2sa.drivers.traffic.Gdl90Receiver;
 import org.u2sa.drivers.water.SerialVelocityLog;
+import org.u2sa.drivers.wind.NmeaAnemometer;
 
 /** Whatever bytes a link brings, a driver reads on: noise, frames cut short, absurd content. */
 @Timeout(240)
@@ -54,12 +57,13 @@ class GarbageOnLinksTest {
           new byte[] {0x02, 0x10, 0x04}, // VESC
           "R123\rR9".getBytes(StandardCharsets.US_ASCII), // MaxBotix
           "MD0000000001000\n99b\n".getBytes(StandardCharsets.US_ASCII), // SCIP
+          new byte[] {(byte) 0xff, (byte) 0xee, 0x10, 0x01}, // VLP-16, a block
           "wrz,0.1,".getBytes(StandardCharsets.US_ASCII)); // Water Linked
 
   private static final List<String> SENTENCES =
       List.of(
           "GPGGA", "GPRMC", "GNGST", "GPGSA", "GPVTG", "HCHDG", "HCHDM", "HCHDT", "SDDBT", "SDDPT",
-          "VWVBW", "VNYMR", "VNRRG", "VDVBW", "GPZDA");
+          "VWVBW", "VNYMR", "VNRRG", "VDVBW", "GPZDA", "WIMWV", "RATTM");
   private static final List<String> FIELDS =
       List.of("", "0", "-1", "1e300", "NaN", "999999999999", "4807.038", "N", "A", "V", "W", "x");
 
@@ -81,6 +85,9 @@ class GarbageOnLinksTest {
     DEVICES.put("GDL 90", Gdl90Receiver::new);
     DEVICES.put("Water Linked", SerialVelocityLog::waterLinked);
     DEVICES.put("NMEA log", SerialVelocityLog::nmea);
+    DEVICES.put("NMEA anemometer", NmeaAnemometer::new);
+    DEVICES.put("NMEA radar", NmeaRadar::new);
+    DEVICES.put("VLP-16", Velodyne::new);
     DEVICES.put("MJPEG", link -> new MjpegCamera(link, "/"));
     DEVICES.put("MAVLink traffic", MavlinkTraffic::new);
     DEVICES.put("MAVLink proximity", MavlinkProximity::new);
