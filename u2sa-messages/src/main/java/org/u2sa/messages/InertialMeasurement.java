@@ -33,7 +33,6 @@ public class InertialMeasurement extends StateInformation {
   private static final NumberField<InertialMeasurement> SPECIFIC_FORCE_SIGMA =
       SCHEMA.optionalNumber("specificForceSigma", "m/s2", 0.0);
 
-  /** The schema. */
   public static final MessageType<InertialMeasurement> TYPE = SCHEMA.build();
 
   /** Creates an empty measurement in BODY_FRD. */
@@ -58,7 +57,6 @@ public class InertialMeasurement extends StateInformation {
     return get(ROLL_RATE);
   }
 
-  /** Sets {@link #rollRate()}. */
   public InertialMeasurement rollRate(double radPerS) {
     put(ROLL_RATE, radPerS);
     return this;
@@ -69,7 +67,6 @@ public class InertialMeasurement extends StateInformation {
     return get(PITCH_RATE);
   }
 
-  /** Sets {@link #pitchRate()}. */
   public InertialMeasurement pitchRate(double radPerS) {
     put(PITCH_RATE, radPerS);
     return this;
@@ -80,7 +77,6 @@ public class InertialMeasurement extends StateInformation {
     return get(YAW_RATE);
   }
 
-  /** Sets {@link #yawRate()}. */
   public InertialMeasurement yawRate(double radPerS) {
     put(YAW_RATE, radPerS);
     return this;
@@ -91,7 +87,6 @@ public class InertialMeasurement extends StateInformation {
     return get(ANGULAR_RATE_SIGMA);
   }
 
-  /** Sets {@link #angularRateSigma()}. */
   public InertialMeasurement angularRateSigma(double radPerS) {
     put(ANGULAR_RATE_SIGMA, radPerS);
     return this;
@@ -105,7 +100,6 @@ public class InertialMeasurement extends StateInformation {
     return get(SPECIFIC_FORCE_X);
   }
 
-  /** Sets {@link #specificForceX()}. */
   public InertialMeasurement specificForceX(double mps2) {
     put(SPECIFIC_FORCE_X, mps2);
     return this;
@@ -116,7 +110,6 @@ public class InertialMeasurement extends StateInformation {
     return get(SPECIFIC_FORCE_Y);
   }
 
-  /** Sets {@link #specificForceY()}. */
   public InertialMeasurement specificForceY(double mps2) {
     put(SPECIFIC_FORCE_Y, mps2);
     return this;
@@ -127,7 +120,6 @@ public class InertialMeasurement extends StateInformation {
     return get(SPECIFIC_FORCE_Z);
   }
 
-  /** Sets {@link #specificForceZ()}. */
   public InertialMeasurement specificForceZ(double mps2) {
     put(SPECIFIC_FORCE_Z, mps2);
     return this;
@@ -138,7 +130,6 @@ public class InertialMeasurement extends StateInformation {
     return get(SPECIFIC_FORCE_SIGMA);
   }
 
-  /** Sets {@link #specificForceSigma()}. */
   public InertialMeasurement specificForceSigma(double mps2) {
     put(SPECIFIC_FORCE_SIGMA, mps2);
     return this;

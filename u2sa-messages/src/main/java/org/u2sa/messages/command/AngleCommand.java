@@ -14,7 +14,6 @@ public class AngleCommand extends ActuatorCommand {
   private static final NumberField<AngleCommand> ANGLE =
       SCHEMA.requiredNumber("angle", "rad", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 
-  /** The schema. */
   public static final MessageType<AngleCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public class AngleCommand extends ActuatorCommand {
     return require(ANGLE);
   }
 
-  /** Sets {@link #angle()}. */
   public AngleCommand angle(double value) {
     return put(ANGLE, value);
   }

@@ -13,7 +13,6 @@ public class ForceCommand extends ActuatorCommand {
   private static final NumberField<ForceCommand> FORCE =
       SCHEMA.requiredNumber("force", "N", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 
-  /** The schema. */
   public static final MessageType<ForceCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -26,7 +25,6 @@ public class ForceCommand extends ActuatorCommand {
     return require(FORCE);
   }
 
-  /** Sets {@link #force()}. */
   public ForceCommand force(double value) {
     return put(FORCE, value);
   }

@@ -14,7 +14,6 @@ public class PercentageCommand extends ActuatorCommand {
   private static final NumberField<PercentageCommand> PERCENTAGE =
       SCHEMA.requiredNumber("percentage", "%", -100.0, 100.0);
 
-  /** The schema. */
   public static final MessageType<PercentageCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public class PercentageCommand extends ActuatorCommand {
     return require(PERCENTAGE);
   }
 
-  /** Sets {@link #percentage()}. */
   public PercentageCommand percentage(double value) {
     return put(PERCENTAGE, value);
   }

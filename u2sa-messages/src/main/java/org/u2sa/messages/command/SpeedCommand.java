@@ -14,7 +14,6 @@ public class SpeedCommand extends ActuatorCommand {
   private static final NumberField<SpeedCommand> SPEED =
       SCHEMA.requiredNumber("speed", "rad/s", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 
-  /** The schema. */
   public static final MessageType<SpeedCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public class SpeedCommand extends ActuatorCommand {
     return require(SPEED);
   }
 
-  /** Sets {@link #speed()}. */
   public SpeedCommand speed(double value) {
     return put(SPEED, value);
   }

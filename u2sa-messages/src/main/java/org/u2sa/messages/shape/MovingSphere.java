@@ -20,7 +20,6 @@ public class MovingSphere extends Sphere {
   private static final ValueField<MovingSphere, List<Point>> TRAJECTORY =
       SCHEMA.points("trajectory", "m");
 
-  /** The schema. */
   public static final MessageType<MovingSphere> TYPE = SCHEMA.build();
 
   @Override
@@ -33,7 +32,6 @@ public class MovingSphere extends Sphere {
     return require(TIME_STEP);
   }
 
-  /** Sets {@link #timeStep()}. */
   public MovingSphere timeStep(double value) {
     return put(TIME_STEP, value);
   }
@@ -46,7 +44,6 @@ public class MovingSphere extends Sphere {
     return require(TRAJECTORY);
   }
 
-  /** Sets {@link #trajectory()}. */
   public MovingSphere trajectory(List<Point> value) {
     return put(TRAJECTORY, value);
   }

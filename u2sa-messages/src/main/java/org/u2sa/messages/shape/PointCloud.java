@@ -17,7 +17,6 @@ public class PointCloud extends ObjectDescription {
       Schema.of(PointCloud.class, PointCloud::new, ObjectDescription.TYPE);
   private static final ValueField<PointCloud, List<Point>> POINTS = SCHEMA.points("points", "m");
 
-  /** The schema. */
   public static final MessageType<PointCloud> TYPE = SCHEMA.build();
 
   @Override
@@ -30,7 +29,6 @@ public class PointCloud extends ObjectDescription {
     return require(POINTS);
   }
 
-  /** Sets {@link #points()}. */
   public PointCloud points(List<Point> value) {
     return put(POINTS, value);
   }
