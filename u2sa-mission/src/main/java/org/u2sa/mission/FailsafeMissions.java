@@ -52,7 +52,7 @@ final class FailsafeMissions {
 
   /** Number of goals for LAND. */
   int landGoals() {
-    return goals(FailsafeAction.LAND).size();
+    return loaded.get(FailsafeAction.LAND).goals().size();
   }
 
   /**
@@ -67,10 +67,6 @@ final class FailsafeMissions {
     Goals landing = load(FailsafeAction.LAND, MissionVariables.LAND_MISSION, now.landMission());
     loaded.put(FailsafeAction.RETURN, returning);
     loaded.put(FailsafeAction.LAND, landing);
-  }
-
-  private List<GoalInformation> goals(FailsafeAction action) {
-    return loaded.get(action).goals();
   }
 
   private Goals load(FailsafeAction action, String variable, String path) {
@@ -116,18 +112,17 @@ final class FailsafeMissions {
     if (action != FailsafeAction.RETURN && action != FailsafeAction.LAND) {
       return Optional.empty();
     }
-    List<GoalInformation> own = goals(action);
+    List<GoalInformation> own = loaded.get(action).goals();
     if (own.isEmpty() && action == FailsafeAction.LAND) {
       logger.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
-      own = goals(FailsafeAction.RETURN);
+      own = loaded.get(FailsafeAction.RETURN).goals();
     }
     if (own.isEmpty() && home.isPresent()) {
       own = Collections.singletonList(renamed(home.get(), FailsafeAction.RETURN + " "));
     }
     if (own.isEmpty()) {
-      logger.log(
-          LogLevelEnum.ERROR,
-          "failsafe " + action + " without a RETURN MISSION or a home: holding");
+      String problem = "failsafe " + action + " without a RETURN MISSION or a home: holding";
+      logger.log(LogLevelEnum.ERROR, problem);
       return Optional.of(ended());
     }
     GoalSequence sequence = new GoalSequence(own, false, GoalSequence.Options.ALL);
