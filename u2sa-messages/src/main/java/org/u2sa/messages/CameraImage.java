@@ -79,13 +79,9 @@ public final class CameraImage extends U2SAData {
   protected void requireConsistent() {
     if (width() < 0 || width() > MAX_SIDE_PX || height() < 0 || height() > MAX_SIDE_PX) {
       throw new IllegalStateException(
-          "CameraImage: a size of "
-              + width()
-              + " x "
-              + height()
-              + " px; expected 0…"
-              + MAX_SIDE_PX
-              + " along each side");
+          String.format(
+              "CameraImage: a size of %s x %s px; expected 0…%s along each side",
+              width(), height(), MAX_SIDE_PX));
     }
   }
 

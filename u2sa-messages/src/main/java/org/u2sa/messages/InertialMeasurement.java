@@ -58,8 +58,7 @@ public class InertialMeasurement extends StateInformation {
   }
 
   public InertialMeasurement rollRate(double radPerS) {
-    put(ROLL_RATE, radPerS);
-    return this;
+    return put(ROLL_RATE, radPerS);
   }
 
   /** Angular rate about the y axis [rad/s]; positive nose up in BODY_FRD. */
@@ -68,8 +67,7 @@ public class InertialMeasurement extends StateInformation {
   }
 
   public InertialMeasurement pitchRate(double radPerS) {
-    put(PITCH_RATE, radPerS);
-    return this;
+    return put(PITCH_RATE, radPerS);
   }
 
   /** Angular rate about the z axis [rad/s]; positive nose right in BODY_FRD. */
@@ -78,8 +76,7 @@ public class InertialMeasurement extends StateInformation {
   }
 
   public InertialMeasurement yawRate(double radPerS) {
-    put(YAW_RATE, radPerS);
-    return this;
+    return put(YAW_RATE, radPerS);
   }
 
   /** Standard deviation of each angular rate [rad/s]; empty if unknown. */
@@ -88,8 +85,7 @@ public class InertialMeasurement extends StateInformation {
   }
 
   public InertialMeasurement angularRateSigma(double radPerS) {
-    put(ANGULAR_RATE_SIGMA, radPerS);
-    return this;
+    return put(ANGULAR_RATE_SIGMA, radPerS);
   }
 
   /**
@@ -101,8 +97,7 @@ public class InertialMeasurement extends StateInformation {
   }
 
   public InertialMeasurement specificForceX(double mps2) {
-    put(SPECIFIC_FORCE_X, mps2);
-    return this;
+    return put(SPECIFIC_FORCE_X, mps2);
   }
 
   /** Specific force along y [m/s²]; positive right in BODY_FRD. */
@@ -111,8 +106,7 @@ public class InertialMeasurement extends StateInformation {
   }
 
   public InertialMeasurement specificForceY(double mps2) {
-    put(SPECIFIC_FORCE_Y, mps2);
-    return this;
+    return put(SPECIFIC_FORCE_Y, mps2);
   }
 
   /** Specific force along z [m/s²]; -9.81 at rest and level in BODY_FRD, whose z is down. */
@@ -121,8 +115,7 @@ public class InertialMeasurement extends StateInformation {
   }
 
   public InertialMeasurement specificForceZ(double mps2) {
-    put(SPECIFIC_FORCE_Z, mps2);
-    return this;
+    return put(SPECIFIC_FORCE_Z, mps2);
   }
 
   /** Standard deviation of each component of specific force [m/s²]; empty if unknown. */
@@ -131,8 +124,7 @@ public class InertialMeasurement extends StateInformation {
   }
 
   public InertialMeasurement specificForceSigma(double mps2) {
-    put(SPECIFIC_FORCE_SIGMA, mps2);
-    return this;
+    return put(SPECIFIC_FORCE_SIGMA, mps2);
   }
 
   @Override

@@ -196,7 +196,7 @@ public class ObjectDescription extends U2SAData {
     ObjectDescription moved = copy();
     Optional<Point> velocity = motion().velocity();
     if (velocity.isPresent()) {
-      moved.shift(scaled(velocity.get(), seconds));
+      moved.shift(velocity.get().times(seconds));
       moved.motion().grow(seconds);
     }
     timestamp()
@@ -218,10 +218,6 @@ public class ObjectDescription extends U2SAData {
     eachPoint(point -> around.point(around.metres(point).plus(way)));
     Point center = around.point(way);
     x(center.x()).y(center.y()).z(center.z());
-  }
-
-  private static Point scaled(Point v, double factor) {
-    return Point.of(factor * v.x(), factor * v.y(), factor * v.z());
   }
 
   /** Maps the centre and all lists of points; called before the frame is changed. */

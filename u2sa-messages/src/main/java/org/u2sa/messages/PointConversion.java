@@ -62,7 +62,6 @@ public final class PointConversion {
     return new PointConversion(source, target, placed);
   }
 
-  /** Converts a point. */
   Point convert(Point point) {
     if (source.equals(target)) {
       return point;

@@ -37,7 +37,6 @@ public final class CborInput {
     return at;
   }
 
-  /** Bytes not read yet. */
   int left() {
     return bytes.length - at;
   }

@@ -5,7 +5,6 @@ record FieldOutline(
     String owner, String name, String unit, Presence presence, int slot, int bit, int since) {
   static final int NO_BIT = -1;
 
-  /** Whether a field may be missing. */
   enum Presence {
     /** May be absent; absence is not encoded as 0 or NaN. */
     OPTIONAL,

@@ -44,13 +44,13 @@ public final class Schema<T extends U2SAData> {
       slots = new FieldSlots();
       return;
     }
-    slots = FieldSlots.after(parent.sizes());
+    slots = FieldSlots.after(parent.sizes);
     for (MessageField<? super T> field : parent.fields()) {
       fields.add(MessageType.inherited(field));
     }
-    aliases.putAll(parent.aliases());
-    elements.putAll(parent.elements());
-    frameField = parent.frameField();
+    aliases.putAll(parent.aliases);
+    elements.putAll(parent.elements);
+    frameField = parent.frameField;
   }
 
   /**

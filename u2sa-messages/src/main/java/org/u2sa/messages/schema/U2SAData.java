@@ -134,7 +134,7 @@ public abstract class U2SAData extends StoredMessage {
   public final void freeze() {
     if (!storage.isFrozen()) {
       requireComplete();
-      for (int slot : type().messageLists()) {
+      for (int slot : type().messageLists) {
         storage.list(slot).forEach(nested -> ((U2SAData) nested).freeze());
       }
       storage.freeze();
@@ -150,7 +150,7 @@ public abstract class U2SAData extends StoredMessage {
   public U2SAData copy() {
     U2SAData copy = type().newCarrier();
     copy.storage.takeFrom(storage);
-    for (int slot : type().messageLists()) {
+    for (int slot : type().messageLists) {
       if (storage.value(slot) != null) {
         copy.storage.put(slot, copies(storage.list(slot)));
       }
@@ -267,12 +267,12 @@ public abstract class U2SAData extends StoredMessage {
 
   @Override
   final int valueSlots() {
-    return type().sizes().values();
+    return type().sizes.values();
   }
 
   @Override
   final ReferenceFrame frame() {
-    ValueField<?, ReferenceFrame> field = type().frameField();
+    ValueField<?, ReferenceFrame> field = type().frameField;
     return field == null ? ReferenceFrame.BODY : field.in(storage);
   }
 

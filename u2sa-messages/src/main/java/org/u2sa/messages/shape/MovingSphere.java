@@ -72,18 +72,7 @@ public class MovingSphere extends Sphere {
     return moved(from, metres, rest / timeStep());
   }
 
-  /** Distance from a point to the sphere at a later time [m]; 0 inside. */
-  public double distanceAfter(double seconds, Point from) {
-    return Math.max(0.0, metres(from).distanceTo(metres(centerAfter(seconds))) - radius());
-  }
-
   private Point moved(Point from, Point way, double share) {
-    Point metres = metres(from);
-    return metric()
-        .point(
-            Point.of(
-                metres.x() + share * way.x(),
-                metres.y() + share * way.y(),
-                metres.z() + share * way.z()));
+    return metric().point(metres(from).plus(way.times(share)));
   }
 }
