@@ -30,11 +30,7 @@ final class FailsafeMissions {
    */
   private record Goals(List<GoalInformation> goals, Optional<GoalInformation> home) {}
 
-  /**
-   * Reads the configured files.
-   *
-   * @throws org.u2sa.interfaces.BadInputException if one is wrong
-   */
+  /** Reads the configured files; throws if one is wrong. */
   FailsafeMissions(
       MissionRun run, MissionFiles files, Supplier<MissionVariables> settings, Logger logger) {
     this.run = run;
@@ -50,16 +46,11 @@ final class FailsafeMissions {
         || variables.contains(MissionVariables.DEFAULT_THRESHOLD);
   }
 
-  /** Number of goals for LAND. */
   int landGoals() {
     return loaded.get(FailsafeAction.LAND).goals().size();
   }
 
-  /**
-   * Reloads the files.
-   *
-   * @throws org.u2sa.interfaces.BadInputException if one is wrong; then nothing has changed
-   */
+  /** Reloads the files; if one is wrong, throws and changes nothing. */
   void load() {
     MissionVariables now = settings.get();
     Goals returning =

@@ -19,9 +19,6 @@ final class GoalGraph {
   private final Collection<String> further; // known goals from outside the file
   private final Followers followers;
 
-  /**
-   * @param further additional names that goals may refer to
-   */
   GoalGraph(Map<String, GoalElement> goals, Collection<String> further) {
     this.goals = goals;
     this.further = further;
@@ -37,7 +34,6 @@ final class GoalGraph {
     return known;
   }
 
-  /** Rejects references to unknown goals. */
   void refuseUnknownSuccessors() {
     Set<String> known = known();
     goals.values().forEach(goal -> goal.links().refuseOthers(known));

@@ -164,11 +164,7 @@ final class GoalLinks {
         && result(element) == RESULTS.get(text);
   }
 
-  /**
-   * Rejects names that are not among these.
-   *
-   * @throws org.u2sa.interfaces.BadInputException at the element that names it
-   */
+  /** Rejects names that are not among these, at the element that names them. */
   void refuseOthers(Collection<String> known) {
     names.forEach((element, named) -> named.forEach(name -> refuseUnless(known, element, name)));
   }

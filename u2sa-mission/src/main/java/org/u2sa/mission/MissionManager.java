@@ -287,7 +287,7 @@ public final class MissionManager extends PeriodicService {
 
   private void update(GoalInformation goal) {
     GoalSequence updated = run.progress().knowing(goal.uid());
-    if (!updated.book().hasRoomForUpdate(goal)) {
+    if (!updated.book.hasRoomForUpdate(goal)) {
       ignore(
           "update of goal \"" + goal.uid() + "\" refused: the goals would be too long to publish");
       return;

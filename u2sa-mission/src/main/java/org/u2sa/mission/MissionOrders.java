@@ -78,9 +78,6 @@ final class MissionOrders {
     return result;
   }
 
-  /**
-   * @throws BadInputException if it cannot be done
-   */
   private String outcome(MissionOrder order) {
     return switch (order.action()) {
       case GOTO -> goTo(known(run.progress().pursued(), order.uid().orElse("")));
@@ -140,7 +137,7 @@ final class MissionOrders {
 
   private String insert(MissionOrder order) {
     GoalSequence mission = run.progress().mission();
-    List<GoalInformation> goals = reader().readAdded(root(order), mission.book());
+    List<GoalInformation> goals = reader().readAdded(root(order), mission.book);
     checkRoom(mission, goals);
     GoalInsertion insertion = new GoalInsertion(mission, goals);
     if (order.now()) {
@@ -159,7 +156,7 @@ final class MissionOrders {
             .map(name -> known(mission, name))
             .orElseGet(
                 () -> only(mission, "; expected goals to be pursued now", "after which of "));
-    if (!mission.followers().reachable(mission.currentNames()).contains(after)) {
+    if (!mission.followers.reachable(mission.currentNames()).contains(after)) {
       throw new BadInputException(
           String.format(
               "goal \"%s\" does not follow what is pursued, so nothing after it would be reached;"
@@ -172,7 +169,7 @@ final class MissionOrders {
 
   private String update(MissionOrder order) {
     GoalSequence mission = run.progress().mission();
-    List<GoalInformation> changes = reader().readChanged(root(order), mission.book());
+    List<GoalInformation> changes = reader().readChanged(root(order), mission.book);
     checkRoom(mission, changes);
     changes.forEach(mission::update);
     return "updated "
@@ -180,7 +177,7 @@ final class MissionOrders {
   }
 
   private static void checkRoom(GoalSequence mission, List<GoalInformation> goals) {
-    if (!mission.book().hasRoomForUpdates(goals)) {
+    if (!mission.book.hasRoomForUpdates(goals)) {
       throw new BadInputException("the mission's goals would be too long to publish");
     }
   }
@@ -201,7 +198,7 @@ final class MissionOrders {
 
   private static String known(GoalSequence sequence, String uid) {
     if (!sequence.knows(uid)) {
-      List<String> names = sequence.book().names();
+      List<String> names = sequence.book.names();
       throw new BadInputException(
           String.format(
               "no goal \"%s\"; expected one of %s%s",

@@ -18,15 +18,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
 /** Reads {@code <mission>} (thesis 3.2.3.2, 4.5.2.3) and rejects contradictions. */
-final class MissionReader {
-  private final MessageTypes types;
-  private final OptionalDouble defaultThresholdM;
-
-  MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
-    this.types = types;
-    this.defaultThresholdM = defaultThresholdM;
-  }
-
+record MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
   Mission read(XmlElement root) {
     root.refuseUnknownAttributes();
     Map<String, GoalElement> goals = goals(root, Collections.emptyList(), true);

@@ -46,7 +46,6 @@ final class MissionRun {
     return thresholdM.getAsDouble();
   }
 
-  /** Current time [µs of the run's clock]. */
   long micros() {
     return clock.micros();
   }
@@ -61,9 +60,9 @@ final class MissionRun {
     GoalSequence pursued = progress.pursued();
     List<GoalInformation> goals = new ArrayList<>();
     List<Double> finished = new ArrayList<>();
-    add(progress.mission().book(), goals, finished);
+    add(progress.mission().book, goals, finished);
     if (progress.isLeft()) {
-      add(pursued.book(), goals, finished);
+      add(pursued.book, goals, finished);
     }
     MissionReport report =
         new MissionReport()
@@ -74,7 +73,7 @@ final class MissionRun {
             .finished(finished)
             .current(names(pursued.current()))
             .upcoming(names(pursued.upcoming()))
-            .sequence(progress.mission().followers().order())
+            .sequence(progress.mission().followers.order())
             .elapsed(progress.elapsedS());
     if (progress.isLeft()) {
       report.failsafe(progress.pursuedFor().name());
