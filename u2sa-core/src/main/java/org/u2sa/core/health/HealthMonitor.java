@@ -68,7 +68,7 @@ public final class HealthMonitor extends PeriodicService {
 
   @Override
   protected void begin() {
-    settings.watched().forEach(this::service);
+    settings.watched.forEach(this::service);
   }
 
   @Override
@@ -76,7 +76,7 @@ public final class HealthMonitor extends PeriodicService {
     settings = new MonitorVariables(limits.get(), this);
     services.keySet().stream().filter(name -> !settings.watches(name)).forEach(this::unwatch);
     services.keySet().removeIf(name -> !settings.watches(name));
-    settings.watched().forEach(this::service);
+    settings.watched.forEach(this::service);
   }
 
   private WatchedService service(String name) {
