@@ -7,14 +7,13 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
-import org.u2sa.messages.schema.MessageType;
 
 /** Inserts goals into a mission between a goal and its followers. */
 record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
   /** Inserts them after a known goal. */
   void after(String after) {
     GoalInformation before = mission.book.goal(after);
-    GoalInformation change = empty(before.type());
+    GoalInformation change = (GoalInformation) before.type().create();
     change.uid(after);
     List<String> next = List.of(first());
     List<String> exit = mission.followers.usual(after);
@@ -40,10 +39,6 @@ record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
     if (before.choose().isPresent() && last.choose().isEmpty()) {
       last.choose(before.choose().getAsLong());
     }
-  }
-
-  private static GoalInformation empty(MessageType<?> type) {
-    return (GoalInformation) type.create();
   }
 
   /** Inserts the goals before the current ones, which are pursued again afterwards. */

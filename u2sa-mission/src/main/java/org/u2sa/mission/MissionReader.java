@@ -79,7 +79,8 @@ record MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
     List<GoalElement> changed = new ArrayList<>();
     for (GoalElement goal : goals.values()) {
       GoalInformation change = goal.message();
-      XmlElement name = goal.field("uid").orElseThrow(() -> unnamed(goal.element()));
+      String expected = "lacks <name>; expected the name of the goal that changes";
+      XmlElement name = goal.field("uid").orElseThrow(() -> goal.element().error(expected));
       GoalLinks.refuseUnless(known.names(), name, change.uid());
       GoalInformation now = known.goal(change.uid());
       if (now.type() != change.type()) {
@@ -91,10 +92,6 @@ record MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
     }
     WaypointRules.check(changed, known);
     return goals.values().stream().map(GoalElement::message).collect(Collectors.toList());
-  }
-
-  private static RuntimeException unnamed(XmlElement goal) {
-    return goal.error("lacks <name>; expected the name of the goal that changes");
   }
 
   private static void refuseAllBut(XmlElement root) {

@@ -30,29 +30,24 @@ record PacketFilter(
    */
   boolean examine(ChannelHandlerContext ctx, MqttMessage packet) {
     switch (packet.fixedHeader().messageType()) {
-      case PUBLISH:
-        examine((MqttPublishMessage) packet);
-        return false;
-      case SUBSCRIBE:
-        subscribe((MqttSubscribeMessage) packet);
-        return false;
-      case UNSUBSCRIBE:
+      case PUBLISH -> examine((MqttPublishMessage) packet);
+      case SUBSCRIBE -> subscribe((MqttSubscribeMessage) packet);
+      case UNSUBSCRIBE -> {
         MqttUnsubscribeMessage unwanted = (MqttUnsubscribeMessage) packet;
         subscriptions.unsubscribe(unwanted);
         int id = unwanted.variableHeader().messageId();
         session.answer(MqttMessageBuilders.unsubAck().packetId(id).build());
-        return false;
-      case PUBACK:
-        session.acknowledged(((MqttPubAckMessage) packet).variableHeader().messageId());
-        return false;
-      case PINGREQ:
-      case DISCONNECT:
+      }
+      case PUBACK ->
+          session.acknowledged(((MqttPubAckMessage) packet).variableHeader().messageId());
+      case PINGREQ, DISCONNECT -> {
         ctx.fireChannelRead(packet);
         return true;
-      default: // QoS 2, a second CONNECT, or a packet only brokers send
-        session.putOut("unexpected packet", packet.fixedHeader().messageType().toString());
-        return false;
+      }
+      default -> // QoS 2, a second CONNECT, or a packet only brokers send
+          session.putOut("unexpected packet", packet.fixedHeader().messageType().toString());
     }
+    return false;
   }
 
   /** Answers first, as clients expect; newer messages follow. */

@@ -181,16 +181,12 @@ public abstract class GoalInformation extends U2SAData {
   }
 
   private static ValueField<GoalInformation, List<String>> nextField(GoalResult result) {
-    switch (result) {
-      case DONE:
-        return NEXT_IF_DONE;
-      case FAILED:
-        return NEXT_IF_FAILED;
-      case TIMED_OUT:
-        return NEXT_IF_TIMED_OUT;
-      default:
-        return null;
-    }
+    return switch (result) {
+      case DONE -> NEXT_IF_DONE;
+      case FAILED -> NEXT_IF_FAILED;
+      case TIMED_OUT -> NEXT_IF_TIMED_OUT;
+      case SKIPPED -> null;
+    };
   }
 
   /**

@@ -66,8 +66,7 @@ public class ObjectGoal extends GoalInformation {
 
   @Override
   public ObjectGoal uid(String uid) {
-    super.uid(uid);
-    return this;
+    return (ObjectGoal) super.uid(uid);
   }
 
   @Override

@@ -142,26 +142,22 @@ public class Waypoint extends GoalInformation {
 
   @Override
   public Waypoint uid(String uid) {
-    super.uid(uid);
-    return this;
+    return (Waypoint) super.uid(uid);
   }
 
   @Override
   public Waypoint completed(boolean completed) {
-    super.completed(completed);
-    return this;
+    return (Waypoint) super.completed(completed);
   }
 
   @Override
   public Waypoint next(List<String> uids) {
-    super.next(uids);
-    return this;
+    return (Waypoint) super.next(uids);
   }
 
   @Override
   public Waypoint description(String text) {
-    super.description(text);
-    return this;
+    return (Waypoint) super.description(text);
   }
 
   @Override

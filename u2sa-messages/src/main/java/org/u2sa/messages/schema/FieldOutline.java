@@ -13,16 +13,4 @@ record FieldOutline(
     /** Has a default; always written. */
     DEFAULTED
   }
-
-  static FieldOutline of(String owner, String name, String unit, Presence presence, int since) {
-    return new FieldOutline(owner, name, unit, presence, -1, NO_BIT, since);
-  }
-
-  FieldOutline at(int place) {
-    return new FieldOutline(owner, name, unit, presence, place, bit, since);
-  }
-
-  FieldOutline withBit(int number) {
-    return new FieldOutline(owner, name, unit, presence, slot, number, since);
-  }
 }

@@ -50,8 +50,7 @@ public class MovingSphere extends Sphere {
 
   @Override
   public MovingSphere radius(double value) {
-    super.radius(value);
-    return this;
+    return (MovingSphere) super.radius(value);
   }
 
   /**

@@ -44,8 +44,7 @@ public class PolyLine extends Line {
 
   @Override
   public PolyLine points(List<Point> value) {
-    super.points(value);
-    return this;
+    return (PolyLine) super.points(value);
   }
 
   @Override
