@@ -7,13 +7,14 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.device.GpsSensor;
+import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.service.DeviceSource;
 
-class ServiceTrialTest {
+class ServiceMakerTest {
   /** A simulation, whose devices must not be made twice. */
   private static final class Simulation implements DeviceSource {
     @Override
@@ -24,18 +25,22 @@ class ServiceTrialTest {
   }
 
   private static void tryGps(LaunchOptions options) {
-    new ServiceTrial("test", options.clock(new LockstepClock()), MessageTypes.discovered())
-        .require(GpsSensor.class.getName(), XmlConfiguration.inMemory("GpsSensor", Map.of()));
+    new ServiceMaker(
+            "test",
+            options.clock(new LockstepClock()),
+            MessageTypes.discovered(),
+            new LocalBus("test"))
+        .tryOut(GpsSensor.class.getName(), XmlConfiguration.inMemory("GpsSensor", Map.of()));
   }
 
   @Test
-  void require_serviceWhoseDeviceIsSimulated_endsBeforeTheDevice() {
+  void tryOut_serviceWhoseDeviceIsSimulated_endsBeforeTheDevice() {
     assertThatCode(() -> tryGps(new LaunchOptions().devices(new Simulation())))
         .doesNotThrowAnyException();
   }
 
   @Test
-  void require_serviceWhoseDriverIsMissing_saysSo() {
+  void tryOut_serviceWhoseDriverIsMissing_saysSo() {
     assertThatThrownBy(() -> tryGps(new LaunchOptions()))
         .hasMessageContaining("no driver on the class path");
   }
