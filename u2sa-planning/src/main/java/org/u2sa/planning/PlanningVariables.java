@@ -2,8 +2,8 @@ package org.u2sa.planning;
 
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.planning.guidance.AltitudeProfile;
 import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.TurnAnticipation;
 
 /**

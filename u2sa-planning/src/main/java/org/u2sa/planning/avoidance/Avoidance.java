@@ -14,6 +14,7 @@ import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.avoidance.GoalAttempt.TrafficHold;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;

@@ -13,14 +13,7 @@ final class Passages {
   private final Supplier<AvoidanceVariables> settings;
   private final BooleanSupplier turnsOnTheSpot;
   private boolean isNarrow;
-  private SeenWorld.Reading reading; // for the current settings
-  private AvoidanceVariables readBy;
-  private boolean isReadOnTheSpot;
-  private boolean isReadNarrow;
 
-  /**
-   * @param turnsOnTheSpot whether the vehicle can turn in place
-   */
   Passages(Supplier<AvoidanceVariables> settings, BooleanSupplier turnsOnTheSpot) {
     this.settings = settings;
     this.turnsOnTheSpot = turnsOnTheSpot;
@@ -41,16 +34,8 @@ final class Passages {
     return begins;
   }
 
-  /** How the world is read; recomputed only on changes. */
+  /** How the world is read. */
   SeenWorld.Reading reading() {
-    AvoidanceVariables now = settings.get();
-    boolean onTheSpot = turnsOnTheSpot.getAsBoolean();
-    if (now != readBy || onTheSpot != isReadOnTheSpot || isNarrow != isReadNarrow) {
-      readBy = now;
-      isReadOnTheSpot = onTheSpot;
-      isReadNarrow = isNarrow;
-      reading = now.reading(onTheSpot, isNarrow);
-    }
-    return reading;
+    return settings.get().reading(turnsOnTheSpot.getAsBoolean(), isNarrow);
   }
 }

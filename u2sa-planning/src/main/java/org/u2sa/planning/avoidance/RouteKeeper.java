@@ -4,10 +4,10 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import org.u2sa.planning.local.RouteTrack;
-import org.u2sa.planning.route.Mobility;
 import org.u2sa.planning.route.Route;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RouteRequest;
+import org.u2sa.planning.route.RouteRequest.Mobility;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.SeenWorld;
 

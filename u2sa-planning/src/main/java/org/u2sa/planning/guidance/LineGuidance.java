@@ -3,6 +3,7 @@ package org.u2sa.planning.guidance;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.service.handover.HandOver;
 
 /**

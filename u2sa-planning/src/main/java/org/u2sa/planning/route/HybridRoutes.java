@@ -6,6 +6,8 @@ import java.util.Optional;
 import org.u2sa.planning.curve.Curve;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.hybrid.HybridAStar;
+import org.u2sa.planning.route.GridRoutes.Entrances;
+import org.u2sa.planning.route.RouteRequest.Mobility;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 

@@ -5,6 +5,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.RowChange;
+import org.u2sa.planning.seen.GridPlacement.Spans;
 
 /**
  * State of the planner's cells by the World Modeler's grid: free, occupied or unknown. Not
