@@ -18,23 +18,16 @@ import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 
-/** Converts objects to shapes and traffic on the planning plane. Immutable. */
-final class ObjectReader {
+/**
+ * Converts objects to shapes and traffic on the planning plane. Immutable.
+ *
+ * @param vehicle state of the vehicle, for objects in its own axes
+ */
+record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
   /** Radius of an object that is only a point [m]. */
   private static final double POINT_RADIUS_M = 0.1;
 
   private static final double SKY = Double.POSITIVE_INFINITY;
-
-  private final PlanningPlane plane;
-  private final StateInformation vehicle;
-
-  /**
-   * @param vehicle state of the vehicle, for objects in its own axes
-   */
-  ObjectReader(PlanningPlane plane, StateInformation vehicle) {
-    this.plane = plane;
-    this.vehicle = vehicle;
-  }
 
   /** Converts an object to a frame of the plane. */
   private ObjectDescription placed(ObjectDescription object) {

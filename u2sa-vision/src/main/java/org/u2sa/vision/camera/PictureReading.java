@@ -13,7 +13,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.CameraMount;
-import org.u2sa.vision.ground.SlopeSigma;
+import org.u2sa.vision.ground.GroundSigma.SlopeSigma;
 import org.u2sa.vision.lens.CalibrationFile;
 import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.picture.JpegDecoder;

@@ -11,7 +11,7 @@ import org.u2sa.messages.frame.Point;
  * Extends a line parallel to the other line of its lane, because a lane keeps its width.
  * Coordinates in metres from the map's anchor.
  */
-final class LanePartner {
+record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Driven driven) {
   private static final double FACING = Math.cos(Math.toRadians(50.0));
   private static final double PARALLEL = Math.cos(Math.toRadians(30.0));
   private static final double SHARE_BESIDE = 0.6; // fraction of a lane side's points
@@ -22,18 +22,8 @@ final class LanePartner {
   private static final int LANE_STEP = 4;
   private static final int LANE_PLACES = 4; // minimum steps (2.4 m) of the driven lane
 
-  private final List<List<Point>> lines;
-  private final LineGaps.Reach reach;
-  private final LineGaps.Driven driven;
-
   /** A continuation beside another line, and whether the vehicle has driven between the two. */
   record Beside(List<Point> points, boolean driven) {}
-
-  LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Driven driven) {
-    this.lines = lines;
-    this.reach = reach;
-    this.driven = driven;
-  }
 
   /**
    * Finds the continuation beside the other line of the lane, at the same distance as at the end.

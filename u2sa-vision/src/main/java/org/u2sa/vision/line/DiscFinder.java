@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.ground.TopView;
+import org.u2sa.vision.line.PaintFinder.PaintedDisc;
 import org.u2sa.vision.picture.Shades;
 
 /**

@@ -2,6 +2,7 @@ package org.u2sa.vision.line;
 
 import java.util.Arrays;
 import org.u2sa.vision.ground.TopView;
+import org.u2sa.vision.line.PaintFinder.PaintSettings;
 import org.u2sa.vision.picture.Shades;
 
 /**

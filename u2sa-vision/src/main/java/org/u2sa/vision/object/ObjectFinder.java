@@ -10,6 +10,8 @@ import org.u2sa.device.port.CameraFrame;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.vision.ground.GroundSigma;
 import org.u2sa.vision.ground.GroundView;
+import org.u2sa.vision.object.ColourPatches.ColourClass;
+import org.u2sa.vision.object.ColourPatches.ColourPatch;
 
 /**
  * Detects barrels, sawhorses and flags by colour and size, and locates them by the pixel where they
