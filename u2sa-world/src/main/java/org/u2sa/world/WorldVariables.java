@@ -47,11 +47,8 @@ record WorldVariables(
         @Description(
             "Age of an expected sensor's newest measurement from which it counts as silent.")
         double silentAfter) {
-  /** Which objects are published. */
   enum Relevant {
-    /** Objects relevant to the current goals. */
     GOAL,
-    /** All objects. */
     ALL
   }
 

@@ -43,7 +43,6 @@ public final class CourseSight {
       List<PaintedDisc> discs,
       List<SeenObject> objects) {}
 
-  /** Creates a detector with these settings. */
   public CourseSight(CourseVariables settings) {
     this.settings = settings;
     top =

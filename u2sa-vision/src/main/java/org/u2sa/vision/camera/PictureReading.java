@@ -86,7 +86,6 @@ public final class PictureReading {
     return messages.of(seen, sight.sigma(seen.view().lens()).tilted(slope), micros);
   }
 
-  /** Decoded copy of the frame. */
   public CameraFrame unpacked(CameraFrame frame) {
     if (frame.format() != PixelFormat.JPEG) {
       return frame;
@@ -101,7 +100,6 @@ public final class PictureReading {
     return sight;
   }
 
-  /** Lens geometry in use. */
   public LensChoice lens() {
     return lenses;
   }

@@ -25,10 +25,8 @@ import org.u2sa.vision.object.SeenObject;
  * @param sensorName detecting sensor; prefix of each UID
  */
 public record SeenMessages(String sensorName, double lineWidthM) {
-  /** Type of a painted line. */
   public static final String LINE = "white line";
 
-  /** Type of a pothole marking. */
   public static final String POTHOLE = "pothole";
 
   /** Type reported for an image without detections. */

@@ -48,7 +48,6 @@ public final class GroundView {
     return new double[] {point.x(), point.y(), point.z()};
   }
 
-  /** The camera's geometry. */
   public LensCalibration lens() {
     return lens;
   }
@@ -117,7 +116,6 @@ public final class GroundView {
         : Optional.of(lens.pixel(across, below));
   }
 
-  /** A ground position, LEVEL. */
   public Point onGround(double forward, double toRight) {
     return Point.of(forward, toRight, groundZ);
   }
@@ -128,7 +126,6 @@ public final class GroundView {
     return Point.of(frd.x(), -frd.y(), frd.z());
   }
 
-  /** Converts from BODY to LEVEL. */
   public Point toLevel(Point body) {
     return levelFromBody.times(Point.of(body.x(), -body.y(), body.z()));
   }

@@ -15,7 +15,6 @@ final class LanePlace {
     this.begins = begins;
   }
 
-  /** Left (1) or right (−1) side. */
   Side side(double sign) {
     return sign > 0.0 ? left : right;
   }
@@ -64,7 +63,6 @@ final class LanePlace {
     return !Double.isNaN(left.awayM + right.awayM);
   }
 
-  /** One side of the lane at a position. */
   static final class Side {
     double seenM = Double.NaN; // distance of the seen line
     boolean sure; // whether that line is certain

@@ -63,7 +63,6 @@ record LineChains(List<List<Point>> lines, Set<List<Point>> sure) {
     return line;
   }
 
-  /** Whether a line was seen from several viewpoints. */
   boolean isSure(List<Point> line) {
     return sure.contains(line);
   }

@@ -35,18 +35,15 @@ final class LineGaps {
    * @param widestM widest lane [m]
    */
   record Reach(double gapM, double aloneM, double besideM, double narrowestM, double widestM) {
-    /** Whether a lane may be this wide. */
     boolean isLane(double widthM) {
       return widthM >= narrowestM && widthM <= widestM;
     }
   }
 
-  /** Ground that was observed. */
   interface Looked {
     boolean isKnown(double x, double y);
   }
 
-  /** Path the vehicle has driven. */
   interface Driven {
     boolean passesBetween(Point a, Point b);
   }
@@ -83,7 +80,6 @@ final class LineGaps {
     ends.forEach(this::extend);
   }
 
-  /** Closed gaps between two ends. */
   List<Joint> joined() {
     return joined;
   }
@@ -228,7 +224,6 @@ final class LineGaps {
       with.replaceAll(line -> line == first || line == second ? joined : line);
     }
 
-    /** All lines after joining. */
     List<List<Point>> all() {
       return all;
     }

@@ -9,14 +9,12 @@ final class LineGeometry {
 
   private LineGeometry() {}
 
-  /** Distance between two points. */
   static double metres(Point a, Point b) {
     double x = a.x() - b.x();
     double y = a.y() - b.y();
     return Math.sqrt(x * x + y * y); // hypot is ten times slower
   }
 
-  /** Length along a line. */
   static double lengthM(List<Point> line) {
     double length = 0.0;
     for (int i = 1; i < line.size(); i++) {

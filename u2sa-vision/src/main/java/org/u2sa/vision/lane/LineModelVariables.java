@@ -73,7 +73,6 @@ record LineModelVariables(
     return types;
   }
 
-  /** Limits of inferred lines. */
   LineGaps.Reach reach() {
     return new LineGaps.Reach(
         joinGap, lineExtension, Math.max(laneExtension, lineExtension), laneWidth, widestLane);

@@ -30,7 +30,6 @@ public final class ScanClusters extends EventDrivenService {
   private final AttitudeHistory attitudes = new AttitudeHistory();
   private long scans;
 
-  /** Launcher constructor. */
   public ScanClusters(ServiceContext context) {
     super(context, ServiceRole.EXTEROCEPTIVE_SENSOR, "ScanClusters");
     settings = settings(ClusterVariables.class).get();

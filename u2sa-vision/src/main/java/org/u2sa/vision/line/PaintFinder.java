@@ -11,7 +11,6 @@ public final class PaintFinder {
   private final LineTracer tracer;
   private final DiscFinder discs;
 
-  /** Detections. */
   public record Paint(List<PaintedLine> lines, List<PaintedDisc> discs) {}
 
   /**

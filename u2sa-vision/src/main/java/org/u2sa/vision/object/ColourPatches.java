@@ -165,7 +165,6 @@ final class ColourPatches {
       return Math.max(top, other.top) - Math.min(bottom, other.bottom) - 1;
     }
 
-    /** Union of both. */
     ColourPatch with(ColourPatch other) {
       return new ColourPatch(
           colour,
@@ -179,7 +178,6 @@ final class ColourPatches {
 
   /** Colours that identify objects on a course. The ordinal is the class number. */
   enum ColourClass {
-    /** None of them. */
     OTHER,
     /** Of barrels and sawhorses. */
     ORANGE,

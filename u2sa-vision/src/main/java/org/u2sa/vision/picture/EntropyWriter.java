@@ -71,7 +71,6 @@ final class EntropyWriter {
     }
   }
 
-  /** Pads the last byte with ones. */
   void end() {
     int missing = (Byte.SIZE - count) % Byte.SIZE;
     put((1 << missing) - 1, missing);

@@ -32,7 +32,6 @@ final class BeamTrace {
     freeBlocks = new FreeBlocks(window, freest);
   }
 
-  /** Begins a scan. */
   void begin() {
     freeBlocks.begin();
   }

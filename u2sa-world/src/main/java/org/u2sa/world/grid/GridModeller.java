@@ -19,7 +19,6 @@ import org.u2sa.world.modeller.Sighting;
  * unknown, the grid covers the latest scans only.
  */
 public final class GridModeller implements Modeller {
-  /** Variables of the grid. */
   public record Variables(
       @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = 0.1)
           @Description("Side of a grid cell. A change clears the grid.")
@@ -47,7 +46,6 @@ public final class GridModeller implements Modeller {
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 
-    /** Validates the limits. */
     public Variables {
       if (gridSize / cellSize > MAX_CELLS) {
         throw new IllegalArgumentException(
@@ -81,12 +79,10 @@ public final class GridModeller implements Modeller {
   private long beams;
   private boolean fresh; // in BODY: published since the last scan, so reset next
 
-  /** Creates an empty grid. */
   public GridModeller(Configurator configuration) {
     settings = configuration.settings(Variables.class);
   }
 
-  /** Grid for the current configuration. */
   private void prepare() {
     if (!settings.get().equals(tuning)) {
       Variables before = tuning;

@@ -46,7 +46,6 @@ final class MarkedCells {
     all[cell] = LogOdds.MARK;
   }
 
-  /** Passes on each marked cell. */
   void forEach(IntConsumer action) {
     for (int i = 0; i < count; i++) {
       action.accept(cells[i]);

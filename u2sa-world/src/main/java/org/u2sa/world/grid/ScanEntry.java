@@ -98,7 +98,6 @@ public final class ScanEntry {
     return beams;
   }
 
-  /** Number of scanners remembered. */
   int scanners() {
     return scanners.size();
   }

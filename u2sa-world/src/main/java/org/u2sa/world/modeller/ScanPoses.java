@@ -26,7 +26,6 @@ public record ScanPoses(Sighting first, Optional<StateInformation> last) {
     return SensorPose.of(scan, first.frame(), vehicle);
   }
 
-  /** Whether the vehicle moved during the scan. */
   public boolean moved() {
     return last.isPresent();
   }

@@ -53,7 +53,6 @@ final class MotionHypothesis {
     }
   }
 
-  /** Copies another model's state. */
   void adopt(MotionHypothesis other) {
     for (int i = 0; i < AXES; i++) {
       axes[i] = other.axes[i].copy();
@@ -67,14 +66,12 @@ final class MotionHypothesis {
     }
   }
 
-  /** Updates with a measured position. */
   void update(Point place, Point sigma) {
     for (int i = 0; i < AXES; i++) {
       axes[i].update(axis(place, i), Math.max(MIN_VARIANCE, squared(axis(sigma, i))));
     }
   }
 
-  /** Updates with a measured velocity. */
   void updateSpeed(Optional<Point> velocity, OptionalDouble sigma) {
     for (int i = 0; i < AXES && velocity.isPresent(); i++) {
       axes[i].updateSpeed(axis(velocity.get(), i), squared(sigma.orElse(1.0)));
@@ -182,7 +179,6 @@ final class MotionHypothesis {
       speedVariance += noise * seconds;
     }
 
-    /** Returns a copy. */
     AxisFilter copy() {
       AxisFilter copy = new AxisFilter(place, placeVariance, speed, speedVariance);
       copy.covariance = covariance;

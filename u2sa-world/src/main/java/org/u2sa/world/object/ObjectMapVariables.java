@@ -96,13 +96,11 @@ record ObjectMapVariables(
     FieldOfView.parse(fieldsOfView);
   }
 
-  /** Motion assumptions for an object type. */
   TrackFilter.Assumptions assumptions(String type) {
     boolean moves = type.isEmpty() || names(movers, type);
     return new TrackFilter.Assumptions(moves ? usualSpeed : 0.0, manoeuvres, systematicSigma);
   }
 
-  /** Whether scanners see objects of that type. */
   boolean scannerSees(String type) {
     return names(scannersSee, type);
   }

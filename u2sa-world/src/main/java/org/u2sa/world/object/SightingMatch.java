@@ -10,7 +10,6 @@ import java.util.List;
  * of a hundred objects is little more than a hundred times that of one.
  */
 record SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
-  /** No object. */
   static final int NONE = -1;
 
   /** Index of each sighting's object in the list of tracks, or {@link #NONE}. */

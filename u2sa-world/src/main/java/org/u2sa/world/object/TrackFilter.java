@@ -129,7 +129,6 @@ final class TrackFilter {
     return least;
   }
 
-  /** Updates with a measurement. */
   void update(Point place, Point sigma, Optional<Point> velocity, OptionalDouble velocitySigma) {
     weigh(place, sigma);
     standing.update(place, sigma);
@@ -171,7 +170,6 @@ final class TrackFilter {
     }
   }
 
-  /** Probability that it moves. */
   private double chance() {
     return steady.chance() + turning.chance();
   }
