@@ -62,12 +62,10 @@ record PlanningVariables(
     STOP
   }
 
-  /** Settings of line following. */
   LineSettings lines() {
     return lines(altitudeProfile);
   }
 
-  /** Settings of line following with the given altitude profile. */
   LineSettings lines(AltitudeProfile altitudes) {
     return new LineSettings(
         lookAhead,

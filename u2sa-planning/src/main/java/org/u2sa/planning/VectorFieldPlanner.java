@@ -19,7 +19,6 @@ public final class VectorFieldPlanner extends PathPlanner {
           @Description("Angle at which a vehicle far off the line returns to it.")
           double interceptAngle) {}
 
-  /** Launcher constructor. */
   public VectorFieldPlanner(ServiceContext context) {
     super(context, VectorFieldPlanner::guidance);
   }

@@ -123,10 +123,7 @@ public final class WorldModeler extends PeriodicService {
         .forEach(modeller -> modeller.known(placed(), known(now())));
   }
 
-  /**
-   * A priori objects count as known from the time the file was loaded, whichever modeller asks
-   * later.
-   */
+  /** A priori objects are known from when the file was loaded, whichever modeller asks later. */
   private Sighting known(Sighting now) {
     return new Sighting(knownMicros, now.frame(), now.vehicle());
   }

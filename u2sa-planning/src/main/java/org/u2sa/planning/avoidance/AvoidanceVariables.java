@@ -135,7 +135,6 @@ public record AvoidanceVariables(
   private static final int EFFORTS_IN_FLIGHT = 5;
   private static final double OCCUPIED_ABOVE = 0.65; // probability of a cell of the grid
 
-  /** Validates the list of sides. */
   public AvoidanceVariables {
     PassSides.parse(passSides);
   }
@@ -204,15 +203,11 @@ public record AvoidanceVariables(
     return Math.min(0.5 * clearance, TOUCH_CELLS * cellM);
   }
 
-  /** Whether the vehicle can stop. */
   public boolean stops() {
     return minSpeed == 0.0;
   }
 
-  /**
-   * Number of nodes to search per state; larger for vehicles that cannot stop, which need their
-   * route sooner.
-   */
+  /** Nodes to search per state; more for vehicles that cannot stop and need their route sooner. */
   int effort() {
     return stops() ? planningEffort : EFFORTS_IN_FLIGHT * planningEffort;
   }

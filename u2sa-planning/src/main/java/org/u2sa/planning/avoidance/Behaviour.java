@@ -9,7 +9,6 @@ import org.u2sa.planning.local.RouteTrack;
 
 /** State of a {@link GoalAttempt}: what the vehicle does to reach its goal. */
 sealed interface Behaviour {
-  /** Chooses the motion of this step. */
   ArcChoice choose(ArcChooser arcs, Situation now);
 
   /** Excludes time in which traffic held the vehicle up [µs]. */

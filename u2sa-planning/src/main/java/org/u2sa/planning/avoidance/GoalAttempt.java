@@ -50,7 +50,6 @@ final class GoalAttempt {
     behaviour = new Searching(routes, micros);
   }
 
-  /** Whether the vehicle has freed itself at least once. */
   boolean hasRecovered() {
     return recoveries > 0;
   }
@@ -141,9 +140,6 @@ final class GoalAttempt {
     private long lastMicros;
     private long heldMicros;
 
-    /**
-     * @param micros time at which the goal is begun [µs]
-     */
     TrafficHold(long micros) {
       lastMicros = micros;
     }

@@ -19,10 +19,7 @@ final class Passages {
     this.turnsOnTheSpot = turnsOnTheSpot;
   }
 
-  /**
-   * Restricts routes to wide passages, because the goal changed or the vehicle got stuck in a
-   * narrow one.
-   */
+  /** Restricts routes to wide passages: the goal changed, or a narrow one held the vehicle. */
   void widen() {
     isNarrow = false;
   }
@@ -34,7 +31,6 @@ final class Passages {
     return begins;
   }
 
-  /** How the world is read. */
   SeenWorld.Reading reading() {
     return settings.get().reading(turnsOnTheSpot.getAsBoolean(), isNarrow);
   }

@@ -24,9 +24,6 @@ final class VirtualObstacles {
   private final PassSides sides = new PassSides();
   private List<PlanarShape> wayBack = List.of();
 
-  /**
-   * @param world world to which they are added
-   */
   VirtualObstacles(SeenWorld world) {
     this.world = world;
   }
@@ -102,7 +99,6 @@ final class VirtualObstacles {
     private final List<Closure> closures = new ArrayList<>();
     private List<PlanarShape> closed = List.of();
 
-    /** Shapes of the closed gaps. */
     List<PlanarShape> shapes() {
       return closed;
     }
@@ -185,10 +181,7 @@ final class VirtualObstacles {
               new double[] {left[1], behind.eastM(), right[1]}));
     }
 
-    /**
-     * North and east of the nearest point of a chain on one side (1: right); an empty array if
-     * none.
-     */
+    /** Nearest point of a chain on one side (1: right), north and east; an empty array if none. */
     private static double[] nearest(
         List<PlanarShape> shapes, Pose pose, double reachM, double side) {
       double[] found = {};

@@ -18,7 +18,6 @@ public final class Dubins {
 
   private Dubins() {}
 
-  /** Shortest path between two poses. */
   public static Curve shortest(Pose from, Pose to, double radiusM) {
     Pose rel = from.relative(to);
     double dx = rel.northM() / radiusM;

@@ -24,10 +24,7 @@ public record LineSettings(
         return share -> targetDownM;
       }
     },
-    /**
-     * In proportion to the distance along the leg, if both ends have an altitude; otherwise at
-     * once.
-     */
+    /** In proportion to the distance along the leg if both ends have an altitude, else at once. */
     LINEAR {
       @Override
       Slope along(Place start, Place end, Vehicle vehicle, double targetDownM) {
@@ -40,7 +37,6 @@ public record LineSettings(
       }
     };
 
-    /** Altitudes on a leg. */
     interface Slope {
       /** Depth of the path below the vehicle [m], at a share of the leg's length. */
       double downM(double share);

@@ -16,7 +16,6 @@ import org.u2sa.planning.search.ThetaStar;
  * any-angle paths from scratch ({@link ThetaStar}).
  */
 final class GridRoutes implements RoutePlanner {
-  /** Searches a grid from a cell to a place. */
   private interface Search {
     Optional<GridPath> plan(CostGrid grid, int from, double goalNorthM, double goalEastM);
   }

@@ -81,7 +81,6 @@ final class HybridRoutes implements RoutePlanner {
             GOAL_SHARE * request.toleranceM()));
   }
 
-  /** Whether the search in progress is for this request. */
   private boolean goesOn(RouteRequest now) {
     if (begun == null || begun.costs() != now.costs()) {
       return false;

@@ -43,7 +43,6 @@ public final class BodyDiscs {
     return new BodyDiscs(frontM, rearM, widthM, close);
   }
 
-  /** Number of discs. */
   public int count() {
     return ahead.length;
   }
@@ -63,10 +62,7 @@ public final class BodyDiscs {
     return circleM;
   }
 
-  /**
-   * Distance between the discs and the nearest occupied cell [m], possibly underestimated if more
-   * than a cell; negative if they touch.
-   */
+  /** Clearance of the discs [m], possibly underestimated above a cell; negative if they touch. */
   public double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
     return clearanceM(grid, northM, eastM, headingRad, grid.frame().cellM());
   }
@@ -91,18 +87,12 @@ public final class BodyDiscs {
     return least - radiusM;
   }
 
-  /**
-   * A rectangular vehicle, covered closely by small discs: collision checking to a few centimetres
-   * on all four sides. Immutable.
-   */
+  /** A rectangular vehicle covered closely by small discs: exact to a few centimetres all round. */
   static final class CloseCover {
     private final double[] ahead; // of the reference point [m]
     private final double[] aside;
     private final double radiusM;
 
-    /**
-     * @param spacingM maximum spacing of discs [m]
-     */
     CloseCover(double frontM, double rearM, double widthM, double spacingM) {
       double length = frontM + rearM;
       ahead = middles(-rearM, length, spacingM);

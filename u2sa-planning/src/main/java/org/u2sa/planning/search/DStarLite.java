@@ -78,11 +78,7 @@ public final class DStarLite {
     return expanded;
   }
 
-  /**
-   * Finds the cheapest path in the current grid.
-   *
-   * @param from index of a free cell
-   */
+  /** Finds the cheapest path in the current grid from a free cell. */
   public Optional<GridPath> plan(int from) {
     expanded = 0;
     boolean first = last < 0;

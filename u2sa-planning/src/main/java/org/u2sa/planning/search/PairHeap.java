@@ -45,7 +45,6 @@ final class PairHeap {
     return a1 < b1 || (a1 == b1 && a2 < b2);
   }
 
-  /** Adds a cell or changes its keys. */
   void put(int cell, double one, double other) {
     int at = place[cell] - 1;
     if (at < 0) {

@@ -28,14 +28,12 @@ public final class ThetaStar {
   private PairHeap open = new PairHeap(0);
   private int search;
 
-  /** Creates an any-angle search. */
   public ThetaStar() {
     this(true);
   }
 
   /**
-   * @param anyAngle false for legs between neighbouring cells, plain A* (Hart, Nilsson, Raphael
-   *     1968)
+   * @param anyAngle false: legs between neighbouring cells, plain A* (Hart, Nilsson, Raphael 1968)
    */
   ThetaStar(boolean anyAngle) {
     this.anyAngle = anyAngle;
@@ -178,10 +176,7 @@ public final class ThetaStar {
             a / frame.columns() - b / frame.columns(), a % frame.columns() - b % frame.columns());
   }
 
-  /**
-   * Length of a vector. Math.hypot guards against overflow, which is unnecessary here, and is many
-   * times slower.
-   */
+  /** Length of a vector; Math.hypot also guards against overflow, but is many times slower. */
   private static double length(double north, double east) {
     return Math.sqrt(north * north + east * east);
   }

@@ -68,10 +68,7 @@ final class GridLayer {
     return said;
   }
 
-  /**
-   * Draws runs of equal cells as one; skips cells outside the plan, of which a grid from elsewhere
-   * may have millions.
-   */
+  /** Draws runs of equal cells as one; skips the cells outside the plan, possibly millions. */
   private void draw() {
     Spans northward = placement.northward();
     Spans eastward = placement.eastward();

@@ -63,7 +63,6 @@ final class GridPlacement {
             frame.columns());
   }
 
-  /** Whether the placement is for the given plan. */
   boolean isOn(PlanningPlane otherPlane, GridFrame otherFrame) {
     return plane == otherPlane && frame.equals(otherFrame);
   }
@@ -80,17 +79,14 @@ final class GridPlacement {
             && other.resolution() == grid.resolution();
   }
 
-  /** The plan's cells. */
   GridFrame frame() {
     return frame;
   }
 
-  /** Columns of the grid. */
   int columns() {
     return columns;
   }
 
-  /** Rows of the grid. */
   int rows() {
     return rows;
   }
@@ -146,7 +142,6 @@ final class GridPlacement {
     return corner.y() + column * eastByColumn + row * eastByRow;
   }
 
-  /** Centre of a cell on the plane. */
   private Point middle(int column, int row) {
     return plane.ned(grid.referenceFrame(), grid.centerOf(column, row));
   }

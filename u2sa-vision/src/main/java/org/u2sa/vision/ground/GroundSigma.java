@@ -40,9 +40,7 @@ public record GroundSigma(double pixelRad, double tiltRad, double yawRad, double
     return turned(way, alongM(range, heightM), acrossM(range));
   }
 
-  /**
-   * Rotates standard deviations along and across a direction to the axes forward, right, down [m].
-   */
+  /** Rotates deviations along and across a direction to the axes forward, right, down [m]. */
   public Point turned(Point way, double along, double across) {
     double range = Math.max(1e-9, Math.hypot(way.x(), way.y()));
     double cos = way.x() / range;

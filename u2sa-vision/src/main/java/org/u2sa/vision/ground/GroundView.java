@@ -67,10 +67,7 @@ public final class GroundView {
     return atHeight(column, row, 0.0);
   }
 
-  /**
-   * Intersection of a pixel's ray with a plane at a height above the ground [m], LEVEL; empty if
-   * none.
-   */
+  /** A pixel's ray at a height above the ground [m], LEVEL; empty if it does not get there. */
   public Optional<Point> atHeight(double column, double row, double heightM) {
     Optional<Spot> seen = lens.place(column, row);
     if (!seen.isPresent()) {

@@ -46,10 +46,7 @@ record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Drive
     return best;
   }
 
-  /**
-   * Finds the continuation of an inferred side of the vehicle's lane, beside the other line of that
-   * lane.
-   */
+  /** Continuation of an inferred side of the vehicle's lane, beside the lane's other line. */
   List<Point> onward(LineEnd end, Point vehicle) {
     List<Point> best = List.of();
     for (List<Point> other : lines) {
@@ -118,9 +115,7 @@ record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Drive
     return points;
   }
 
-  /**
-   * Where the same side of the lane resumes: the nearest line end on that side of the other line.
-   */
+  /** Where the same side of the lane resumes: the nearest line end on that side of the other. */
   private Optional<Point> meeting(Point from, List<Point> own, List<Point> other, double left) {
     return lines.stream()
         .filter(line -> line != own && line != other)

@@ -19,9 +19,7 @@ final class LanePlace {
     return sign > 0.0 ? left : right;
   }
 
-  /**
-   * Sets both sides. An unseen side follows from the lane's width, or keeps its previous distance.
-   */
+  /** Sets both sides; an unseen one follows from the lane's width or keeps its distance. */
   void set(double widthM, LanePlace before) {
     boolean inLane = !Double.isNaN(widthM) && before != null;
     for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {

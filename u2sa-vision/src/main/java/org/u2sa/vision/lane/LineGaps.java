@@ -175,9 +175,7 @@ final class LineGaps {
     return places > 0 && gone >= KNOWN * reach.gapM() && known >= KNOWN * places;
   }
 
-  /**
-   * Whether an end belongs to a longer line that was seen twice at slightly different positions.
-   */
+  /** Whether an end belongs to a longer line that was seen twice, slightly apart. */
   private boolean isBesideLonger(LineEnd end) {
     for (List<Point> line : lines) {
       boolean longer = line != end.line() && line.size() > end.line().size();

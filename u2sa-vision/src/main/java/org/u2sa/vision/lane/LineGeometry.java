@@ -41,10 +41,7 @@ final class LineGeometry {
     return new double[] {(to.x() - from.x()) / length, (to.y() - from.y()) / length};
   }
 
-  /**
-   * Signed distance of a place from a line at one of its points, positive to the left of its
-   * direction.
-   */
+  /** Distance of a place from a line at one of its points, positive to the direction's left. */
   static double leftM(Point place, List<Point> line, int at) {
     double[] way = direction(line, at);
     return way[0] * (place.y() - line.get(at).y()) - way[1] * (place.x() - line.get(at).x());

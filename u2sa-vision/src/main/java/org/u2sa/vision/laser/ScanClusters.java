@@ -91,10 +91,7 @@ public final class ScanClusters extends EventDrivenService {
     return Optional.of(fit.isPresent() ? round(fit.get(), height) : around(group, extent, height));
   }
 
-  /**
-   * Whether a fit has a plausible size, a small residual, and its centre behind the echoes as seen
-   * from the vehicle.
-   */
+  /** Whether a fit has a plausible size, a small residual, and its centre behind the echoes. */
   private boolean isRound(CircleFit circle, List<Point> group) {
     Point middle = group.get(group.size() / 2);
     return circle.radius() >= settings.minRadius()

@@ -28,10 +28,7 @@ public final class PaintFinder {
     return new Paint(tracer.trace(map, top, view), discs.find(map, top, view));
   }
 
-  /**
-   * Paint strength of each cell in the last view, 0 for none; unsigned, row-major from the nearest
-   * row. For display.
-   */
+  /** Paint strength of each cell in the last view, 0 for none; unsigned, nearest row first. */
   public byte[] strength() {
     return map.strength();
   }

@@ -90,10 +90,7 @@ public final class ObjectFinder {
     }
   }
 
-  /**
-   * Merges the stripes of a plank into one patch, then the bands of a barrel and the planks of a
-   * trestle.
-   */
+  /** Merges the stripes of a plank, then the bands of a barrel and the planks of a trestle. */
   private static List<ColourPatch> joined(List<ColourPatch> single) {
     return joined(joined(single, ObjectFinder::areStripes), ObjectFinder::areBands);
   }
@@ -330,9 +327,7 @@ public final class ObjectFinder {
         .orElse(RangeEstimate.UNKNOWN);
   }
 
-  /**
-   * Distance from the apparent height; off-axis barrels lean in the image but keep their height.
-   */
+  /** Distance from the apparent height; off-axis barrels lean in the image but keep theirs. */
   private static RangeEstimate byHeight(
       double heightM, ColourPatch patch, double middle, GroundView view) {
     Optional<Point> top = view.ray(middle, patch.top() - 0.5);

@@ -9,9 +9,7 @@ import java.util.Arrays;
  * earlier scans found free; blocks of such cells are skipped without reading them.
  */
 final class BeamTrace {
-  /**
-   * Fixed-point positions within a row or column; doubles would dominate the time of a long beam.
-   */
+  /** Fixed-point positions in a row or column; doubles would dominate the time of a long beam. */
   private static final int FRACTION_BITS = 32;
 
   private static final double FRACTIONS = 1L << FRACTION_BITS;
@@ -171,9 +169,7 @@ final class BeamTrace {
       blocks[block(cell % side, cell / side)] = 0;
     }
 
-    /**
-     * Whether all cells of the block around a cell are at their minimum; false if it is cut off.
-     */
+    /** Whether all cells of a cell's block are at their minimum; false if the block is cut off. */
     boolean isFree(int column, int row) {
       int block = block(column, row);
       if (blocks[block] == 0) {

@@ -92,9 +92,7 @@ final class MotionHypothesis {
     return sum;
   }
 
-  /**
-   * Assignment cost: the distance plus penalties for an uncertain prediction and an unlikely model.
-   */
+  /** Assignment cost: distance plus penalties for uncertain predictions and unlikely models. */
   double cost(Point place, Point sigma, double common) {
     double cost = distance(place, sigma, common) - 2.0 * Math.log(chance);
     for (int i = 0; i < AXES; i++) {

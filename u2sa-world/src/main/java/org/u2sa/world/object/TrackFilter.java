@@ -104,10 +104,7 @@ final class TrackFilter {
     seenAt = standing.place();
   }
 
-  /**
-   * Squared Mahalanobis distance of a measurement from the prediction, by the model that explains
-   * it best.
-   */
+  /** Squared Mahalanobis distance of a measurement from the best explaining model's prediction. */
   double distance(Point place, Point sigma) {
     double least = Double.POSITIVE_INFINITY;
     for (MotionHypothesis each : all) {
