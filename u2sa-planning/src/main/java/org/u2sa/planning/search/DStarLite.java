@@ -25,8 +25,8 @@ public final class DStarLite {
 
   private final CostGrid grid;
   private final GridFrame frame;
-  private final double goalNorthM;
-  private final double goalEastM;
+  final double goalNorthM;
+  final double goalEastM;
   private final int goal; // −1: outside
   private final float[] cost; // as of the last search
   private final double[] g;
@@ -63,14 +63,6 @@ public final class DStarLite {
             : Math.abs(north - goalNorthM) <= SAME_GOAL * frame.cellM()
                 && Math.abs(east - goalEastM) <= SAME_GOAL * frame.cellM();
     return grid == costs && isThere;
-  }
-
-  double goalNorthM() {
-    return goalNorthM;
-  }
-
-  double goalEastM() {
-    return goalEastM;
   }
 
   /** Number of cells expanded by the last search. */

@@ -19,17 +19,17 @@ final class GridPlacement {
 
   private final OccupancyGrid grid;
   private final PlanningPlane plane;
-  private final GridFrame frame;
-  private final int columns;
-  private final int rows;
+  final GridFrame frame;
+  final int columns;
+  final int rows;
   private final Point corner;
   private final double northByColumn;
   private final double northByRow;
   private final double eastByColumn;
   private final double eastByRow;
   private final double half;
-  private final Spans northward;
-  private final Spans eastward;
+  final Spans northward; // rows of the plan that rows of the grid cover
+  final Spans eastward; // the same for columns
 
   GridPlacement(OccupancyGrid grid, PlanningPlane plane, GridFrame frame) {
     this.grid = grid;
@@ -79,58 +79,36 @@ final class GridPlacement {
             && other.resolution() == grid.resolution();
   }
 
-  GridFrame frame() {
-    return frame;
-  }
-
-  int columns() {
-    return columns;
-  }
-
-  int rows() {
-    return rows;
-  }
-
-  /** Rows of the plan that rows of the grid cover. */
-  Spans northward() {
-    return northward;
-  }
-
-  /** Columns of the plan that columns of the grid cover. */
-  Spans eastward() {
-    return eastward;
-  }
-
   /** Whether both have about the same axes. */
   boolean isAligned() {
-    return northward.isAligned() && eastward.isAligned();
+    return northward.isAligned && eastward.isAligned;
   }
 
   /** First row of the plan that a cell covers. */
   int firstRow(int column, int row) {
-    return northward.fits(row)
-        ? northward.first(row)
+    return northward.fits[row]
+        ? northward.first[row]
         : Math.max(0, frame.row(north(column, row) - half));
   }
 
   /** The last one. */
   int lastRow(int column, int row) {
-    return northward.fits(row)
-        ? northward.last(row)
+    return northward.fits[row]
+        ? northward.last[row]
         : Math.min(frame.rows() - 1, frame.row(north(column, row) + half));
   }
 
   /** First column of the plan that a cell covers. */
   int firstColumn(int column, int row) {
-    return eastward.fits(column)
-        ? eastward.first(column)
+    return eastward.fits[column]
+        ? eastward.first[column]
         : Math.max(0, frame.column(east(column, row) - half));
   }
 
   /** The last one. */
   int lastColumn(int column, int row) {
-    return eastward.fits(column)
-        ? eastward.last(column)
+    return eastward.fits[column]
+        ? eastward.last[column]
         : Math.min(frame.columns() - 1, frame.column(east(column, row) + half));
   }
 
@@ -151,12 +129,12 @@ final class GridPlacement {
    * it covers from end to end, and back. Immutable.
    */
   static final class Spans {
-    private final int[] first;
-    private final int[] last; // less than first if outside
-    private final boolean[] fits;
-    private final int[] firstOver; // by row of the plan
-    private final int[] lastOver; // less than first if not covered
-    private boolean isAligned = true;
+    final int[] first; // row of the plan that a row of the grid covers
+    final int[] last; // less than first if outside
+    final boolean[] fits; // whether all cells of a line cover the same rows
+    final int[] firstOver; // row of the grid that may cover a row of the plan
+    final int[] lastOver; // less than first if not covered
+    final boolean isAligned; // whether every line spans at most one row boundary of the plan
 
     /**
      * @param lines number of rows or columns of the grid
@@ -180,6 +158,7 @@ final class GridPlacement {
       lastOver = new int[limit];
       Arrays.fill(firstOver, lines);
       Arrays.fill(lastOver, -1);
+      boolean aligned = true;
       for (int i = 0; i < lines; i++) {
         double from = begin.applyAsDouble(i);
         double to = end.applyAsDouble(i);
@@ -188,7 +167,7 @@ final class GridPlacement {
         int endLow = index.applyAsInt(to - half);
         int endHigh = index.applyAsInt(to + half);
         fits[i] = low == endLow && high == endHigh;
-        isAligned &= Math.abs(endLow - low) <= 1 && Math.abs(endHigh - high) <= 1;
+        aligned &= Math.abs(endLow - low) <= 1 && Math.abs(endHigh - high) <= 1;
         first[i] = Math.max(0, Math.min(low, endLow));
         last[i] = Math.min(limit - 1, Math.max(high, endHigh));
         for (int k = first[i]; k <= last[i]; k++) {
@@ -196,36 +175,7 @@ final class GridPlacement {
           lastOver[k] = Math.max(lastOver[k], i);
         }
       }
-    }
-
-    /** First row of the plan that a row of the grid covers. */
-    int first(int line) {
-      return first[line];
-    }
-
-    /** Last row of the plan that a row of the grid covers; less than the first if outside. */
-    int last(int line) {
-      return last[line];
-    }
-
-    /** Whether all cells of a line cover the same rows; false where the axes differ. */
-    boolean fits(int line) {
-      return fits[line];
-    }
-
-    /** Whether every line spans at most one row boundary of the plan. */
-    boolean isAligned() {
-      return isAligned;
-    }
-
-    /** First row of the grid with a cell that may cover a row of the plan. */
-    int firstOver(int planned) {
-      return firstOver[planned];
-    }
-
-    /** Last row of the grid with such a cell; less than the first if none. */
-    int lastOver(int planned) {
-      return lastOver[planned];
+      isAligned = aligned;
     }
   }
 }

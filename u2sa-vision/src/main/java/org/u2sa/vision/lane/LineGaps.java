@@ -76,7 +76,7 @@ final class LineGaps {
     }
     strings = new JoinedLines(lines);
     join(ends);
-    partner = new LanePartner(strings.all(), reach, driven);
+    partner = new LanePartner(strings.all, reach, driven);
     ends.forEach(this::extend);
   }
 
@@ -220,10 +220,6 @@ final class LineGaps {
       all.removeIf(line -> line == first || line == second);
       all.add(joined);
       with.replaceAll(line -> line == first || line == second ? joined : line);
-    }
-
-    List<List<Point>> all() {
-      return all;
     }
 
     /** Joined line that contains this line. */

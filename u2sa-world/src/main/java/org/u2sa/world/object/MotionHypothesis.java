@@ -39,8 +39,7 @@ final class MotionHypothesis {
   void goes(Point velocity, double sigma) {
     for (int i = 0; i < AXES; i++) {
       axes[i] =
-          new AxisFilter(
-              axes[i].place(), axes[i].placeVariance(), axis(velocity, i), squared(sigma));
+          new AxisFilter(axes[i].place, axes[i].placeVariance, axis(velocity, i), squared(sigma));
     }
   }
 
@@ -49,7 +48,7 @@ final class MotionHypothesis {
     for (int i = 0; i < AXES; i++) {
       axes[i] =
           new AxisFilter(
-              other.axes[i].place(), other.axes[i].placeVariance(), 0.0, squared(speedSigma));
+              other.axes[i].place, other.axes[i].placeVariance, 0.0, squared(speedSigma));
     }
   }
 
@@ -86,8 +85,8 @@ final class MotionHypothesis {
   double distance(Point place, Point sigma, double common) {
     double sum = 0.0;
     for (int i = 0; i < AXES; i++) {
-      double total = axes[i].placeVariance() + squared(axis(sigma, i)) + common;
-      sum += total == 0.0 ? 0.0 : squared(axis(place, i) - axes[i].place()) / total;
+      double total = axes[i].placeVariance + squared(axis(sigma, i)) + common;
+      sum += total == 0.0 ? 0.0 : squared(axis(place, i) - axes[i].place) / total;
     }
     return sum;
   }
@@ -97,7 +96,7 @@ final class MotionHypothesis {
     double cost = distance(place, sigma, common) - 2.0 * Math.log(chance);
     for (int i = 0; i < AXES; i++) {
       double measured = Math.max(MIN_VARIANCE, squared(axis(sigma, i)) + common);
-      cost += Math.log(1.0 + axes[i].placeVariance() / measured);
+      cost += Math.log(1.0 + axes[i].placeVariance / measured);
     }
     return cost;
   }
@@ -106,7 +105,7 @@ final class MotionHypothesis {
   double likelihood(Point place, Point sigma) {
     double log = -0.5 * distance(place, sigma, 0.0);
     for (int i = 0; i < AXES; i++) {
-      double total = axes[i].placeVariance() + squared(axis(sigma, i));
+      double total = axes[i].placeVariance + squared(axis(sigma, i));
       log -= total == 0.0 ? 0.0 : 0.5 * Math.log(total);
     }
     return log;
@@ -114,25 +113,25 @@ final class MotionHypothesis {
 
   /** Position [m]. */
   Point place() {
-    return Point.of(axes[0].place(), axes[1].place(), axes[2].place());
+    return Point.of(axes[0].place, axes[1].place, axes[2].place);
   }
 
   /** Standard deviations of the position, including the common error of all measurements [m]. */
   Point sigma(double common) {
     return Point.of(
-        Math.sqrt(common + Math.max(0.0, axes[0].placeVariance())),
-        Math.sqrt(common + Math.max(0.0, axes[1].placeVariance())),
-        Math.sqrt(common + Math.max(0.0, axes[2].placeVariance())));
+        Math.sqrt(common + Math.max(0.0, axes[0].placeVariance)),
+        Math.sqrt(common + Math.max(0.0, axes[1].placeVariance)),
+        Math.sqrt(common + Math.max(0.0, axes[2].placeVariance)));
   }
 
   /** Velocity [m/s]. */
   Point velocity() {
-    return Point.of(axes[0].speed(), axes[1].speed(), axes[2].speed());
+    return Point.of(axes[0].speed, axes[1].speed, axes[2].speed);
   }
 
   /** Larger standard deviation of the horizontal velocity components [m/s]. */
   double velocitySigma() {
-    return Math.sqrt(Math.max(0.0, Math.max(axes[0].speedVariance(), axes[1].speedVariance())));
+    return Math.sqrt(Math.max(0.0, Math.max(axes[0].speedVariance, axes[1].speedVariance)));
   }
 
   private static double axis(Point point, int i) {
@@ -149,8 +148,8 @@ final class MotionHypothesis {
    * section 6.2.2).
    */
   static final class AxisFilter {
-    private double place;
-    private double speed;
+    private double place; // [m]
+    private double speed; // [m/s]
     private double placeVariance;
     private double covariance;
     private double speedVariance;
@@ -207,26 +206,6 @@ final class MotionHypothesis {
       placeVariance -= placeGain * covariance;
       covariance *= 1.0 - gain;
       speedVariance *= 1.0 - gain;
-    }
-
-    /** Position [m]. */
-    double place() {
-      return place;
-    }
-
-    /** Velocity [m/s]. */
-    double speed() {
-      return speed;
-    }
-
-    /** Position variance [m²]. */
-    double placeVariance() {
-      return placeVariance;
-    }
-
-    /** Velocity variance [m²/s²]. */
-    double speedVariance() {
-      return speedVariance;
     }
   }
 }
