@@ -13,7 +13,7 @@ import org.u2sa.drivers.nmea.NmeaSentence;
  * Parser of NMEA 0183 compasses: HDG and HDM (magnetic), HDT (true). HDG's deviation is applied;
  * its variation is not, because it was entered manually and the geomagnetic model is more accurate.
  */
-public final class NmeaCompass {
+final class NmeaCompass {
   private static final double TURN_DEG = 360.0;
   private static final double HALF_TURN_DEG = 180.0;
 
@@ -21,9 +21,9 @@ public final class NmeaCompass {
 
   private NmeaCompass() {}
 
-  /** Converts bytes to headings. */
-  public static NmeaParser<Heading> parser() {
-    return new NmeaParser<>(new NmeaCompass()::heading);
+  /** Converts sentences to headings. */
+  static NmeaParser.Meaning<Heading> meaning() {
+    return new NmeaCompass()::heading;
   }
 
   private Optional<Heading> heading(NmeaSentence sentence, long nowMicros) {
@@ -42,8 +42,6 @@ public final class NmeaCompass {
       return Optional.of(Heading.ofDegrees(nowMicros, headingDeg, said.isTrue()));
     } catch (DataNotAvailableException e) { // sent by some compasses during calibration
       throw new IllegalArgumentException("no heading", e);
-    } catch (RuntimeException e) { // marineapi throws various exceptions on malformed sentences
-      throw new IllegalArgumentException(e.getMessage(), e);
     }
   }
 

@@ -1,6 +1,5 @@
 package org.u2sa.drivers.gps;
 
-import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.device.port.GpsFix;
 import org.u2sa.drivers.link.ByteParser;
@@ -10,7 +9,7 @@ import org.u2sa.drivers.link.ByteParser;
  * and NAV-SOL or NAV-STATUS of one time of week (LEA-6 and older). Formats: u-blox 6 Receiver
  * Description GPS.G6-SW-10018, u-blox 8 / M8 Receiver Description UBX-13003221.
  */
-public final class UbxGps implements ByteParser<GpsFix> {
+public final class UbxGps extends ByteParser<GpsFix> {
   static final int NAV_POSLLH = 0x0102;
   static final int NAV_STATUS = 0x0103;
   static final int NAV_SOL = 0x0106;
@@ -34,14 +33,10 @@ public final class UbxGps implements ByteParser<GpsFix> {
   private static final double M_PER_MM = 1e-3;
   private static final double MPS_PER_CMPS = 1e-2;
 
-  private final UbxFramer framer = new UbxFramer();
-  private final UbxFramer.Sink sink = this::take;
+  private final UbxFramer framer = new UbxFramer(this::take, this::refuse);
   private final UbxEpoch epoch = new UbxEpoch();
   private Acknowledgements acknowledgements = (kind, isAccepted) -> {};
   private long nowMicros;
-  private Optional<GpsFix> latest = Optional.empty();
-  private long refused;
-  private String lastRefusal = "";
 
   /** Receives acknowledgements. */
   @FunctionalInterface
@@ -60,7 +55,7 @@ public final class UbxGps implements ByteParser<GpsFix> {
   @Override
   public void accept(byte[] bytes, int length, long now) {
     nowMicros = now;
-    framer.accept(bytes, length, sink);
+    framer.accept(bytes, length);
   }
 
   private void take(UbxPayload message) {
@@ -86,8 +81,7 @@ public final class UbxGps implements ByteParser<GpsFix> {
         default -> {} // not requested
       }
     } catch (IllegalArgumentException e) {
-      refused++;
-      lastRefusal = String.format("UBX message %04X: %s", message.kind(), e.getMessage());
+      refuse(String.format("UBX message %04X: %s", message.kind(), e.getMessage()));
     }
   }
 
@@ -103,24 +97,23 @@ public final class UbxGps implements ByteParser<GpsFix> {
     int fixType = message.u1(20);
     int satellites = message.u1(23);
     if (!isValid(fixType, message.u1(21))) {
-      latest = Optional.of(GpsFix.none(nowMicros, satellites));
+      found(GpsFix.none(nowMicros, satellites));
       return;
     }
     boolean is3d = is3d(fixType);
-    latest =
-        Optional.of(
-            new GpsFix(
-                nowMicros,
-                Plausible.latitudeDeg(DEG_PER_UNIT * message.i4(28)),
-                Plausible.longitudeDeg(DEG_PER_UNIT * message.i4(24)),
-                present(is3d, Plausible.altitudeM(M_PER_MM * message.i4(36))),
-                OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(52))),
-                OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(48))),
-                present(is3d, Plausible.velocityMps(-M_PER_MM * message.i4(56))),
-                OptionalDouble.of(HorizontalError.perAxisM(M_PER_MM * message.u4(40))),
-                present(is3d, M_PER_MM * message.u4(44)),
-                satellites,
-                true));
+    found(
+        new GpsFix(
+            nowMicros,
+            Plausible.latitudeDeg(DEG_PER_UNIT * message.i4(28)),
+            Plausible.longitudeDeg(DEG_PER_UNIT * message.i4(24)),
+            present(is3d, Plausible.altitudeM(M_PER_MM * message.i4(36))),
+            OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(52))),
+            OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(48))),
+            present(is3d, Plausible.velocityMps(-M_PER_MM * message.i4(56))),
+            OptionalDouble.of(HorizontalError.perAxisM(M_PER_MM * message.u4(40))),
+            present(is3d, M_PER_MM * message.u4(44)),
+            satellites,
+            true));
   }
 
   private void takePosition(UbxPayload message) {
@@ -149,7 +142,7 @@ public final class UbxGps implements ByteParser<GpsFix> {
 
   private void tellIfWhole() {
     if (epoch.isWhole()) {
-      latest = Optional.of(epoch.take());
+      found(epoch.take());
     }
   }
 
@@ -167,23 +160,8 @@ public final class UbxGps implements ByteParser<GpsFix> {
   }
 
   @Override
-  public Optional<GpsFix> latest() {
-    return latest;
-  }
-
-  @Override
   public void reset() {
     framer.reset();
     epoch.clear();
-  }
-
-  @Override
-  public long refused() {
-    return framer.refused() + refused;
-  }
-
-  @Override
-  public String lastRefusal() {
-    return lastRefusal.isEmpty() ? framer.lastRefusal() : lastRefusal;
   }
 }

@@ -1,17 +1,15 @@
 package org.u2sa.drivers.imu;
 
 import java.util.Optional;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Heading;
 import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.Orientation;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.ServiceContext;
 
 /**
  * VectorNav VN-100 and relatives with factory settings: {@code $VNYMR} at 40 Hz and 115200 baud,
@@ -74,15 +72,10 @@ public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
   }
 
   /** Provider of IMU = VECTORNAV. */
-  public static final class Provider extends DeviceProvider<Imu> {
+  public static final class Provider extends LinkProvider<Imu> {
     /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
-      super(Imu.class, "VECTORNAV");
-    }
-
-    @Override
-    protected Imu open(String name, ServiceContext context) {
-      return new VectorNav(ByteLinks.of(context));
+      super(Imu.class, VectorNav::new, "VECTORNAV");
     }
   }
 }

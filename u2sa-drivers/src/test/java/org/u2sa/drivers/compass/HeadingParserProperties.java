@@ -16,6 +16,7 @@ import org.u2sa.device.port.Heading;
 import org.u2sa.drivers.imu.VectorNav;
 import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.nmea.Nmea;
+import org.u2sa.drivers.nmea.NmeaParser;
 
 /** Whatever a line delivers, and however it is cut: compasses and the IMU. */
 class HeadingParserProperties {
@@ -28,7 +29,7 @@ class HeadingParserProperties {
 
     ByteParser<?> parser() {
       return switch (this) {
-        case NMEA -> NmeaCompass.parser();
+        case NMEA -> new NmeaParser<>(NmeaCompass.meaning());
         case SPARTON -> new SpartonCompass();
         case VECTORNAV -> VectorNav.parser();
       };
