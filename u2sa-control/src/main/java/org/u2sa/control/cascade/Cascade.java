@@ -68,7 +68,7 @@ final class Cascade {
       }
       double forward = pids[SURGE].step(wanted[SURGE], measured[SURGE], stepS);
       double right = pids[SWAY].step(wanted[SWAY], measured[SWAY], stepS);
-      lean.towards(forward, right, settings.maxLeanRad());
+      lean.towards(forward, right, Math.toRadians(settings.way().maxLean()));
       turn(motion);
     }
     for (int j = 0; j < AXES.length; j++) {
@@ -86,13 +86,13 @@ final class Cascade {
     Point toGo = way.orElse(Point.ORIGIN);
     double distance = Math.hypot(toGo.x(), toGo.y());
     double heading = motion.attitude().psi();
-    if (settings.facesTheWay() && distance >= settings.facingDistanceM()) {
+    if (settings.way().facesTheWay() && distance >= settings.way().facingDistance()) {
       headingRad = OptionalDouble.of(Math.atan2(toGo.y(), toGo.x()));
     } else if (headingRad.isEmpty()) {
       headingRad = OptionalDouble.of(heading);
     }
     attitude = motion.attitude();
-    Point velocity = velocity(motion, toGo, speedMps.orElse(settings.cruiseMps()));
+    Point velocity = velocity(motion, toGo, speedMps.orElse(settings.way().cruiseSpeed()));
     wanted[SURGE] = velocity.x();
     wanted[SWAY] = velocity.y();
     wanted[HEAVE] = velocity.z();
@@ -183,7 +183,7 @@ final class Cascade {
    * direction of travel must not move sideways, which would look like turning.
    */
   void goBySight(boolean bySight) {
-    turnsFirst = bySight && settings.facesTheWay();
+    turnsFirst = bySight && settings.way().facesTheWay();
     if (bySight) {
       headingRad = OptionalDouble.empty();
     }

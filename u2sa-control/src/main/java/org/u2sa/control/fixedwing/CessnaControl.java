@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.control.allocation.ActuatorRoster;
-import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
@@ -85,8 +84,8 @@ public final class CessnaControl extends ControlSystem {
     Surfaces surfaces = mixing.of(autopilot.step(now, target));
     boolean elevons = outputs.get().elevons();
     if (elevons) {
-      commandShare(Elevons.LEFT, Elevons.left(surfaces));
-      commandShare(Elevons.RIGHT, Elevons.right(surfaces));
+      commandShare(Surfaces.LEFT_ELEVON, surfaces.leftElevon());
+      commandShare(Surfaces.RIGHT_ELEVON, surfaces.rightElevon());
     }
     for (AircraftActuator actuator : AircraftActuator.values()) {
       if (elevons && actuator.isElevons()) {
@@ -199,15 +198,11 @@ public final class CessnaControl extends ControlSystem {
       autopilot.takeOver(state);
     } else if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isPresent()) {
       boolean elevons = outputs.get().elevons();
-      double left = lastShare(Elevons.LEFT);
-      double right = lastShare(Elevons.RIGHT);
+      double left = lastShare(Surfaces.LEFT_ELEVON);
+      double right = lastShare(Surfaces.RIGHT_ELEVON);
       autopilot.takeOver(
-          elevons
-              ? Elevons.aileron(left, right)
-              : lastShare(AircraftActuator.AILERON.actuatorName()),
-          elevons
-              ? Elevons.elevator(left, right)
-              : lastShare(AircraftActuator.ELEVATOR.actuatorName()),
+          elevons ? (left - right) / 2.0 : lastShare(AircraftActuator.AILERON.actuatorName()),
+          elevons ? (left + right) / 2.0 : lastShare(AircraftActuator.ELEVATOR.actuatorName()),
           lastShare(AircraftActuator.RUDDER.actuatorName()),
           lastShare(AircraftActuator.THROTTLE.actuatorName()));
     }
@@ -224,7 +219,10 @@ public final class CessnaControl extends ControlSystem {
   protected Map<String, Double> neutral() {
     Map<String, Double> neutral = AircraftActuator.neutral();
     if (outputs.get().elevons()) {
-      Elevons.replace(neutral);
+      double elevator = neutral.remove(AircraftActuator.ELEVATOR.actuatorName());
+      neutral.remove(AircraftActuator.AILERON.actuatorName());
+      neutral.put(Surfaces.LEFT_ELEVON, elevator);
+      neutral.put(Surfaces.RIGHT_ELEVON, elevator);
     }
     return neutral;
   }

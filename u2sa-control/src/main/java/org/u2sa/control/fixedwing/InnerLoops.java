@@ -1,10 +1,5 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.Limit;
-import org.u2sa.control.fixedwing.law.PitchLaw;
-import org.u2sa.control.fixedwing.law.RollLaw;
-import org.u2sa.control.fixedwing.law.YawLaw;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -111,8 +106,8 @@ final class InnerLoops {
 
   /** Resets the roll and pitch loops. */
   void restart() {
-    pitch.restart();
-    roll.restart();
+    pitch.restart(0.0);
+    roll.restart(0.0);
   }
 
   /** Restarts the yaw loop at the current rudder. */
@@ -123,7 +118,7 @@ final class InnerLoops {
   /** Starts from another control law's commands, shares of full as in {@link Surfaces}. */
   void takeOver(double aileron, double elevator, double lastRudder, double lastThrottle) {
     roll.restart(aileron);
-    pitch.restart(elevator);
+    pitch.restart(-elevator); // positive lowers the nose
     yaw.restart(lastRudder);
     rudder = lastRudder;
     throttle = lastThrottle;

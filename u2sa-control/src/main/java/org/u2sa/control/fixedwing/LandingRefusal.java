@@ -2,7 +2,6 @@ package org.u2sa.control.fixedwing;
 
 import java.util.Locale;
 import java.util.Optional;
-import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.service.handover.HandOver;
 
 /**

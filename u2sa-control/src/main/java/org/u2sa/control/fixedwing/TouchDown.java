@@ -1,10 +1,5 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.control.fixedwing.law.FlareLaw;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.GroundSteering;
-import org.u2sa.control.fixedwing.law.LateralGuidance;
-import org.u2sa.control.fixedwing.law.Limit;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.handover.HandOver;
 

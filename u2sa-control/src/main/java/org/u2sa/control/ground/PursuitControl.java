@@ -12,7 +12,7 @@ import org.u2sa.service.handover.HandOver;
 final class PursuitControl {
   private final Supplier<PursuitVariables> tuning;
   private final PursuitLaw law;
-  private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
+  private final SpeedTrim speedTrim = new SpeedTrim();
   private final InertiaFeedForward inertia = new InertiaFeedForward();
   private final MotionWatch watch = new MotionWatch();
   private Drive due = Drive.STANDING; // expected motion by now, after the response lag

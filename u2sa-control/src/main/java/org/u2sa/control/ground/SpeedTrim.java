@@ -8,25 +8,19 @@ import org.u2sa.service.handover.HandOver;
  * is bounded by the motors' capability, is zero while the vehicle stands, so that it never creeps,
  * and resets with each drive, each turn and each change of direction.
  */
-final class TurnTrim {
-  private final String name;
+final class SpeedTrim {
+  private static final String NAME = "SPEED TRIM"; // in a hand-over
+
   private double trim;
   private double direction; // 1 forward, -1 in reverse, 0 in a turn in place
 
-  /**
-   * @param name name for the hand-over
-   */
-  TurnTrim(String name) {
-    this.name = name;
-  }
-
   void handOver(HandOver state) {
-    state.number(name, trim).number(name + " DIRECTION", direction);
+    state.number(NAME, trim).number(NAME + " DIRECTION", direction);
   }
 
   void takeOver(HandOver state) {
-    trim = state.number(name).orElse(0.0);
-    direction = state.number(name + " DIRECTION").orElse(0.0);
+    trim = state.number(NAME).orElse(0.0);
+    direction = state.number(NAME + " DIRECTION").orElse(0.0);
   }
 
   /**
