@@ -55,7 +55,6 @@ public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Came
                 text = "MJPEG: path of the stream on the camera; the default is mjpg-streamer's.")
             String streamPath) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(
           Camera.class,

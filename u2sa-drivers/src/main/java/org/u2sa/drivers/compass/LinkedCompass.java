@@ -57,7 +57,6 @@ public final class LinkedCompass extends ParsedDevice<Heading> implements Compas
 
   /** Provider of COMPASS = NMEA and SPARTON. */
   public static final class Provider extends LinkProvider<Compass> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(
           Compass.class,

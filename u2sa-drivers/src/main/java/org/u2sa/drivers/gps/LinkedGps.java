@@ -73,7 +73,6 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
         @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5, text = "UBLOX: fixes per second.")
             double solutionRate) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(
           GpsReceiver.class,

@@ -1,6 +1,5 @@
 package org.u2sa.drivers.gps;
 
-import java.util.OptionalDouble;
 import org.u2sa.device.port.GpsFix;
 import org.u2sa.drivers.link.ByteParser;
 
@@ -25,10 +24,6 @@ public final class UbxGps extends ByteParser<GpsFix> {
   private static final int VELNED_LENGTH = 36;
   private static final int ACK_LENGTH = 2;
 
-  private static final int FIX_2D = 2;
-  private static final int FIX_3D = 3;
-  private static final int FIX_WITH_DEAD_RECKONING = 4;
-  private static final int FIX_OK = 1;
   private static final double DEG_PER_UNIT = 1e-7;
   private static final double M_PER_MM = 1e-3;
   private static final double MPS_PER_CMPS = 1e-2;
@@ -94,26 +89,19 @@ public final class UbxGps extends ByteParser<GpsFix> {
 
   private void takePvt(UbxPayload message) {
     require(message, PVT_LENGTH);
-    int fixType = message.u1(20);
-    int satellites = message.u1(23);
-    if (!isValid(fixType, message.u1(21))) {
-      found(GpsFix.none(nowMicros, satellites));
-      return;
-    }
-    boolean is3d = is3d(fixType);
-    found(
-        new GpsFix(
-            nowMicros,
-            Plausible.latitudeDeg(DEG_PER_UNIT * message.i4(28)),
-            Plausible.longitudeDeg(DEG_PER_UNIT * message.i4(24)),
-            present(is3d, Plausible.altitudeM(M_PER_MM * message.i4(36))),
-            OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(52))),
-            OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(48))),
-            present(is3d, Plausible.velocityMps(-M_PER_MM * message.i4(56))),
-            OptionalDouble.of(HorizontalError.perAxisM(M_PER_MM * message.u4(40))),
-            present(is3d, M_PER_MM * message.u4(44)),
-            satellites,
-            true));
+    epoch.clear(); // each message is an epoch
+    epoch
+        .at(message.u4(0), nowMicros)
+        .position(
+            DEG_PER_UNIT * message.i4(28),
+            DEG_PER_UNIT * message.i4(24),
+            M_PER_MM * message.i4(36),
+            HorizontalError.perAxisM(M_PER_MM * message.u4(40)),
+            M_PER_MM * message.u4(44));
+    epoch.velocity(
+        M_PER_MM * message.i4(52), M_PER_MM * message.i4(48), -M_PER_MM * message.i4(56));
+    epoch.status(message.u1(20), message.u1(21), message.u1(23));
+    tellIfWhole();
   }
 
   private void takePosition(UbxPayload message) {
@@ -144,19 +132,6 @@ public final class UbxGps extends ByteParser<GpsFix> {
     if (epoch.isWhole()) {
       found(epoch.take());
     }
-  }
-
-  static boolean isValid(int fixType, int flags) {
-    return (flags & FIX_OK) != 0 && fixType >= FIX_2D && fixType <= FIX_WITH_DEAD_RECKONING;
-  }
-
-  static boolean is3d(int fixType) {
-    return fixType >= FIX_3D;
-  }
-
-  /** Height is valid only in a 3-D fix. */
-  static OptionalDouble present(boolean is3d, double value) {
-    return is3d ? OptionalDouble.of(value) : OptionalDouble.empty();
   }
 
   @Override

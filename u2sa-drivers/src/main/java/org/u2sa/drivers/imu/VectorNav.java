@@ -32,7 +32,6 @@ public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
   private static final double STRONGEST_MPS2 = 200.0; // sensor range: 16 g
   private static final double FASTEST_RAD_PER_S = 40.0; // sensor range: 2000 deg/s
 
-  /** Uses the link; closing the device closes it. */
   public VectorNav(ByteLink link) {
     super(link, parser());
   }
@@ -73,7 +72,6 @@ public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
 
   /** Provider of IMU = VECTORNAV. */
   public static final class Provider extends LinkProvider<Imu> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(Imu.class, VectorNav::new, "VECTORNAV");
     }

@@ -25,7 +25,6 @@ public final class MavlinkProximity extends MavlinkListener<LaserScanner.Scan>
   private static final int NOT_MEASURED = 65_535;
   private static final int BODY_FRD = 12; // MAV_FRAME_BODY_FRD
 
-  /** Uses the link; closing the device closes it. */
   public MavlinkProximity(ByteLink link) {
     super(link);
   }
@@ -90,7 +89,6 @@ public final class MavlinkProximity extends MavlinkListener<LaserScanner.Scan>
 
   /** Provider of LIDAR = mavlink. */
   public static final class Provider extends LinkProvider<LaserScanner> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(LaserScanner.class, MavlinkProximity::new, "mavlink");
     }

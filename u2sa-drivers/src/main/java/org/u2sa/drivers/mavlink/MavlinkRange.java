@@ -84,7 +84,6 @@ public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
         @Variable(min = -1, max = 255, ifAbsent = -1, text = "MAVLINK: ID of the sensor; -1: any.")
             int distanceSensorId) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(
           RangeFinder.class,

@@ -28,7 +28,6 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
 
   private final TrafficPicture picture = new TrafficPicture();
 
-  /** Uses the link; closing the device closes it. */
   public MavlinkTraffic(ByteLink link) {
     super(link);
   }
@@ -95,7 +94,6 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
 
   /** Provider of RECEIVER = MAVLINK. */
   public static final class Provider extends LinkProvider<TrafficReceiver> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(TrafficReceiver.class, MavlinkTraffic::new, "MAVLINK");
     }

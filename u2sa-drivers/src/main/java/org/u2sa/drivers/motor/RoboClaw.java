@@ -199,7 +199,6 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
                 text = "ROBOCLAW: address set at the controller; 128 is 0x80.")
             int address) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(MotorController.class, "ROBOCLAW");
     }

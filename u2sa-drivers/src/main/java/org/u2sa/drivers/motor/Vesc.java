@@ -138,7 +138,6 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
                     "VESC: pairs of magnetic poles of the motor; half the number of its magnets.")
             int polePairs) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(
           Thruster.class,

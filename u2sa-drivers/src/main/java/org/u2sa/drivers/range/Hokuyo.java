@@ -49,7 +49,6 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   private long untilMicros = Long.MIN_VALUE;
   private String trouble = "";
 
-  /** Uses the link; closing the device closes it. */
   public Hokuyo(ByteLink link) {
     super(link);
   }
@@ -193,7 +192,6 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
 
   /** Provider of LIDAR = hokuyo. */
   public static final class Provider extends LinkProvider<LaserScanner> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(LaserScanner.class, Hokuyo::new, "hokuyo");
     }

@@ -63,7 +63,6 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   private boolean runsMotor;
   private String trouble = "";
 
-  /** Uses the link; closing the device closes it. */
   public Rplidar(ByteLink link) {
     super(link);
   }
@@ -217,7 +216,6 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
 
   /** Provider of LIDAR = rplidar. */
   public static final class Provider extends LinkProvider<LaserScanner> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(LaserScanner.class, Rplidar::new, "rplidar");
     }

@@ -16,7 +16,6 @@ import org.u2sa.drivers.nmea.NmeaSentence;
 public final class NmeaDepth extends ParsedDevice<RangeFinder.Distance> implements RangeFinder {
   private static final double DEEPEST_M = 12_000.0;
 
-  /** Uses the link; closing the device closes it. */
   public NmeaDepth(ByteLink link) {
     super(link, new NmeaParser<>(NmeaDepth::distance));
   }
@@ -39,7 +38,6 @@ public final class NmeaDepth extends ParsedDevice<RangeFinder.Distance> implemen
 
   /** Provider of MODEL = NMEA DEPTH. */
   public static final class Provider extends LinkProvider<RangeFinder> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(RangeFinder.class, NmeaDepth::new, "NMEA DEPTH");
     }

@@ -80,7 +80,6 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
                 text = "PING1D: minimum confidence of an echo.")
             int minConfidence) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(
           RangeFinder.class,

@@ -143,7 +143,6 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
                 text = "PING360: analog gain: 0 low, 1 normal, 2 high.")
             int gain) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(
           Sonar.class,

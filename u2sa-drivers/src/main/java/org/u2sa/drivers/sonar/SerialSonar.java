@@ -8,14 +8,12 @@ import org.u2sa.drivers.link.ParsedDevice;
 
 /** A free-running MaxBotix sonar on a link. */
 public final class SerialSonar extends ParsedDevice<RangeFinder.Distance> implements RangeFinder {
-  /** Uses the link; closing the device closes it. */
   public SerialSonar(ByteLink link, SonarModel model) {
     super(link, new SonarParser(model));
   }
 
   /** Provider of MODEL = LV, XL and HR. */
   public static final class Provider extends LinkProvider<RangeFinder> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(
           RangeFinder.class,

@@ -11,14 +11,12 @@ import org.u2sa.drivers.link.ParsedDevice;
  */
 public final class Gdl90Receiver extends ParsedDevice<TrafficReceiver.Traffic>
     implements TrafficReceiver {
-  /** Uses the link; closing the device closes it. */
   public Gdl90Receiver(ByteLink link) {
     super(link, new Gdl90Parser());
   }
 
   /** Provider of RECEIVER = GDL90. */
   public static final class Provider extends LinkProvider<TrafficReceiver> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(TrafficReceiver.class, Gdl90Receiver::new, "GDL90");
     }

@@ -69,7 +69,6 @@ public final class SerialVelocityLog extends ParsedDevice<VelocityLog.Speeds>
 
   /** Provider of LOG = WATER LINKED and NMEA. */
   public static final class Provider extends LinkProvider<VelocityLog> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(
           VelocityLog.class,

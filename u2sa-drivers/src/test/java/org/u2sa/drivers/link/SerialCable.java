@@ -4,7 +4,6 @@ import static org.awaitility.Awaitility.await;
 
 import java.io.File;
 import java.io.IOException;
-import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -15,7 +14,8 @@ import org.u2sa.testkit.ForeignPrograms;
 public final class SerialCable {
   private final String program;
   private final Path path;
-  private final SocketDevice device = new SocketDevice(InetAddress.getLoopbackAddress());
+  private final MemoryLink device = new MemoryLink();
+  private final DeviceServer server = new DeviceServer(device);
   private Process socat;
 
   private SerialCable(String program, Path path) throws IOException {
@@ -34,13 +34,14 @@ public final class SerialCable {
     return path;
   }
 
-  SocketDevice device() {
+  /** What is at the far end. */
+  MemoryLink device() {
     return device;
   }
 
   void plug() throws IOException {
     socat =
-        new ProcessBuilder(program, "pty,raw,echo=0,link=" + path, "tcp:127.0.0.1:" + device.port())
+        new ProcessBuilder(program, "pty,raw,echo=0,link=" + path, server.address())
             .redirectErrorStream(true)
             .redirectOutput(new File(path + ".log"))
             .start();
@@ -59,6 +60,6 @@ public final class SerialCable {
   public void remove() throws IOException, InterruptedException {
     socat.destroy();
     socat.waitFor(30, TimeUnit.SECONDS);
-    device.unplug();
+    server.close();
   }
 }
