@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.control.Pid;
+import org.u2sa.control.Transfer;
 import org.u2sa.control.allocation.Allocator;
 import org.u2sa.control.allocation.DegreeOfFreedom;
 import org.u2sa.messages.frame.Attitude;
@@ -236,14 +237,14 @@ final class Cascade {
       state.text("FLIES", "true");
     }
     for (DegreeOfFreedom axis : AXES) {
-      pids[axis.ordinal()].handOver(state, axis.name());
+      pids[axis.ordinal()].transfer(Transfer.saving(state), axis.name());
     }
     headingRad.ifPresent(heading -> state.number("HEADING", heading));
   }
 
   void takeOver(HandOver state) {
     for (DegreeOfFreedom axis : AXES) {
-      pids[axis.ordinal()].takeOver(state, axis.name());
+      pids[axis.ordinal()].transfer(Transfer.restoring(state), axis.name());
     }
     headingRad = state.number("HEADING");
     state.text("FLIES").ifPresent(flies -> ground.flies());

@@ -1,7 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.Optional;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /** The airborne phases: climb-out, cruise, holding and go-around. */
 final class AirbornePhases {
@@ -163,18 +163,10 @@ final class AirbornePhases {
     return speedDemandMps;
   }
 
-  void handOver(HandOver state) {
-    state
-        .number("HOLD ALTITUDE", holdAltitudeM)
-        .number("ALTITUDE DEMAND", altitudeDemandM)
-        .number("SPEED DEMAND", speedDemandMps);
-    energy.handOver(state);
-  }
-
-  void takeOver(HandOver state) {
-    holdAltitudeM = state.number("HOLD ALTITUDE").orElse(0.0);
-    altitudeDemandM = state.number("ALTITUDE DEMAND").orElse(0.0);
-    speedDemandMps = state.number("SPEED DEMAND").orElse(guidance.cruiseSpeed());
-    energy.takeOver(state);
+  void transfer(Transfer state) {
+    holdAltitudeM = state.number("HOLD ALTITUDE", holdAltitudeM);
+    altitudeDemandM = state.number("ALTITUDE DEMAND", altitudeDemandM);
+    speedDemandMps = state.number("SPEED DEMAND", speedDemandMps, guidance.cruiseSpeed());
+    energy.transfer(state);
   }
 }

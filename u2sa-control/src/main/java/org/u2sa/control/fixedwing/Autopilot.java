@@ -1,7 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.Optional;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure
@@ -154,32 +154,19 @@ public final class Autopilot {
     }
   }
 
-  /** Saves the complete state for the successor. */
-  void handOver(HandOver state) {
-    state.number("LAST TIME", lastTimeS).number("NAVIGATED", navigatedS);
-    sequence.handOver(state);
-    steering.handOver(state);
-    loops.handOver(state);
-    air.handOver(state);
-    touchDown.handOver(state);
-    wind.handOver(state);
-    approach.handOver(state);
-    refusal.handOver(state);
-  }
-
-  /** Continues exactly where its predecessor stopped. */
-  void takeOver(HandOver state) {
-    sequence.takeOver(state);
-    phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(phase);
-    lastTimeS = state.number("LAST TIME").orElse(Double.NaN);
-    navigatedS = state.number("NAVIGATED").orElse(lastTimeS);
-    steering.takeOver(state);
-    loops.takeOver(state);
-    air.takeOver(state);
-    touchDown.takeOver(state);
-    wind.takeOver(state);
-    approach.takeOver(state);
-    refusal.takeOver(state);
+  /** Saves or restores the complete state. */
+  void transfer(Transfer state) {
+    lastTimeS = state.number("LAST TIME", lastTimeS, Double.NaN);
+    navigatedS = state.number("NAVIGATED", navigatedS, lastTimeS);
+    sequence.transfer(state);
+    phase = sequence.phase().orElse(phase);
+    steering.transfer(state);
+    loops.transfer(state);
+    air.transfer(state);
+    touchDown.transfer(state);
+    wind.transfer(state);
+    approach.transfer(state);
+    refusal.transfer(state);
   }
 
   /**

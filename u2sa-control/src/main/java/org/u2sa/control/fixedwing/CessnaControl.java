@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.u2sa.control.ControlSystem;
+import org.u2sa.control.Transfer;
 import org.u2sa.control.allocation.ActuatorRoster;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
@@ -65,9 +66,9 @@ public final class CessnaControl extends ControlSystem {
   @Override
   protected void configurationChanged(Set<String> variableNames) {
     HandOver state = new HandOver(getClass().getName());
-    autopilot.handOver(state);
+    autopilot.transfer(Transfer.saving(state));
     autopilot = new Autopilot(tuning.get());
-    autopilot.takeOver(state);
+    autopilot.transfer(Transfer.restoring(state));
   }
 
   @Override
@@ -187,7 +188,7 @@ public final class CessnaControl extends ControlSystem {
   protected void handOver(HandOver state) {
     super.handOver(state);
     reader.handOver(state);
-    autopilot.handOver(state);
+    autopilot.transfer(Transfer.saving(state));
   }
 
   @Override
@@ -195,7 +196,7 @@ public final class CessnaControl extends ControlSystem {
     super.takeOver(state);
     if (isOfMyClass(state)) {
       reader.takeOver(state);
-      autopilot.takeOver(state);
+      autopilot.transfer(Transfer.restoring(state));
     } else if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isPresent()) {
       boolean elevons = outputs.get().elevons();
       double left = lastShare(Surfaces.LEFT_ELEVON);

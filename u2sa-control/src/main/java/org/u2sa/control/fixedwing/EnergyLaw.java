@@ -1,8 +1,8 @@
 package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Controls altitude and airspeed together: the throttle sets the total energy rate γ + V̇/g, the
@@ -166,23 +166,13 @@ final class EnergyLaw {
     climbDemand = Math.max(0.0, climbDemand);
   }
 
-  void handOver(HandOver state) {
-    state
-        .number("FILTERED AIRSPEED", filteredAirspeed)
-        .number("CLIMB DEMAND", climbDemand)
-        .number("PITCH INTEGRAL OF ENERGY", pitchIntegral)
-        .number("THROTTLE INTEGRAL", throttleIntegral)
-        .number("THROTTLE OF ENERGY", throttle)
-        .number("PITCH OF ENERGY", pitch);
-  }
-
-  void takeOver(HandOver state) {
-    filteredAirspeed = state.number("FILTERED AIRSPEED").orElse(Double.NaN);
-    climbDemand = state.number("CLIMB DEMAND").orElse(0.0);
-    pitchIntegral = state.number("PITCH INTEGRAL OF ENERGY").orElse(0.0);
-    throttleIntegral = state.number("THROTTLE INTEGRAL").orElse(0.0);
-    throttle = state.number("THROTTLE OF ENERGY").orElse(0.0);
-    pitch = state.number("PITCH OF ENERGY").orElse(0.0);
+  void transfer(Transfer state) {
+    filteredAirspeed = state.number("FILTERED AIRSPEED", filteredAirspeed, Double.NaN);
+    climbDemand = state.number("CLIMB DEMAND", climbDemand);
+    pitchIntegral = state.number("PITCH INTEGRAL OF ENERGY", pitchIntegral);
+    throttleIntegral = state.number("THROTTLE INTEGRAL", throttleIntegral);
+    throttle = state.number("THROTTLE OF ENERGY", throttle);
+    pitch = state.number("PITCH OF ENERGY", pitch);
   }
 
   /**

@@ -1,7 +1,7 @@
 package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Flares at the end of a descent: the demanded sink rate falls with height, ḣ = −h/τ, an
@@ -61,13 +61,9 @@ final class FlareLaw {
     trimRad = Double.NaN;
   }
 
-  void handOver(HandOver state) {
-    state.number("FLARE PITCH", pitchRad).number("FLARE TRIM", trimRad);
-  }
-
-  void takeOver(HandOver state) {
-    pitchRad = state.number("FLARE PITCH").orElse(0.0);
-    trimRad = state.number("FLARE TRIM").orElse(Double.NaN);
+  void transfer(Transfer state) {
+    pitchRad = state.number("FLARE PITCH", pitchRad);
+    trimRad = state.number("FLARE TRIM", trimRad, Double.NaN);
   }
 
   /** Height at which the flare starts [m]. */

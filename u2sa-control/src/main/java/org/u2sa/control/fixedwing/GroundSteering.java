@@ -1,7 +1,7 @@
 package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Keeps the runway's centreline by rudder and nose wheel: aims at a point ahead on the line, turns
@@ -128,22 +128,14 @@ final class GroundSteering {
     integral = rudder;
   }
 
-  void handOver(HandOver state) {
+  void transfer(Transfer state) {
+    lined = state.has("CENTRELINE HEADING", lined);
     if (lined) {
-      state
-          .number("CENTRELINE NORTH", northM)
-          .number("CENTRELINE EAST", eastM)
-          .number("CENTRELINE HEADING", headingRad)
-          .number("STEERING INTEGRAL", integral);
+      northM = state.number("CENTRELINE NORTH", northM);
+      eastM = state.number("CENTRELINE EAST", eastM);
+      headingRad = state.number("CENTRELINE HEADING", headingRad);
+      integral = state.number("STEERING INTEGRAL", integral);
     }
-  }
-
-  void takeOver(HandOver state) {
-    lined = state.number("CENTRELINE HEADING").isPresent();
-    northM = state.number("CENTRELINE NORTH").orElse(0.0);
-    eastM = state.number("CENTRELINE EAST").orElse(0.0);
-    headingRad = state.number("CENTRELINE HEADING").orElse(0.0);
-    integral = state.number("STEERING INTEGRAL").orElse(0.0);
   }
 
   /** Whether a centre line is set. */

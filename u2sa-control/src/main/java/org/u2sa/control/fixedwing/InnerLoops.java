@@ -1,6 +1,6 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * The inner loops and their setpoints: bank by the ailerons, pitch by the elevator, coordination by
@@ -124,24 +124,13 @@ final class InnerLoops {
     throttle = lastThrottle;
   }
 
-  void handOver(HandOver state) {
-    state
-        .number("THROTTLE", throttle)
-        .number("RUDDER", rudder)
-        .number("BANK DEMAND", bankRad)
-        .number("PITCH DEMAND", pitchRad);
-    roll.handOver(state);
-    pitch.handOver(state);
-    yaw.handOver(state);
-  }
-
-  void takeOver(HandOver state) {
-    throttle = state.number("THROTTLE").orElse(0.0);
-    rudder = state.number("RUDDER").orElse(0.0);
-    bankRad = state.number("BANK DEMAND").orElse(0.0);
-    pitchRad = state.number("PITCH DEMAND").orElse(0.0);
-    roll.takeOver(state);
-    pitch.takeOver(state);
-    yaw.takeOver(state);
+  void transfer(Transfer state) {
+    throttle = state.number("THROTTLE", throttle);
+    rudder = state.number("RUDDER", rudder);
+    bankRad = state.number("BANK DEMAND", bankRad);
+    pitchRad = state.number("PITCH DEMAND", pitchRad);
+    roll.transfer(state);
+    pitch.transfer(state);
+    yaw.transfer(state);
   }
 }

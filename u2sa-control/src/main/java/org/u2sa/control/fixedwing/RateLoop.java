@@ -1,6 +1,6 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * Computes a surface deflection from a demanded body rate: feed-forward, proportional and integral
@@ -49,11 +49,7 @@ class RateLoop {
     integral = gains.integral() > 0.0 ? Limit.symmetric(newIntegral, gains.integralLimit()) : 0.0;
   }
 
-  final void handOver(HandOver state) {
-    state.number(name, integral);
-  }
-
-  final void takeOver(HandOver state) {
-    state.number(name).ifPresent(this::restart);
+  final void transfer(Transfer state) {
+    restart(state.number(name, integral, integral));
   }
 }

@@ -1,8 +1,8 @@
 package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Coordinates turns by rudder: damps yaw about r = g/V · sin φ cos θ (coordinated turn; Stevens and
@@ -65,12 +65,8 @@ final class YawLaw {
         * StrictMath.cos(state.pitchRad());
   }
 
-  void handOver(HandOver state) {
-    state.number("YAW INTEGRAL", integral);
-  }
-
-  void takeOver(HandOver state) {
-    state.number("YAW INTEGRAL").ifPresent(this::restart);
+  void transfer(Transfer state) {
+    restart(state.number("YAW INTEGRAL", integral, integral));
   }
 
   /** Starts bumplessly at a rudder position. */

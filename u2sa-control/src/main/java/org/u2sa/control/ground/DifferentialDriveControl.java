@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.control.ControlSystem;
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
@@ -122,13 +123,13 @@ public final class DifferentialDriveControl extends ControlSystem {
   @Override
   protected void handOver(HandOver state) {
     super.handOver(state);
-    balance.handOver(state);
+    balance.transfer(Transfer.saving(state));
   }
 
   @Override
   protected void takeOver(HandOver state) {
     super.takeOver(state);
-    balance.takeOver(state);
+    balance.transfer(Transfer.restoring(state));
   }
 
   @Override

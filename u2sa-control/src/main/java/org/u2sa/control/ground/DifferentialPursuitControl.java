@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.control.ControlSystem;
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
@@ -165,13 +166,13 @@ public final class DifferentialPursuitControl extends ControlSystem {
   protected void handOver(HandOver state) {
     super.handOver(state);
     pursuit.handOver(state);
-    balance.handOver(state);
+    balance.transfer(Transfer.saving(state));
   }
 
   @Override
   protected void takeOver(HandOver state) {
     super.takeOver(state);
-    balance.takeOver(state);
+    balance.transfer(Transfer.restoring(state));
     pursuit.takeOver(state, isOfMyClass(state), lastDrive());
   }
 

@@ -3,6 +3,7 @@ package org.u2sa.control.ground;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
+import org.u2sa.control.Transfer;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -90,8 +91,8 @@ final class PursuitControl {
   }
 
   void handOver(HandOver state) {
-    law.handOver(state);
-    speedTrim.handOver(state);
+    law.transfer(Transfer.saving(state));
+    speedTrim.transfer(Transfer.saving(state));
   }
 
   /**
@@ -102,8 +103,8 @@ final class PursuitControl {
    */
   void takeOver(HandOver state, boolean alike, Drive last) {
     if (alike) {
-      law.takeOver(state);
-      speedTrim.takeOver(state);
+      law.transfer(Transfer.restoring(state));
+      speedTrim.transfer(Transfer.restoring(state));
     } else {
       law.startFrom(last);
     }

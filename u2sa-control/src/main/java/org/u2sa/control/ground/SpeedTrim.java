@@ -1,7 +1,7 @@
 package org.u2sa.control.ground;
 
 import java.util.OptionalDouble;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * Integral trim of steady speed errors from slopes, soft ground, load or a discharging battery. It
@@ -14,13 +14,9 @@ final class SpeedTrim {
   private double trim;
   private double direction; // 1 forward, -1 in reverse, 0 in a turn in place
 
-  void handOver(HandOver state) {
-    state.number(NAME, trim).number(NAME + " DIRECTION", direction);
-  }
-
-  void takeOver(HandOver state) {
-    trim = state.number(NAME).orElse(0.0);
-    direction = state.number(NAME + " DIRECTION").orElse(0.0);
+  void transfer(Transfer state) {
+    trim = state.number(NAME, trim);
+    direction = state.number(NAME + " DIRECTION", direction);
   }
 
   /**

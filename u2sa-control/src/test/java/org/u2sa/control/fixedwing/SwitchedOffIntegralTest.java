@@ -3,6 +3,7 @@ package org.u2sa.control.fixedwing;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.control.Transfer;
 import org.u2sa.service.handover.HandOver;
 
 class SwitchedOffIntegralTest {
@@ -21,7 +22,7 @@ class SwitchedOffIntegralTest {
     HandOver state = new HandOver("test");
 
     law.restart(0.4);
-    law.handOver(state);
+    law.transfer(Transfer.saving(state));
 
     assertThat(state.number("YAW INTEGRAL")).hasValue(0.0);
   }
