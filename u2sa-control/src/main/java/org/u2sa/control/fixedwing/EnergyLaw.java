@@ -176,7 +176,8 @@ final class EnergyLaw {
   }
 
   /**
-   * @param urgency 0 with speed to spare … 1 at the minimum airspeed, by {@link StallGuard}
+   * @param urgency 0 with speed to spare … 1 at the minimum airspeed, by {@link
+   *     GuidanceVariables#urgency}
    */
   Command step(FlightState state, Demand demand, double urgency, double dtS) {
     if (Double.isNaN(filteredAirspeed)) {

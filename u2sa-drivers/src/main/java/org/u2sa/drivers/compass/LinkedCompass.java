@@ -7,7 +7,6 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
-import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.interfaces.time.Clock;
 
 /** A compass on a link. */
@@ -26,7 +25,7 @@ public final class LinkedCompass extends ParsedDevice<Heading> implements Compas
 
   /** Creates a compass that streams NMEA 0183. Closing the device closes the link. */
   public static LinkedCompass nmea(ByteLink link) {
-    return new LinkedCompass(link, new NmeaParser<>(NmeaCompass.meaning()), new byte[0]);
+    return new LinkedCompass(link, NmeaCompass.parser(), new byte[0]);
   }
 
   /**

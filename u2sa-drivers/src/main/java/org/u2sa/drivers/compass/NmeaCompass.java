@@ -13,13 +13,18 @@ import org.u2sa.drivers.nmea.NmeaSentence;
  * Parser of NMEA 0183 compasses: HDG and HDM (magnetic), HDT (true). HDG's deviation is applied;
  * its variation is not, because it was entered manually and the geomagnetic model is more accurate.
  */
-final class NmeaCompass {
+public final class NmeaCompass {
   private static final double TURN_DEG = 360.0;
   private static final double HALF_TURN_DEG = 180.0;
 
   private final SentenceFactory factory = SentenceFactory.getInstance();
 
   private NmeaCompass() {}
+
+  /** Converts bytes to headings. */
+  public static NmeaParser<Heading> parser() {
+    return new NmeaParser<>(meaning());
+  }
 
   /** Converts sentences to headings. */
   static NmeaParser.Meaning<Heading> meaning() {

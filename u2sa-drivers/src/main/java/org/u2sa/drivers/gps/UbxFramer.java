@@ -1,13 +1,13 @@
 package org.u2sa.drivers.gps;
 
 import java.util.function.Consumer;
-import org.u2sa.drivers.link.PacketFramer;
+import org.u2sa.drivers.link.BinaryFramer;
 
 /**
  * UBX messages: {@code B5 62 class id length payload checksum}, little-endian (u-blox 6 Receiver
  * Description, GPS.G6-SW-10018, section 24). Other bytes, such as NMEA, are skipped.
  */
-final class UbxFramer extends PacketFramer {
+final class UbxFramer extends BinaryFramer {
   private static final int OVERHEAD = 8; // header and checksum
   private static final int SYNC_1 = 0xB5;
   private static final int SYNC_2 = 0x62;

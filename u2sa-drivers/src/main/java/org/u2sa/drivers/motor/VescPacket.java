@@ -2,13 +2,13 @@ package org.u2sa.drivers.motor;
 
 import java.util.Arrays;
 import java.util.function.Consumer;
-import org.u2sa.drivers.link.PacketFramer;
+import org.u2sa.drivers.link.BinaryFramer;
 
 /**
  * Packets of VESC's serial protocol: 2, length, payload, CRC-16 of the payload, 3 (vedderb/bldc,
  * {@code comm/packet.c}).
  */
-final class VescPacket extends PacketFramer {
+final class VescPacket extends BinaryFramer {
   private static final int SHORT = 2;
   private static final int END = 3;
   private static final int HEAD_BYTES = 2;

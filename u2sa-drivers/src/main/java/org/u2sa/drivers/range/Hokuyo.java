@@ -55,7 +55,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
 
   @Override
   protected void found(long nowMicros) {
-    reader.beginAnew();
+    reader.reset();
     begin(nowMicros);
   }
 

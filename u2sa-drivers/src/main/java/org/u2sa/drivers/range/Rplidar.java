@@ -182,7 +182,7 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   }
 
   private void ask(byte[] request, State next, long until) {
-    parser.beginAnew();
+    parser.reset();
     link.write(request); // an unsent request times out later
     enter(next, until);
   }

@@ -5,13 +5,13 @@ import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.function.ObjIntConsumer;
-import org.u2sa.drivers.link.PacketFramer;
+import org.u2sa.drivers.link.BinaryFramer;
 
 /**
  * Messages of the ping protocol: {@code BR}, payload length, message ID, sender, receiver, payload,
  * sum of all preceding bytes; little-endian (bluerobotics/ping-protocol, README).
  */
-final class PingFramer extends PacketFramer {
+final class PingFramer extends BinaryFramer {
   private static final int HEAD_BYTES = 8;
   private static final int SUM_BYTES = 2;
   private static final int MAX_PAYLOAD = 4_096; // 1,200 samples of a Ping360 and its settings

@@ -16,7 +16,6 @@ import org.u2sa.device.port.Heading;
 import org.u2sa.drivers.imu.VectorNav;
 import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.nmea.Nmea;
-import org.u2sa.drivers.nmea.NmeaParser;
 
 /** Whatever a line delivers, and however it is cut: compasses and the IMU. */
 class HeadingParserProperties {
@@ -29,7 +28,7 @@ class HeadingParserProperties {
 
     ByteParser<?> parser() {
       return switch (this) {
-        case NMEA -> new NmeaParser<>(NmeaCompass.meaning());
+        case NMEA -> NmeaCompass.parser();
         case SPARTON -> new SpartonCompass();
         case VECTORNAV -> VectorNav.parser();
       };

@@ -11,7 +11,7 @@ import org.u2sa.drivers.nmea.NmeaParser;
 class NmeaCompassTest {
   private static final double TINY = 1e-9;
 
-  private final NmeaParser<Heading> compass = new NmeaParser<>(NmeaCompass.meaning());
+  private final NmeaParser<Heading> compass = NmeaCompass.parser();
 
   private void hear(String... bodies) {
     byte[] bytes = Nmea.bytes(bodies);

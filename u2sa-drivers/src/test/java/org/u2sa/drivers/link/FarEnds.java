@@ -51,8 +51,10 @@ public final class FarEnds {
 
   /** On a serial line, which is a pseudo terminal here. Skips the test where there is no socat. */
   public static FarEnd serial(Path path) throws IOException {
-    SerialCable cable = SerialCable.required(path);
-    return new Far(cable.device(), "serial:" + cable.path() + "?baud=115200") {
+    MemoryLink device = new MemoryLink();
+    DeviceServer server = new DeviceServer(device);
+    SerialCable cable = SerialCable.required(path, server.address());
+    return new Far(device, "serial:" + cable.path() + "?baud=115200") {
       @Override
       public void unplug() throws Exception {
         super.unplug();
@@ -76,7 +78,8 @@ public final class FarEnds {
 
       @Override
       public void end() throws Exception {
-        cable.remove();
+        cable.unplug();
+        server.close();
       }
     };
   }

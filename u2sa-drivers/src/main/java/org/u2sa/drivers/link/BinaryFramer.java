@@ -6,7 +6,7 @@ import java.util.function.Consumer;
  * Finds binary packets in a byte stream with arbitrary boundaries and garbage. A false start is
  * skipped, and the search resumes at its second byte. Not thread-safe.
  */
-public abstract class PacketFramer {
+public abstract class BinaryFramer {
   /** No packet starts here. */
   protected static final int NONE = 0;
 
@@ -18,7 +18,7 @@ public abstract class PacketFramer {
    * @param longest length of the longest packet [bytes]
    * @param refusals receives the reason of each rejection
    */
-  protected PacketFramer(int longest, Consumer<String> refusals) {
+  protected BinaryFramer(int longest, Consumer<String> refusals) {
     bytes = new byte[longest];
     this.refusals = refusals;
   }
