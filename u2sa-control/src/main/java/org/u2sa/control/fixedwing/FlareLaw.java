@@ -1,16 +1,16 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Flares at the end of a descent: the demanded sink rate falls with height, ḣ = −h/τ, an
  * exponential flare (Stevens &amp; Lewis, 2nd ed., section 4.7). A PI loop raises the nose to
  * attain that sink rate; after touchdown the nose is lowered.
  */
-public final class FlareLaw {
+final class FlareLaw {
   /** Variables of the flare, which starts only if navigation leads to the ground. */
-  public record Variables(
+  record Variables(
       @Variable(
               unit = "m",
               min = 1,
@@ -52,42 +52,34 @@ public final class FlareLaw {
   private double trimRad; // integral
   private double pitchRad;
 
-  /** Starts with an empty integrator. */
-  public FlareLaw(Variables parameters) {
+  FlareLaw(Variables parameters) {
     this.parameters = parameters;
   }
 
-  /** Starts from a pitch. */
-  public void restart(double newPitchRad) {
+  void restart(double newPitchRad) {
     pitchRad = newPitchRad;
     trimRad = Double.NaN;
   }
 
-  /** Stores the state of its integrators for a successor. */
-  public void handOver(HandOver state) {
-    state.number("FLARE PITCH", pitchRad).number("FLARE TRIM", trimRad);
-  }
-
-  /** Continues from the state that a predecessor stored; resets without one. */
-  public void takeOver(HandOver state) {
-    pitchRad = state.number("FLARE PITCH").orElse(0.0);
-    trimRad = state.number("FLARE TRIM").orElse(Double.NaN);
+  void transfer(Transfer state) {
+    pitchRad = state.number("FLARE PITCH", pitchRad);
+    trimRad = state.number("FLARE TRIM", trimRad, Double.NaN);
   }
 
   /** Height at which the flare starts [m]. */
-  public double heightM() {
+  double heightM() {
     return parameters.flareHeight();
   }
 
   /** Excess sink rate over the one demanded at this height [m/s]. */
-  public double excessSinkMps(FlightState state) {
+  double excessSinkMps(FlightState state) {
     double sink =
         Math.max(parameters.flareSink(), state.heightM() / parameters.flareTimeConstant());
     return -sink - state.climbMps();
   }
 
   /** Pitch to hold [rad]. */
-  public double pitchRad(FlightState state, double dtS) {
+  double pitchRad(FlightState state, double dtS) {
     if (state.onGround()) {
       pitchRad = Limit.approach(pitchRad, 0.0, LET_DOWN_RAD_PER_S * dtS);
       return pitchRad;

@@ -1,4 +1,6 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
+
+import org.u2sa.control.Transfer;
 
 /**
  * Computes a surface deflection from a demanded body rate: feed-forward, proportional and integral
@@ -6,20 +8,21 @@ package org.u2sa.control.fixedwing.law;
  * integral terms are scaled by (Vref/V)² and the feed-forward by Vref/V (Stevens and Lewis,
  * Aircraft Control and Simulation, 2nd ed., section 4.4, gain scheduling).
  */
-public final class RateLoop {
+class RateLoop {
   /**
    * @param forward surface per demanded rate [s/rad] at the reference speed
    * @param proportional surface per rate error [s/rad]
    * @param integral surface per integrated rate error [1/rad]; 0 for no integral
    * @param integralLimit limit of the integral's share of surface, 0…1
    */
-  public record Gains(double forward, double proportional, double integral, double integralLimit) {}
+  record Gains(double forward, double proportional, double integral, double integralLimit) {}
 
+  private final String name; // of the integral, in a hand-over
   private final Gains gains;
   private double integral;
 
-  /** Starts with an empty integrator. */
-  public RateLoop(Gains gains) {
+  RateLoop(String name, Gains gains) {
+    this.name = name;
     this.gains = gains;
   }
 
@@ -27,7 +30,7 @@ public final class RateLoop {
    * @param scale Vref/V
    * @return surface, −1…1, positive turns with the rate
    */
-  public double step(double demanded, double measured, double scale, double dtS) {
+  final double step(double demanded, double measured, double scale, double dtS) {
     double error = demanded - measured;
     double direct =
         gains.forward() * scale * demanded + gains.proportional() * scale * scale * error;
@@ -41,13 +44,12 @@ public final class RateLoop {
     return Limit.symmetric(direct + integral, 1.0);
   }
 
-  /** Value of the integrator: share of the deflection. */
-  public double integral() {
-    return integral;
+  /** Restarts with an integral, for bumpless transfer. */
+  final void restart(double newIntegral) {
+    integral = gains.integral() > 0.0 ? Limit.symmetric(newIntegral, gains.integralLimit()) : 0.0;
   }
 
-  /** Restarts with an integral, for bumpless transfer. */
-  public void restart(double newIntegral) {
-    integral = gains.integral() > 0.0 ? Limit.symmetric(newIntegral, gains.integralLimit()) : 0.0;
+  final void transfer(Transfer state) {
+    restart(state.number(name, integral, integral));
   }
 }

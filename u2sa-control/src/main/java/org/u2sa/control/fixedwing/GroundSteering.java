@@ -1,7 +1,7 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Keeps the runway's centreline by rudder and nose wheel: aims at a point ahead on the line, turns
@@ -9,9 +9,9 @@ import org.u2sa.service.handover.HandOver;
  * wheel, ψ̇ = V/L · δ, whose effect grows with speed. The proportional gain on the rate is divided
  * by speed likewise; the integral compensates propeller effects and crosswind.
  */
-public final class GroundSteering {
+final class GroundSteering {
   /** Gains on the runway. */
-  public record Variables(
+  record Variables(
       @Variable(
               unit = "s",
               min = 0.5,
@@ -99,24 +99,23 @@ public final class GroundSteering {
   private double integral;
   private boolean lined;
 
-  /** Starts without a centre line. */
-  public GroundSteering(Variables parameters) {
+  GroundSteering(Variables parameters) {
     this.parameters = parameters;
   }
 
   /** Sets the centreline through the aircraft, along its heading. */
-  public void lineUp(FlightState state) {
+  void lineUp(FlightState state) {
     lineUpAlong(state.northM(), state.eastM(), state.headingRad());
   }
 
   /** Sets the centreline through the aircraft, along its track. */
-  public void lineUpAlongTrack(FlightState state) {
+  void lineUpAlongTrack(FlightState state) {
     double courseRad = StrictMath.atan2(state.eastMps(), state.northMps());
     lineUpAlong(state.northM(), state.eastM(), courseRad);
   }
 
   /** Sets the centreline through a point, along a course. */
-  public void lineUpAlong(double throughNorthM, double throughEastM, double courseRad) {
+  void lineUpAlong(double throughNorthM, double throughEastM, double courseRad) {
     northM = throughNorthM;
     eastM = throughEastM;
     headingRad = courseRad;
@@ -125,50 +124,40 @@ public final class GroundSteering {
   }
 
   /** Continues from the rudder of another law. */
-  public void holds(double rudder) {
+  void holds(double rudder) {
     integral = rudder;
   }
 
-  /** Stores the state of its integrators for a successor. */
-  public void handOver(HandOver state) {
+  void transfer(Transfer state) {
+    lined = state.has("CENTRELINE HEADING", lined);
     if (lined) {
-      state
-          .number("CENTRELINE NORTH", northM)
-          .number("CENTRELINE EAST", eastM)
-          .number("CENTRELINE HEADING", headingRad)
-          .number("STEERING INTEGRAL", integral);
+      northM = state.number("CENTRELINE NORTH", northM);
+      eastM = state.number("CENTRELINE EAST", eastM);
+      headingRad = state.number("CENTRELINE HEADING", headingRad);
+      integral = state.number("STEERING INTEGRAL", integral);
     }
   }
 
-  /** Continues from the state that a predecessor stored; resets without one. */
-  public void takeOver(HandOver state) {
-    lined = state.number("CENTRELINE HEADING").isPresent();
-    northM = state.number("CENTRELINE NORTH").orElse(0.0);
-    eastM = state.number("CENTRELINE EAST").orElse(0.0);
-    headingRad = state.number("CENTRELINE HEADING").orElse(0.0);
-    integral = state.number("STEERING INTEGRAL").orElse(0.0);
-  }
-
   /** Whether a centre line is set. */
-  public boolean lined() {
+  boolean lined() {
     return lined;
   }
 
   /** Distance from the centreline, right positive [m]. */
-  public double offsetM(FlightState state) {
+  double offsetM(FlightState state) {
     double north = state.northM() - northM;
     double east = state.eastM() - eastM;
     return east * StrictMath.cos(headingRad) - north * StrictMath.sin(headingRad);
   }
 
   /** A point ahead on the extended centreline: north [m] from the aircraft. */
-  public double aheadNorthM(FlightState state, double distanceM) {
+  double aheadNorthM(FlightState state, double distanceM) {
     double offset = offsetM(state);
     return distanceM * StrictMath.cos(headingRad) + offset * StrictMath.sin(headingRad);
   }
 
   /** A point ahead on the extended centreline: east [m] from the aircraft. */
-  public double aheadEastM(FlightState state, double distanceM) {
+  double aheadEastM(FlightState state, double distanceM) {
     double offset = offsetM(state);
     return distanceM * StrictMath.sin(headingRad) - offset * StrictMath.cos(headingRad);
   }
@@ -178,7 +167,7 @@ public final class GroundSteering {
    *
    * @param noseDown whether the nose wheel steers
    */
-  public double rudder(FlightState state, boolean noseDown, double dtS) {
+  double rudder(FlightState state, boolean noseDown, double dtS) {
     double ground = state.groundSpeedMps();
     double look =
         Math.max(parameters.centrelineLookAhead(), parameters.centrelineLookAheadTime() * ground);
@@ -194,7 +183,7 @@ public final class GroundSteering {
    *
    * @param noseDown whether the nose wheel steers
    */
-  public double gentleRudder(FlightState state, boolean noseDown, double dtS) {
+  double gentleRudder(FlightState state, boolean noseDown, double dtS) {
     double speed = Math.max(SLOWEST_MPS, state.groundSpeedMps());
     double gain = Math.min(parameters.centrelineHeadingGain(), GENTLE_MPS2 / speed);
     double closing = Limit.symmetric(-offsetM(state) * gain * GENTLE_SHARE, CLOSING_MPS);
@@ -228,7 +217,7 @@ public final class GroundSteering {
   }
 
   /** Rudder in the air that turns the nose along the line, −1…1, positive turns right. */
-  public double align(FlightState state, double dtS) {
+  double align(FlightState state, double dtS) {
     double rate = parameters.centrelineHeadingGain() * Limit.angle(headingRad - state.headingRad());
     double error = rate - state.yawRate();
     double next = next(parameters.rotationYawIntegralGain(), error, dtS);
@@ -246,7 +235,7 @@ public final class GroundSteering {
   }
 
   /** Aileron into the wind, −1…1: large at low speed, less as the ailerons become effective. */
-  public double aileron(FlightState state) {
+  double aileron(FlightState state) {
     double share = Limit.within(0.0, 1.0 - state.calibratedAirspeedMps() / AILERON_WORKS_MPS, 1.0);
     return Limit.symmetric(parameters.aileronIntoWind() * state.crosswindMps() * share, 1.0);
   }

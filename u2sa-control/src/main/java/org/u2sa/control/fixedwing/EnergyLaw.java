@@ -1,7 +1,8 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Controls altitude and airspeed together: the throttle sets the total energy rate γ + V̇/g, the
@@ -9,9 +10,104 @@ import org.u2sa.service.handover.HandOver;
  * Autopilot Design Using Total Energy Principles, AIAA 83-2239). When airspeed is low, pitch
  * controls airspeed alone.
  */
-public final class EnergyLaw {
+final class EnergyLaw {
+  /**
+   * Gains and limits. Energy rates are angles, γ + V̇/g, so that the aircraft's weight does not
+   * appear.
+   */
+  record Variables(
+      @Variable(unit = "s", min = 1, max = 30, ifAbsent = 4, text = "Altitude-error time constant.")
+          double altitudeTimeConstant,
+      @Variable(unit = "s", min = 1, max = 30, ifAbsent = 6, text = "Airspeed-error time constant.")
+          double speedTimeConstant,
+      @Variable(unit = "m/s", min = 0.5, max = 10, ifAbsent = 3.5, text = "Maximum demanded climb.")
+          double climbLimit,
+      @Variable(
+              unit = "m/s",
+              min = 0.5,
+              max = 10,
+              ifAbsent = 4,
+              text = "Maximum demanded sink rate.")
+          double sinkLimit,
+      @Variable(
+              unit = "m/s^2",
+              min = 0.1,
+              max = 5,
+              ifAbsent = 0.8,
+              text = "Maximum rate of change of the demanded climb rate.")
+          double verticalAccelerationLimit,
+      @Variable(unit = "m/s^2", min = 0.1, max = 5, ifAbsent = 1, text = "Maximum acceleration.")
+          double accelerationLimit,
+      @Variable(
+              unit = "s",
+              min = 0.05,
+              max = 20,
+              ifAbsent = 1,
+              text = "Time constant of the airspeed low-pass; longer is calmer in gusts.")
+          double airspeedFilter,
+      @Variable(min = 0, max = 1, ifAbsent = 0.6, text = "Throttle of level cruise.")
+          double throttleTrim,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 20,
+              ifAbsent = 2.5,
+              text = "Throttle per energy rate.")
+          double throttleForwardGain,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 20,
+              ifAbsent = 0.7,
+              text = "Throttle per energy-rate error.")
+          double throttleDamping,
+      @Variable(
+              unit = "1/rad/s",
+              min = 0,
+              max = 20,
+              ifAbsent = 0.4,
+              text = "Throttle per integrated energy-rate error.")
+          double throttleIntegralGain,
+      @Variable(min = 0, max = 1, ifAbsent = 0, text = "Minimum throttle in flight.")
+          double throttleLowerLimit,
+      @Variable(min = 0, max = 1, ifAbsent = 1, text = "Maximum throttle in cruise.")
+          double throttleUpperLimit,
+      @Variable(unit = "1/s", min = 0.01, max = 5, ifAbsent = 0.3, text = "Maximum throttle rate.")
+          double throttleRateLimit,
+      @Variable(
+              unit = "rad",
+              min = 0,
+              max = 0.5,
+              ifAbsent = 0.037,
+              text =
+                  "Induced drag over weight in level flight; grows in turns with the square of the load factor.")
+          double turnDrag,
+      @Variable(min = 0, max = 5, ifAbsent = 0.8, text = "Pitch per energy-balance error.")
+          double energyBalanceGain,
+      @Variable(
+              unit = "1/s",
+              min = 0,
+              max = 5,
+              ifAbsent = 0.3,
+              text = "Pitch per integrated energy-balance error.")
+          double energyBalanceIntegralGain,
+      @Variable(
+              unit = "deg/s",
+              min = 0.5,
+              max = 20,
+              ifAbsent = 3,
+              text = "Maximum rate of the demanded pitch.")
+          double pitchDemandRateLimit,
+      @Variable(
+              unit = "m/s",
+              min = 2,
+              max = 40,
+              ifAbsent = 20,
+              text = "Minimum airspeed for computing flight-path angles.")
+          double minSpeed) {}
+
   /** The law's output: pitch [rad] and throttle, 0…1. */
-  public record Command(double pitchRad, double throttle) {}
+  record Command(double pitchRad, double throttle) {}
 
   /**
    * Set points of the law.
@@ -22,11 +118,11 @@ public final class EnergyLaw {
    * @param least minimum pitch [rad]
    * @param most maximum pitch [rad]
    */
-  public record Demand(
+  record Demand(
       double altitudeM, double airspeedMps, Priority priority, double least, double most) {}
 
   /** What pitch controls. */
-  public enum Priority {
+  enum Priority {
     /** Airspeed alone, at full throttle: climb-out. */
     SPEED(2.0),
     /** Altitude and airspeed alike. */
@@ -43,7 +139,7 @@ public final class EnergyLaw {
     }
   }
 
-  private final EnergyVariables parameters;
+  private final Variables parameters;
   private double filteredAirspeed = Double.NaN;
   private double climbDemand;
   private double pitchIntegral;
@@ -51,13 +147,12 @@ public final class EnergyLaw {
   private double throttle;
   private double pitch;
 
-  /** Starts with empty integrators. */
-  public EnergyLaw(EnergyVariables parameters) {
+  EnergyLaw(Variables parameters) {
     this.parameters = parameters;
   }
 
   /** Starts bumplessly from a pitch and a throttle. */
-  public void restart(FlightState state, double newPitch, double newThrottle) {
+  void restart(FlightState state, double newPitch, double newThrottle) {
     filteredAirspeed = state.trueAirspeedMps();
     climbDemand = state.climbMps();
     pitch = newPitch;
@@ -67,35 +162,24 @@ public final class EnergyLaw {
   }
 
   /** Ends a descent at once instead of gradually. */
-  public void levelOff() {
+  void levelOff() {
     climbDemand = Math.max(0.0, climbDemand);
   }
 
-  /** Stores the state of its integrators for a successor. */
-  public void handOver(HandOver state) {
-    state
-        .number("FILTERED AIRSPEED", filteredAirspeed)
-        .number("CLIMB DEMAND", climbDemand)
-        .number("PITCH INTEGRAL OF ENERGY", pitchIntegral)
-        .number("THROTTLE INTEGRAL", throttleIntegral)
-        .number("THROTTLE OF ENERGY", throttle)
-        .number("PITCH OF ENERGY", pitch);
-  }
-
-  /** Continues from the state that a predecessor stored; resets without one. */
-  public void takeOver(HandOver state) {
-    filteredAirspeed = state.number("FILTERED AIRSPEED").orElse(Double.NaN);
-    climbDemand = state.number("CLIMB DEMAND").orElse(0.0);
-    pitchIntegral = state.number("PITCH INTEGRAL OF ENERGY").orElse(0.0);
-    throttleIntegral = state.number("THROTTLE INTEGRAL").orElse(0.0);
-    throttle = state.number("THROTTLE OF ENERGY").orElse(0.0);
-    pitch = state.number("PITCH OF ENERGY").orElse(0.0);
+  void transfer(Transfer state) {
+    filteredAirspeed = state.number("FILTERED AIRSPEED", filteredAirspeed, Double.NaN);
+    climbDemand = state.number("CLIMB DEMAND", climbDemand);
+    pitchIntegral = state.number("PITCH INTEGRAL OF ENERGY", pitchIntegral);
+    throttleIntegral = state.number("THROTTLE INTEGRAL", throttleIntegral);
+    throttle = state.number("THROTTLE OF ENERGY", throttle);
+    pitch = state.number("PITCH OF ENERGY", pitch);
   }
 
   /**
-   * @param urgency 0 with speed to spare … 1 at the minimum airspeed, by {@link StallGuard}
+   * @param urgency 0 with speed to spare … 1 at the minimum airspeed, by {@link
+   *     GuidanceVariables#urgency}
    */
-  public Command step(FlightState state, Demand demand, double urgency, double dtS) {
+  Command step(FlightState state, Demand demand, double urgency, double dtS) {
     if (Double.isNaN(filteredAirspeed)) {
       restart(state, state.pitchRad(), parameters.throttleTrim());
     }

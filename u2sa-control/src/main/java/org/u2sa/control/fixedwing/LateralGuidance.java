@@ -1,4 +1,4 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
 
 import org.u2sa.messages.frame.Gravity;
 
@@ -7,7 +7,7 @@ import org.u2sa.messages.frame.Gravity;
  * for Trajectory Tracking, AIAA 2004-4900, eq. 1: a = 2 V² / L1 · sin η, with ground speed V, so
  * that no wind estimate is needed. Bank is that of a level coordinated turn.
  */
-public final class LateralGuidance {
+final class LateralGuidance {
 
   private static final double SLOWEST_MPS = 5.0; // ground speed; below it the track is meaningless
 
@@ -16,7 +16,7 @@ public final class LateralGuidance {
   /**
    * @param shortestM minimum L1 [m]: nearer points count as this far, so that the gain is bounded
    */
-  public LateralGuidance(double shortestM) {
+  LateralGuidance(double shortestM) {
     this.shortestM = shortestM;
   }
 
@@ -25,7 +25,7 @@ public final class LateralGuidance {
    *
    * @param northM north of the point from the aircraft [m]
    */
-  public double accelerationMps2(FlightState state, double northM, double eastM) {
+  double accelerationMps2(FlightState state, double northM, double eastM) {
     double speed = state.groundSpeedMps();
     double distance = Math.max(shortestM, StrictMath.hypot(northM, eastM));
     double track =
@@ -39,7 +39,7 @@ public final class LateralGuidance {
   }
 
   /** Bank of the coordinated level turn to the point [rad, right wing down positive], unlimited. */
-  public double bankRad(FlightState state, double northM, double eastM) {
+  double bankRad(FlightState state, double northM, double eastM) {
     return StrictMath.atan2(accelerationMps2(state, northM, eastM), Gravity.STANDARD_MPS2);
   }
 }

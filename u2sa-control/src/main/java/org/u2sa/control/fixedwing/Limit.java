@@ -1,28 +1,28 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
 
 /** Clamping and angle wrapping. */
-public final class Limit {
+final class Limit {
   private static final double FULL_TURN = 2.0 * Math.PI;
 
   private Limit() {}
 
   /** Clamps a value to least…most. */
-  public static double within(double least, double value, double most) {
+  static double within(double least, double value, double most) {
     return Math.max(least, Math.min(most, value));
   }
 
   /** Clamps a value to −bound…bound. */
-  public static double symmetric(double value, double bound) {
+  static double symmetric(double value, double bound) {
     return within(-bound, value, bound);
   }
 
   /** Moves from one value toward another by at most one step. */
-  public static double approach(double from, double to, double step) {
+  static double approach(double from, double to, double step) {
     return from + symmetric(to - from, step);
   }
 
   /** Wraps an angle to −π…π. */
-  public static double angle(double rad) {
+  static double angle(double rad) {
     return StrictMath.IEEEremainder(rad, FULL_TURN);
   }
 }

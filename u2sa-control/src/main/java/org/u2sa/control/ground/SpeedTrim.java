@@ -1,32 +1,22 @@
 package org.u2sa.control.ground;
 
 import java.util.OptionalDouble;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * Integral trim of steady speed errors from slopes, soft ground, load or a discharging battery. It
  * is bounded by the motors' capability, is zero while the vehicle stands, so that it never creeps,
  * and resets with each drive, each turn and each change of direction.
  */
-final class TurnTrim {
-  private final String name;
+final class SpeedTrim {
+  private static final String NAME = "SPEED TRIM"; // in a hand-over
+
   private double trim;
   private double direction; // 1 forward, -1 in reverse, 0 in a turn in place
 
-  /**
-   * @param name name for the hand-over
-   */
-  TurnTrim(String name) {
-    this.name = name;
-  }
-
-  void handOver(HandOver state) {
-    state.number(name, trim).number(name + " DIRECTION", direction);
-  }
-
-  void takeOver(HandOver state) {
-    trim = state.number(name).orElse(0.0);
-    direction = state.number(name + " DIRECTION").orElse(0.0);
+  void transfer(Transfer state) {
+    trim = state.number(NAME, trim);
+    direction = state.number(NAME + " DIRECTION", direction);
   }
 
   /**

@@ -1,4 +1,4 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
 
 /**
  * State of the aircraft at one time, as used by the control laws. North and east are metres in the
@@ -27,7 +27,7 @@ package org.u2sa.control.fixedwing.law;
  * @param engineRpm [1/min]
  * @param engineStarting whether the engine is being primed: throttle stays between 0.1 and 0.5
  */
-public record FlightState(
+record FlightState(
     double timeS,
     double northM,
     double eastM,
@@ -51,7 +51,7 @@ public record FlightState(
     boolean engineStarting) {
 
   /** Speed over ground [m/s]. */
-  public double groundSpeedMps() {
+  double groundSpeedMps() {
     return StrictMath.hypot(northMps, eastMps);
   }
 
@@ -61,7 +61,7 @@ public record FlightState(
   }
 
   /** True over calibrated airspeed: about 1 at low altitude, growing with height. */
-  public double trueOverCalibrated() {
+  double trueOverCalibrated() {
     return calibratedAirspeedMps > 5.0 ? trueAirspeedMps / calibratedAirspeedMps : 1.0;
   }
 }

@@ -4,11 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.StallGuard;
 
-class StallGuardTest {
-  private final StallGuard guard = new StallGuard(TestTuning.standard().guidance());
+class GuidanceVariablesTest {
+  private final GuidanceVariables guard = TestTuning.standard().guidance();
 
   @Test
   void leastSpeed_bankOf60Degrees_growsWithTheRootOfLoadFactorTwo() {

@@ -1,10 +1,14 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
 
 import java.util.Locale;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** Speeds and limits within which the aircraft follows navigation. */
-public record GuidanceVariables(
+/**
+ * Speeds and limits within which the aircraft follows navigation, and its stall protection: stall
+ * speed grows with the root of the load factor, 1/cos φ in a level turn (14 CFR 23.2110; Cessna
+ * 172P handbook, figure 5-3).
+ */
+record GuidanceVariables(
     @Variable(
             unit = "m/s",
             min = 5,
@@ -84,7 +88,7 @@ public record GuidanceVariables(
                 "Share of the wind speed added to the rotation speed and the minimum airspeed: gusts near the ground are as strong (MIL-F-8785C: σ about 0.2).")
         double gustShare) {
   /** Validates the order of the speeds. */
-  public GuidanceVariables {
+  GuidanceVariables {
     if (cruiseSpeed > maxSpeed) {
       throw new IllegalArgumentException(
           "CRUISE SPEED " + cruiseSpeed + " m/s is above MAX SPEED " + maxSpeed + " m/s");
@@ -98,5 +102,28 @@ public record GuidanceVariables(
               least,
               cruiseSpeed));
     }
+  }
+
+  /** Minimum calibrated airspeed at a bank [m/s]. */
+  double leastSpeedMps(double bankRad) {
+    double cosine = Math.max(0.1, StrictMath.cos(bankRad));
+    return stallMargin * stallSpeed / StrictMath.sqrt(cosine);
+  }
+
+  /** Urgency: 0 with speed to spare … 1 at the minimum airspeed. */
+  double urgency(FlightState state) {
+    double spare = state.calibratedAirspeedMps() - leastSpeedMps(state.rollRad());
+    return Limit.within(0.0, 1.0 - spare / stallBand, 1.0);
+  }
+
+  /** Maximum bank that keeps the margin at the current airspeed [rad]. */
+  double bankLimitRad(FlightState state) {
+    double ratio = stallMargin * stallSpeed / Math.max(1.0, state.calibratedAirspeedMps());
+    return StrictMath.acos(Math.min(1.0, ratio * ratio));
+  }
+
+  /** Maximum pitch that keeps the angle of attack within its limit [rad]. */
+  double pitchLimitRad(FlightState state) {
+    return state.pitchRad() + Math.toRadians(angleOfAttackLimit) - state.alphaRad();
   }
 }

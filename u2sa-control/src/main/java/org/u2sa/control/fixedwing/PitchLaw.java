@@ -1,17 +1,16 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
 
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Holds a pitch by the elevator: proportional pitch loop around a rate loop. In a turn, the pitch
  * rate of the coordinated turn q = g/V · sin φ tan φ (McCormick, Aerodynamics, Aeronautics, and
  * Flight Mechanics, section 7) is added to the demand.
  */
-public final class PitchLaw {
+final class PitchLaw extends RateLoop {
   /** Variables of the pitch loop and its inner pitch-rate loop. */
-  public record Variables(
+  record Variables(
       @Variable(unit = "s", min = 0.2, max = 5, ifAbsent = 0.8, text = "Pitch-error time constant.")
           double pitchTimeConstant,
       @Variable(
@@ -45,53 +44,31 @@ public final class PitchLaw {
   private static final double SLOWEST_MPS = 5.0;
 
   private final Variables parameters;
-  private final RateLoop loop;
 
-  /** Starts with an empty integrator. */
-  public PitchLaw(Variables parameters) {
+  PitchLaw(Variables parameters) {
+    super(
+        "PITCH INTEGRAL",
+        new Gains(
+            parameters.pitchRateForwardGain(),
+            parameters.pitchRateGain(),
+            parameters.pitchRateIntegralGain(),
+            parameters.elevatorTrimLimit()));
     this.parameters = parameters;
-    this.loop =
-        new RateLoop(
-            new RateLoop.Gains(
-                parameters.pitchRateForwardGain(),
-                parameters.pitchRateGain(),
-                parameters.pitchRateIntegralGain(),
-                parameters.elevatorTrimLimit()));
   }
 
   /** Elevator, −1…1, positive lowers the nose. */
-  public double elevator(FlightState state, double pitchRad, double scale, double dtS) {
+  double elevator(FlightState state, double pitchRad, double scale, double dtS) {
     double error = pitchRad - state.pitchRad();
     double rate =
         Limit.symmetric(
             error / parameters.pitchTimeConstant(), Math.toRadians(parameters.pitchRateLimit()));
-    return -loop.step(rate + turnRate(state), state.pitchRate(), scale, dtS);
+    return -step(rate + turnRate(state), state.pitchRate(), scale, dtS);
   }
 
   /** Pitch rate of a coordinated turn at the current bank [rad/s]. */
-  public static double turnRate(FlightState state) {
+  static double turnRate(FlightState state) {
     double bank = Limit.symmetric(state.rollRad(), STEEPEST_RAD);
     double speed = Math.max(SLOWEST_MPS, state.trueAirspeedMps());
     return Gravity.STANDARD_MPS2 / speed * StrictMath.sin(bank) * StrictMath.tan(bank);
-  }
-
-  /** Clears the integrator. */
-  public void restart() {
-    loop.restart(0.0);
-  }
-
-  /** Starts bumplessly at a surface position. */
-  public void restart(double surface) {
-    loop.restart(-surface);
-  }
-
-  /** Stores the state of its integrators for a successor. */
-  public void handOver(HandOver state) {
-    state.number("PITCH INTEGRAL", loop.integral());
-  }
-
-  /** Continues from the state that a predecessor stored; resets without one. */
-  public void takeOver(HandOver state) {
-    state.number("PITCH INTEGRAL").ifPresent(loop::restart);
   }
 }

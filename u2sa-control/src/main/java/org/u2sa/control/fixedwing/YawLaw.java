@@ -1,17 +1,17 @@
-package org.u2sa.control.fixedwing.law;
+package org.u2sa.control.fixedwing;
 
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Coordinates turns by rudder: damps yaw about r = g/V · sin φ cos θ (coordinated turn; Stevens and
  * Lewis, 2nd ed., section 4.4), compensates the adverse yaw of the ailerons, and slowly removes
  * sideslip, which trims the propeller's swirl.
  */
-public final class YawLaw {
+final class YawLaw {
   /** Gains at the reference speed. */
-  public record Variables(
+  record Variables(
       @Variable(
               unit = "s/rad",
               min = 0,
@@ -38,13 +38,12 @@ public final class YawLaw {
   private final Variables parameters;
   private double integral;
 
-  /** Starts with an empty integrator. */
-  public YawLaw(Variables parameters) {
+  YawLaw(Variables parameters) {
     this.parameters = parameters;
   }
 
   /** Rudder, −1…1, positive yaws right. */
-  public double rudder(FlightState state, double aileron, double scale, double dtS) {
+  double rudder(FlightState state, double aileron, double scale, double dtS) {
     double wanted = coordinatedRate(state);
     double damping = parameters.yawDamping() * scale * (wanted - state.yawRate());
     double next = integral + parameters.sideslipIntegralGain() * state.betaRad() * dtS;
@@ -66,18 +65,12 @@ public final class YawLaw {
         * StrictMath.cos(state.pitchRad());
   }
 
-  /** Stores the state of its integrators for a successor. */
-  public void handOver(HandOver state) {
-    state.number("YAW INTEGRAL", integral);
-  }
-
-  /** Continues from the state that a predecessor stored; resets without one. */
-  public void takeOver(HandOver state) {
-    state.number("YAW INTEGRAL").ifPresent(this::restart);
+  void transfer(Transfer state) {
+    restart(state.number("YAW INTEGRAL", integral, integral));
   }
 
   /** Starts bumplessly at a rudder position. */
-  public void restart(double rudder) {
+  void restart(double rudder) {
     boolean isOn = parameters.sideslipIntegralGain() > 0.0;
     integral = isOn ? Limit.symmetric(rudder, parameters.rudderTrimLimit()) : 0.0;
   }
